@@ -1,145 +1,134 @@
 //! (3.2), (4.3): at τ = 2, does the error need a power of |ln h|?
 //!
-//! Slopes like |ln r|^{−α}, outside H² (α = 0) and in it (α > 1/2): one transition, 22, a Cantor set.
+//! For u in H² the paper proves ‖u − u^h‖ ≤ C h |ln h|^(1/2) (h is the size of the triangles, ‖·‖ the energy norm) for the nodal
+//! cone, u^h ≤ 0 at the nodes of the contact edge (3.2), and for the midpoint cone, means over the segments ≤ 0 (4.3). With the
+//! sharp form of Lemma 5.2 its proof gives h |ln h|^(1/4); later h was proved (Drouet and Hild 2015).
 //!
-//! `cargo run --release --example equation_3_2_logarithm -- --levels 3-18`
+//! Near an end of the contact set let u_N' (on one side) and σ_N (on the other) be like ℓ(r)^(−α), ℓ(r) = 2 + |ln r|: u is in
+//! H² if and only if α > 1/2. Cells at distance r from it add h² ℓ(r)^(−2α) dr/r to the squared error, so that
+//!
+//! ```text
+//! (‖u − u^h‖/h)² ≈ B + A ℓ(h)^q / q,     q = 1 − 2α:     no logarithm for q < 0,     |ln h|^(q/2) for q > 0.
+//! ```
+//!
+//! q is measured: the increments of the left side over two halvings are like ℓ^(q−1), and q − 1 is their slope over ℓ in
+//! logarithms, its ± the scatter. Refuted if for α > 1/2 ‖u − u^h‖ / (h |ln h|^(1/2)) grows; loose if also q < 0.
+//!
+//! Test problem: u harmonic on the unit square, 0 on top, ∂u/∂n = 0 on the sides, g ≤ 0 and the pressure λ chosen on the edge,
+//! g λ = 0. `transition`: contact for x < a, λ = ℓ(a − x)^(−α), g = −δ ℓ(δ)^(−α), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0, and
+//! root mean squares over a = 5/12, 11/24. Others: such gaps, 11 equal ones, and those of a Cantor set
+//! (nodal cone).
+//!
+//! `cargo run --release --example equation_3_2_logarithm -- --problem transition --alpha 0,0.6,1.5 --finest 16`
 
-use example_frame::figures::Chart;
-use example_frame::rates::{LogarithmRow, complete, error_over_h, lowest};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table};
-use experiments::convergence::Levels;
+use example_report::prelude::*;
 use signorini::cone::Cone;
-use signorini::rates::Bound;
-use std::process::ExitCode;
+use signorini::problems::{StripData, TransitionPowers};
+use signorini::rates::ConvergenceOrder;
+use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
-example_frame::options! {
-    /// Which of h, h |ln h|^1/4, h |ln h|^1/2 is the error at tau = 2?
-    pub struct Options: Long {
-        /// Levels COARSEST-FINEST: n = 2^level cells along the edge; the reference is 16 times finer
-        #[arg(long, default_value = "3-16")]
-        pub levels: Levels,
+example! { long "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1/2),  both cones";
+    /// contact sets on the edge
+    problem: Vec<StripData> = "transition,transitions:11,cantor:0.25",
+    /// slopes and pressures like |ln r|^-alpha
+    alpha: Vec<f64> = "0,0.75,1" in "[0, 4]" slider "0 to 2",
+    /// meshes of 8, 16, .. 2^finest cells along the edge
+    finest: u32 = "14" in "[9, 18]",
+}
+
+/// (h, ‖u − u^h‖), coarsest first. u is the discrete harmonic function with the values g on N = 16·2^finest cells, and
+/// u^h solves the problem with its load by iterating the active set, conjugate gradients and cosine transforms, to 1e-13.
+/// A function with coefficients c_k = Σ v_i cos kπi/n (end nodes by half) on the edge of n × n squares has the energy
+/// ‖v‖² = Σ S_k c_k², S_k = (2/n) sinh η coth nη (k = 0, n by half), cosh η = 2 − cos(kπ/n). Errors against u on N cells lack
+/// what u itself lacks: a square like h² − N^(−2) in place of h², which is made up for.
+fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, f64)>> {
+    let mut squares = vec![0.0; finest as usize - 2];
+    for edge in edges {
+        let problem = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
+        let mut coarser = None;
+        for (level, square) in (3..=finest).zip(&mut squares) {
+            let n = 1 << level;
+            let u = problem.operator(n)?.0.solve_contact(&problem.load(n)?, cone, coarser.as_ref(), 1e-13)?;
+            let lacking = 1.0 - (n as f64 / edge.cells() as f64).powi(2);
+            *square += problem.error(n, &u.values)?.value.powi(2) / lacking / edges.len() as f64;
+            coarser = Some(u);
+        }
     }
+    Ok((3..=finest).zip(squares).map(|(level, square)| (0.5f64.powi(level as i32), square.sqrt())).collect())
 }
 
-/// What is computed: scene after scene, nodal cone first.
-pub struct Computed {
-    /// One transition before many.
-    pub rows: Vec<LogarithmRow>,
-}
-
-/// Solves every scene in both cones.
-pub fn compute(options: &Options) -> Result<Computed> {
-    Ok(Computed { rows: LogarithmRow::all(options.levels)? })
-}
-
-/// What decides: the sign of q in H² (q < 0: no logarithm), that e/h does not fall either, (3.2) outside H².
-pub fn findings(_: &Options, Computed { rows }: &Computed) -> Vec<Finding> {
-    let mut found = vec![complete(rows.iter().map(|row| &row.study))];
-    for row @ LogarithmRow { alpha, study, fit, .. } in rows {
-        let (of, key) = (format!("{}, {} cone", row.name(), study.cone), |what: &str| row.key(what));
-        let (few, last) = ("too few levels or no error", "finest level over the middle one");
-        let q = fit.map(|fit| (fit.power, fit.half_width));
-        if *alpha > 0.5 || row.is_single() {
-            found.push(
-                Finding::claim(key("bound"), format!("{of}: e/(h |ln h|^1/2) falls, factor {{value}}"))
-                    .number_or(row.growth(Bound::Paper), few)
-                    .at_most(1.0, format!("(3.2), (4.3); {last}")),
-            );
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let cells = 16usize << options.finest;
+    out.column("expected", "1−2α", "");
+    out.column("optimal", "e/h", "on the finest mesh, over that on the middle one; e = ‖u−u^h‖");
+    out.column("sharp", "e/(h L^1/4)", "the same, L = |ln h|");
+    out.column("paper", "e/(h L^1/2)", "the same");
+    let mut curves = Vec::new();
+    for problem in &options.problem {
+        for &alpha in &options.alpha {
+            let transition =
+                |a: f64| TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: alpha }.data(a, cells);
+            let edges: Vec<EdgeData> = match problem.moves() {
+                true => {
+                    [5.0 / 12.0, 11.0 / 24.0].into_iter().map(transition).collect::<signorini::Result<_>>()?
+                }
+                false => vec![problem.damped_data(alpha, cells, LateralCondition::Natural)?],
+            };
+            // A Cantor set has measure zero, and the pressure is that of its last generation: the midpoint cone sees it.
+            let cones: &[Cone] =
+                if matches!(problem, StripData::Cantor { .. }) { &[Cone::Nodal] } else { &Cone::ALL };
+            for &cone in cones {
+                let points = errors(&edges, cone, options.finest)?;
+                let ell = |h: f64| 2.0 - h.ln();
+                let increments: Vec<(f64, f64)> = points
+                    .windows(3)
+                    .map(|p| (ell(p[1].0), (p[2].1 / p[2].0).powi(2) - (p[0].1 / p[0].0).powi(2)))
+                    .collect();
+                let skipped = increments.len() / 2; // the coarsest meshes
+                let q = Measured::from(ConvergenceOrder::of_scattered(&increments[skipped..])) + 1.0;
+                let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
+                let growth = |power: f64| {
+                    let over = |(h, e): (f64, f64)| e / (h * (-h.ln()).powf(power));
+                    over(last) / over(middle)
+                };
+                let [optimal, sharp, paper] = [0.0, 0.25, 0.5].map(growth);
+                let name = problem.to_string().split(':').next().unwrap_or_default().to_owned();
+                out.row(cells! { problem: name.clone(), alpha, cone: cone.to_string() => expected: 1.0 - 2.0 * alpha, q,
+                    optimal, sharp, paper });
+                if alpha > 0.5 {
+                    out.check(format!("e/(h L^1/2) in H², {cone} cone")).at_most(paper, 1.0, "(3.2), (4.3)");
+                    out.stronger(format!("q in H², {cone} cone")).at_most(q, 0.0, "no logarithm");
+                    out.observe("e/h in H²").at_least(optimal, 1.0, "order h, no more");
+                } else if alpha == 0.0 {
+                    out.observe("q for α = 0, not in H²").at_least(q, 0.0, "|ln h|^(q/2)");
+                }
+                if problem.moves() {
+                    out.observe("q − (1 − 2α), transition").near(
+                        q - (1.0 - 2.0 * alpha),
+                        0.0,
+                        0.2,
+                        "sum over the cells",
+                    );
+                    if cone == Cone::Nodal {
+                        let points: Vec<(f64, f64)> =
+                            points.iter().map(|(h, e)| (*h, e / h / (points[0].1 / points[0].0))).collect();
+                        curves.push((format!("α = {alpha}"), points));
+                    }
+                }
+            }
         }
-        if *alpha > 0.5 {
-            found.extend([
-                Finding::claim(key("none"), format!("{of}: e/h needs no logarithm, q = {{value}}"))
-                    .number_or(q, few)
-                    .at_most(0.0, "q < 0 in H^2, Drouet & Hild 2015")
-                    .otherwise(format!("{of}: e/h needs |ln h|^(q/2), q = {{value}}")),
-                Finding::remark(key("order"), format!("{of}: e/h does not fall, factor {{value}}"))
-                    .number_or(row.growth(Bound::Optimal), few)
-                    .at_least(1.0, format!("order h; {last}")),
-            ]);
-        }
-        if !row.is_single() && *alpha == 0.0 {
-            found.push(
-                Finding::remark(key("needs"), format!("{of}: e/h needs |ln h|^(q/2), q = {{value}}"))
-                    .number_or(q, few)
-                    .at_least(0.0, "q > 0 outside H^2")
-                    .otherwise(format!("{of}: e/h needs no logarithm, q = {{value}}")),
-            );
-        }
-        if !row.is_single() {
-            continue;
-        }
-        let like = if *alpha > 0.5 { "is bounded and nears its limit like" } else { "grows like" };
-        let power = Finding::remark(key("power"), format!("{of}: (e/h)^2 {like} |ln h|^q, q = {{bound}}"))
-            .number_or(q.map(|(power, _)| (power, 0.0)), few)
-            .within(q.map_or(0.0, |(_, u)| u), 1.0 - 2.0 * alpha, "1 - 2 alpha, sum over cells")
-            .otherwise(format!("{of}: q = {{value}} is not {{bound}} within its uncertainty"));
-        found.push(if *alpha > 0.5 { power } else { power.told() });
     }
-    let in_h2 = rows.iter().filter(|row| row.alpha > 0.5);
-    found.push(
-        Finding::sharpness(
-            "whole",
-            "in H^2 the whole logarithm: every q is below 0, the least sure one by {value} +- {uncertainty}",
-        )
-        .number_or(lowest(in_h2.map(|row| row.fit.map(|fit| (-fit.power, fit.half_width)))), "no fit")
-        .at_least(0.0, "no logarithm")
-        .told(),
+    let plot = out.plot(
+        "equation_3_2_logarithm",
+        "τ = 2, nodal cone: does error/h grow?",
+        Axes::LogLinear("h", "error/h over that at h = 1/8"),
     );
-    found
-}
-
-/// Measures every scene in both cones.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "u in H^2: the error is at most C h |ln h|^(1/2); with the sharp Lemma 5.2 C h |ln h|^(1/4); proved later: C h";
-    let found = findings(options, &computed);
-    let mut headline = Headline::new("(3.2), (4.3)", claim, table(&computed), found);
-    for row in &computed.rows {
-        if let Some(fit) = row.fit {
-            let key = row.key("equation.3.2");
-            headline.quote(format!("{key}.q"), fit.power);
-            headline.quote(format!("{key}.half"), fit.half_width);
-        }
+    for (power, name) in [(0.25, "|ln h|^(1/4)"), (0.5, "|ln h|^(1/2)")] {
+        let levels = (3..=options.finest).map(|level| 0.5f64.powi(level as i32));
+        plot.dashed_line(name, levels.map(|h| (h, (h.ln() / 8f64.ln()).abs().powf(power))).collect());
     }
-    headline.draw(&options.output, "equation_3_2_logarithm", || Ok(draw(&computed)))?;
-    Ok(headline)
-}
-
-fn table(Computed { rows }: &Computed) -> Table {
-    let three = Format::Fixed(3);
-    let ratio = "finest level that counts over the middle one";
-    let mut table = Table::new(vec![
-        Column::new("scene", "slopes like", Format::Plain, "kink: a jump, not in H^2; the others are"),
-        Column::new("cone", "cone", Format::Plain, ""),
-        Column::new("expected", "1-2a", Format::Plain, "q expected for slopes like |ln r|^-a"),
-        Column::new("power", "q", three, "(e/h)^2 = B + A(l^q - 1)/q, l = 2 + |ln h|"),
-        Column::new("half_width", "+-", three, "what q may be off by: windows of levels, scatter"),
-        Column::new("exponent", "needed", three, "power of |ln h| in the error: q/2, none for q <= 0"),
-        Column::new("optimal", "e/h", three, ratio),
-        Column::new("sharpened", "e/hL^1/4", three, ratio),
-        Column::new("paper", "e/hL^1/2", three, ratio),
-        Column::new("left_out", "out", Format::Plain, "levels left out"),
-    ]);
-    for row @ LogarithmRow { alpha, study, fit, .. } in rows {
-        let mut cells: Vec<Cell> = vec![row.name().into(), study.cone.to_string().into()];
-        cells.push((1.0 - 2.0 * alpha).into());
-        let numbers = [fit.map(|f| f.power), fit.map(|f| f.half_width), fit.map(|f| f.exponent())];
-        cells.extend(numbers.map(Cell::from));
-        let bounds = [Bound::Optimal, Bound::Sharpened, Bound::Paper];
-        cells.extend(bounds.map(|bound| row.growth(bound).map(|(growth, _)| growth).into()));
-        cells.push(study.left_out().into());
-        table.push(cells);
+    for (name, points) in curves {
+        plot.line(&name, points);
     }
-    table
-}
-
-/// e/h against h for one transition in the nodal cone, relative to the coarsest level.
-fn draw(Computed { rows }: &Computed) -> Chart {
-    let nodal = rows.iter().filter(|row| row.study.cone == Cone::Nodal && row.is_single());
-    let named = nodal.map(|row| (row.name(), &row.study));
-    error_over_h("tau = 2: does error/h grow?", named, &[("|ln h|^1/4", 0.25), ("|ln h|^1/2", 0.5)])
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    Ok(())
 }

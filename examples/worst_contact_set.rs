@@ -170,37 +170,25 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order = ConvergenceOrder::of_power(&roots).filter(|_| roots.len() > 3);
         let [nodal, midpoint] = share;
         out.row(cells! { set: set.to_string() => pieces, nodal, midpoint, order: order.map(Measured::from) });
-        out.check("share of the bound, sets on the edge").at_most(
-            nodal.max(midpoint),
-            1.0,
-            "the bound, by proof",
-        );
+        out.check("largest share, all sets").at_most(nodal.max(midpoint), 1.0, "by proof");
         if let Some(order) = order {
-            out.observe("order, resolved sets, over the paper's").at_least(
+            out.observe("order − paper, resolved sets").at_least(
                 Measured::from(order) - Bound::Paper.exponent(tau)?,
                 0.0,
                 "τ² − 5τ/2 + 2",
             );
         }
     }
-    out.proof("integral ≤ ½ h^(2τ−2) |σ_N|_ν |u_N'|_ν on every segment", "worst_contact_set");
+    out.proof("the bound on every segment", "worst_contact_set");
     // One segment: κ is the best constant for one gap at an end, either cone; κ̄ bounds every set, midpoint cone.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
     out.note("kappa", kappa);
-    out.check("κ, worst gap at an end").at_most(kappa, 0.5, "the bound, by proof");
-    out.check("κ̄, every set, midpoint cone").at_most(
-        midpoint_bound(nu, 1e-9)?.value,
-        0.5,
-        "the bound, by proof",
-    );
+    out.check("κ, worst gap at an end").at_most(kappa, 0.5, "by proof");
+    out.check("κ̄, every set, midpoint cone").at_most(midpoint_bound(nu, 1e-9)?.value, 0.5, "by proof");
     let form = Gram::new(&Mesh::uniform(48, 1.0)?, nu, 1e-8)?.to_dense()?;
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let ratio = kappa.recip() * search(cone, &form, options.sets)?;
-        out.check(format!("random sets over κ, {cone} cone")).at_most(
-            ratio,
-            1.0,
-            "`by_definition`, 48 cells",
-        );
+        out.check(format!("random sets/κ, {cone} cone")).at_most(ratio, 1.0, "`by_definition`, 48 cells");
     }
     if out.draws() {
         out.chart("worst_contact_set", chart()?)

@@ -86,7 +86,6 @@ macro_rules! examples {
 
 examples! {
     // examples
-    contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     introduction_rates: "../examples/introduction_rates.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
     remark_3_face: "../examples/remark_3_face.rs",

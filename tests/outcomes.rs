@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     section_2_regularity: "../examples/section_2_regularity.rs",
     section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",

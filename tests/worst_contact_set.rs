@@ -18,7 +18,7 @@ fn no_set_is_bad_and_none_passes_the_sharp_constant() {
         .filter(|(key, _)| key.starts_with("nodal.") || key.starts_with("midpoint."));
     assert!(shares.map(|(_, share)| (0.0..1.0).contains(&share)).filter(|&is| is).count() == 18);
     for cone in ["nodal", "midpoint"] {
-        let found = outcome.check(&format!("random-sets-over-kappa-{cone}-cone")).unwrap().value().value;
+        let found = outcome.check(&format!("random-sets-kappa-{cone}-cone")).unwrap().value().value;
         assert!(found < 1.0 && found > 0.8, "{cone}: {found}");
     }
 }
