@@ -1,158 +1,173 @@
 //! Contact costs nothing in the limit: the error beside that of interpolation, whatever the contact set.
 //!
-//! `cargo run --release --example contact_costs_nothing -- --levels 4-20`
+//! Let u in H^τ, 3/2 < τ ≤ 2, solve Signorini's problem, u^h the discrete one in the nodal cone (2.9), I^h interpolation at
+//! the nodes. By Falk's lemma, and because the sums over segments hold only pairs of points nearer than h,
+//!
+//! ```text
+//! |u − u^h|_a²  ≤  |u − I^h u|_a² + 2 ∫ σ_N I^h u_N,        ∫ σ_N I^h u_N = o(h^(2τ−2))   as h → 0.
+//! ```
+//!
+//! Problems on a strip (example `section_2_strip`): g = u_N ≤ 0 and the pressure λ ≥ 0, g λ = 0, are given at the N + 1 nodes
+//! of the edge of the unit square; A_N multiplies the wave cos kπx by sinh η coth Nη, cosh η = 2 − cos(kπ/N). With P the
+//! interpolation from n to N cells, |u − v|_a² = gᵀA_N g − 2 (A_N g)ᵀPv + vᵀA_n v; u^h minimises ½ vᵀA_n v − (A_N g + λ)ᵀPv
+//! over v ≤ 0, the best approximation without constraint solves A_n v = Pᵀ A_N g. N is 64 times the finest n.
+//!
+//! `transitions:3`: powers r^(τ−1), r^(τ−2) at six places, or for τ = 5/2 the natural r^(3/2), r^(1/2); `cantor`, `fat-cantor`:
+//! contact on Cantor sets. Where τ is a supremum that is not reached, term and squared error have one order and the limit of
+//! the quotient may differ from 1. Order of the term over h^(2τ−2) by counting gaps longer than h: 0 for transitions (τ ≤ 2)
+//! and fat Cantor sets, 1 for τ = 5/2 (over h²), 1 − τ + d/2 for the Cantor set of dimension d.
+//!
+//! Refuted if a squared error is above Falk's bound or an error below the best one, if the quotient by interpolation for τ = 5/2
+//! is above 1.001 (for a problem in closed form on triangulations: 1.01), if its limit does not fall as τ grows, or if a
+//! steady order of the term is off its theory by more than 0.15.
+//!
+//! `cargo run --release --example contact_costs_nothing -- --finest 17`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::rates::STEADY;
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::convergence::{Levels, StripCase};
-use experiments::proof::{CostRow, CostStudy};
-use experiments::{KnownLevel, known_levels};
+use example_report::prelude::*;
 use signorini::cone::Cone;
-use signorini::problems::KnownSolution;
-use signorini::strip::{Reference, StripKind};
-use std::process::ExitCode;
+use signorini::contact::Solver;
+use signorini::edge::consistency_terms;
+use signorini::problems::{KnownSolution, StripData};
+use signorini::rates::ConvergenceOrder;
+use signorini::strip::{EdgeData, Reference, StripKind, StripProblem};
 
-example_frame::options! {
-    /// Compare the error with that of interpolation and of the best approximation without constraint
-    pub struct Options {
-        /// Mesh sizes h = 2^-COARSEST ... 2^-FINEST on strips
-        #[arg(long, default_value = "4-16")]
-        pub levels: Levels,
-        /// Meshes of 4 x 4 ... n x n squares for the problem in closed form, n = 2 to this power
-        #[arg(long, default_value_t = 7, value_parser = clap::value_parser!(u32).range(4..=11))]
-        pub finest: u32,
-    }
-    memory(options) {
-        let strips = 190.0 * options.levels.reference_cells() as f64;
-        strips.max(1300.0 * f64::from(2 * options.finest).exp2())
-    }
+example! { seconds "Theorem 3.1, the limit", "|u − u^h|_a² ≤ |u − I^h u|_a² + o(h^(2τ−2)) for u in H^τ, whatever the contact set";
+    /// meshes of 16, 32, .. 2^finest cells along the edge
+    finest: u32 = "14" in "[7, 18]",
+    /// discrete cone: nodal (2.9), the theorem's, or midpoint (4.1), measured only
+    cone: Cone = "nodal",
 }
 
-/// A scene with its regularity.
-const SCENES: [(&str, f64); 7] = [
-    ("transitions:3", 1.55),
-    ("transitions:3", 1.75),
-    ("transitions:3", 2.0),
-    ("transitions:3", 2.5),
-    ("cantor:0.3", 1.75),
-    ("fat-cantor", 1.6),
-    ("fat-cantor", 1.9),
-];
-
-/// Strips; the scalar problem in closed form with one transition, nodal and midpoint cone.
-pub type Computed = (Vec<CostStudy>, [Vec<KnownLevel>; 2]);
-
-/// Solves every scene on every mesh.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let (mut cases, cones) = (Vec::new(), [Cone::Nodal, Cone::Midpoint]);
-    let bar = progress((SCENES.len() * 2) as u64);
-    for (name, tau) in SCENES {
-        for cone in cones {
-            let (kind, reference, levels) = (StripKind::Scalar, Reference::Nested, options.levels);
-            let source = name.parse()?;
-            let case = StripCase { kind, levels, source, tau, cone, reference, positions: 1 };
-            cases.push(CostStudy::of(&case, || ())?);
-            bar.inc(1);
+/// Pᵀλ: the forces at the nodes of N cells, tested with the hat functions of n cells.
+fn restricted(data: &EdgeData, n: usize) -> Vec<f64> {
+    let ratio = data.cells() / n;
+    let mut coarse = vec![0.0; n + 1];
+    for (j, force) in data.forces().iter().enumerate() {
+        let (cell, share) = (j / ratio, (j % ratio) as f64 / ratio as f64);
+        coarse[cell] += (1.0 - share) * force;
+        if share > 0.0 {
+            coarse[cell + 1] += share * force;
         }
     }
-    let mesh = |c| known_levels(&KnownSolution::one_transition(None), c, options.finest, || ());
-    Ok((cases, [mesh(cones[0])?, mesh(cones[1])?]))
+    coarse
 }
 
-/// Sums of squares on strips, quadrature on meshes, relative.
-const ROUNDING: f64 = 1e-6;
-
-/// What decides: the quotients on the finest meshes, and Falk's lemma on all.
-pub fn findings((cases, meshes): &Computed) -> Vec<Finding> {
-    let to_interpolation = |case: &CostStudy| case.limit(CostRow::over_interpolation);
-    let nodal = cases.iter().filter(|case| case.cone == Cone::Nodal).flat_map(|case| &case.rows);
-    let falk = nodal.map(|row| row.error / (row.interpolation + 2.0 * row.consistency)).reduce(f64::max);
-    let least = cases.iter().flat_map(|case| &case.rows).map(CostRow::over_best).reduce(f64::min);
-    let natural = cases.iter().filter(|case| case.tau > 2.0).filter_map(to_interpolation);
-    let mesh = meshes.iter().filter_map(|levels| KnownLevel::limit(levels));
-    let mesh = mesh.map(|(quotient, change)| (quotient, change + ROUNDING));
-    let kept = |case: &&CostStudy| case.cone == Cone::Nodal && case.scene == cases[0].scene;
-    let limits: Vec<(f64, f64)> = cases.iter().filter(kept).filter_map(to_interpolation).collect();
-    let falls = limits.windows(2).map(|pair| (pair[0].0 - pair[1].0, pair[0].1 + pair[1].1));
-    let fall = falls.min_by(|a, b| (a.0 - a.1).total_cmp(&(b.0 - b.1)));
-    let orders = cases.iter().filter_map(CostStudy::off).filter(|off| off.1 < STEADY);
-    let bar = |part: Option<f64>| part.map(|part| (part, ROUNDING));
-    vec![
-        Finding::claim("falk", "the squared error takes at most {percent} % of the bound by Falk's lemma")
-            .number_or(bar(falk), "no mesh")
-            .at_most(1.0 + 2.0 * ROUNDING, "|u - I^h u|^2 + 2 int sigma I^h u, nodal cone"),
-        Finding::claim("best", "the error is at least {value} times that of the best approximation")
-            .number_or(bar(least), "no mesh")
-            .at_least(1.0 - 2.0 * ROUNDING, "the best approximation"),
-        Finding::claim("natural", "natural transitions: {value} times the error of interpolation")
-            .largest_of(natural, "no mesh")
-            .at_most(1.001, "1, to a thousandth on these meshes")
-            .told(),
-        Finding::claim("mesh", "the same on meshes, a problem in closed form: {value} times")
-            .largest_of(mesh, "no mesh")
-            .at_most(1.01, "1, to a hundredth on these meshes"),
-        Finding::remark("supremum", "where tau is not reached the limit may be larger: up to {value} times")
-            .largest_of(cases.iter().filter_map(to_interpolation), "no mesh")
-            .at_least(1.0, "the error of interpolation")
-            .told(),
-        Finding::claim("falls", "the larger tau the smaller the limit for transitions, by {value} or more")
-            .number_or(fall, "fewer than two limits")
-            .at_least(0.0, "no change"),
-        Finding::claim("order", "steady orders of the term over h^(2 tau - 2) are {value} off at most")
-            .largest_of(orders, "no steady order")
-            .at_most(0.15, "the sum over the gaps longer than h"),
-    ]
-}
-
-/// Solves, decides and shows.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "|u - u_h|^2 <= |u - I^h u|^2 + o(h^(2 tau - 2)) for u in H^tau, whatever the contact set";
-    let mut headline =
-        Headline::new("Theorem 3.1, the limit", claim, table(&computed.0), findings(&computed));
-    headline.draw(&options.output, "contact_costs_nothing", || Ok(draw(&computed.0)))?;
-    Ok(headline)
-}
-
-fn table(cases: &[CostStudy]) -> Table {
-    let (three, two) = (Format::Fixed(4), Format::Significant(2));
-    let columns = vec![
-        Column::new("scene", "scene", Format::Plain, ""),
-        Column::new("tau", "tau", Format::Plain, "its regularity, a supremum"),
-        Column::new("cone", "cone", Format::Plain, ""),
-        Column::new("interpolation", "/ interp", three, "|u - u_h| / |u - I^h u|, 64 reference cells in h"),
-        Column::new("interpolation_half", "+-", two, "its change over the last two halvings of h"),
-        Column::new("best", "/ best", three, "|u - u_h| over that of the best approximation, no constraint"),
-        Column::new("best_half", "+-", two, ""),
-        Column::new("order", "order", three, "order of the term over h^(2 tau - 2), tau at most 2"),
-        Column::new("order_half", "+-", two, ""),
-        Column::new("theory", "theory", three, "the same by counting gaps"),
-    ];
-    let mut table = Table::new(columns);
-    for case in cases {
-        let quotients = [CostRow::over_interpolation, CostRow::over_best].map(|q| case.limit(q));
-        let mut row = vec![case.scene.to_string().into(), case.tau.into(), case.cone.to_string().into()];
-        for found in quotients.into_iter().chain([case.order()]) {
-            row.extend([found.map(|f| f.0).into(), found.map(|f| f.1).into()]);
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column(
+        "over_interpolation",
+        "/interpolation",
+        "|u − u^h|_a/|u − I^h u|_a on the finest mesh, ±: its change over two halvings",
+    );
+    out.column("over_best", "/best", "|u − u^h|_a over the error of the best approximation");
+    out.column("order", "order", "of the term over h^(2τ−2), h² for τ = 5/2");
+    out.column("theory", "theory", "the same by counting gaps");
+    let (cone, mut before, mut lines) = (options.cone, None::<Measured>, Vec::new());
+    let limit = |quotients: &[f64]| match quotients[..] {
+        [.., a, b, c] => Measured::new(c, (c - b).abs().max((c - a).abs())),
+        _ => Measured::NONE,
+    };
+    for (name, tau, theory) in [
+        ("transitions:3", 1.55, 0.0),
+        ("transitions:3", 1.75, 0.0),
+        ("transitions:3", 2.0, 0.0),
+        ("transitions:3", 2.5, 1.0),
+        ("cantor:0.3", 1.75, 1.0 - 1.75 + 0.5 * 2f64.ln() / (1.0 / 0.3f64).ln()),
+        ("fat-cantor", 1.6, 0.0),
+        ("fat-cantor", 1.9, 0.0),
+    ] {
+        let data = name.parse::<StripData>()?.data(tau, 64 << options.finest, StripKind::Scalar.sides())?;
+        let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 16)?;
+        // ∫ σ_N I^h u_N for every n: λ times the interpolant of g, node by node (midpoint cone: by means, (4.8)).
+        let terms = consistency_terms(&data, cone);
+        let (mut by_interpolation, mut by_best, mut scaled, mut coarser) =
+            (Vec::new(), Vec::new(), Vec::new(), None);
+        for n in (4..=options.finest).map(|k| 1usize << k) {
+            let (operator, load) = (problem.operator(n)?.0, problem.load(n)?); // A_n, Pᵀ(A_N g + λ)
+            let u = operator.solve_contact(&load, cone, coarser.as_ref(), 1e-13)?; // active set, conjugate gradients
+            let force: Vec<f64> = load.iter().zip(restricted(&data, n)).map(|(b, l)| b - l).collect();
+            let interpolant: Vec<f64> = data.values().iter().step_by(data.cells() / n).copied().collect();
+            let [error, interpolation, best] = [
+                problem.error(n, &u.values)?.value,
+                problem.error(n, &interpolant)?.value,
+                problem.error(n, &operator.solve(&force)?)?.value,
+            ];
+            let term = terms.iter().find(|term| term.0 == n).map_or(0.0, |term| term.1);
+            // 1e-6: what sums of 2^21 squares may be off by.
+            if cone == Cone::Nodal {
+                let bound = interpolation * interpolation + 2.0 * term;
+                out.check("error²/(interpolation² + 2 term)").at_most(
+                    (error * error / bound, 1e-6),
+                    1.0 + 2e-6,
+                    "Falk's lemma",
+                );
+            }
+            out.check("error over the best one").at_least(
+                (error / best, 1e-6),
+                1.0 - 2e-6,
+                "best approximation",
+            );
+            by_interpolation.push(error / interpolation);
+            by_best.push(error / best);
+            scaled.push((1.0 / n as f64, term * (n as f64).powf(2.0 * tau.min(2.0) - 2.0)));
+            coarser = Some(u);
         }
-        row.push(case.theory().into());
-        table.push(row);
+        let points: Vec<(f64, f64)> = scaled.into_iter().filter(|point| point.1 > 0.0).collect();
+        let order = Measured::from(ConvergenceOrder::of_scattered(&points));
+        let (quotient, of_best) = (limit(&by_interpolation), limit(&by_best));
+        out.row(
+            cells! { problem: name, tau => over_interpolation: quotient, over_best: of_best, order, theory },
+        );
+        if order.error < 0.1 {
+            out.check("steady order of the term − theory").near(
+                order - theory,
+                0.0,
+                0.15,
+                "sum over gaps > h",
+            );
+        }
+        if tau == 2.5 {
+            out.check("natural transitions: error/interpolation").at_most(
+                quotient,
+                1.001,
+                "1, to a thousandth",
+            );
+        }
+        if name == "transitions:3" {
+            if let Some(before) = before.filter(|_| cone == Cone::Nodal) {
+                out.check("the larger τ, the smaller the limit: fall").at_least(
+                    before - quotient,
+                    0.0,
+                    "monotone",
+                );
+            }
+            before = Some(quotient);
+        }
+        let drawn =
+            by_interpolation.iter().enumerate().map(|(k, &q)| (0.5f64.powi(k as i32 + 4), q)).collect();
+        lines.push((format!("{name}, τ = {tau}"), drawn));
     }
-    table
-}
-
-/// |u − u_h| over |u − I^h u| against h, nodal cone.
-fn draw(cases: &[CostStudy]) -> Chart {
-    let (x, y) = (Axis::logarithmic("h, mesh size"), Axis::linear("error / error of interpolation"));
-    let mut chart = Chart::new("What contact costs, nodal cone", x, y);
-    for CostStudy { scene, tau, rows, .. } in cases.iter().filter(|case| case.cone == Cone::Nodal) {
-        let points = rows.iter().map(|row| (1.0 / row.n as f64, row.over_interpolation())).collect();
-        chart = chart.with(Series::line_and_points(format!("{scene}, τ = {tau}"), points));
+    let axes = Axes::LogLinear("h", "error over that of interpolation");
+    let plot = out.plot("contact_costs_nothing", &format!("What contact costs, {cone} cone"), axes);
+    for (name, points) in lines {
+        plot.line(&name, points);
     }
-    chart
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    // On triangulations: −Δu + u = f, one transition of the kind r^(3/2) in closed form, n × n squares cut by a diagonal;
+    // norms by cubature refined toward the transition.
+    let known = KnownSolution::one_transition(None);
+    let mut quotients = Vec::new();
+    for n in [4, 8, 16, 32, 64, 128] {
+        let problem = known.problem(n)?;
+        let u = problem.solve(cone, Solver::ActiveSet)?;
+        let [error, interpolation] = [&u.displacement, &known.interpolant(&problem)?]
+            .map(|v| known.error_norms(&problem, v).map(|norms| norms.energy));
+        quotients.push(error? / interpolation?);
+    }
+    if let [.., before, last] = quotients[..] {
+        out.check("triangulations: error/interpolation").at_most(
+            (last, (last - before).abs() + 1e-6),
+            1.01,
+            "1, to a hundredth",
+        );
+    }
+    Ok(())
 }
