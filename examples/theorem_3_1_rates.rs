@@ -85,44 +85,29 @@ pub fn rates(cone: Cone, options: &Options, out: &mut Report) -> Result<()> {
     out.column("definition", "definition", "the same by `by_definition`");
     out.column("finest", "finest", "error on the finest mesh, for u on one 32 times finer");
     out.column("printed", "printed", "order of the printed bound, τ = 2: on the last two meshes");
-    let cells: Vec<usize> = (3..=options.finest).map(|k| 1 << k).collect();
     for (problem, &tau) in options.problem.iter().flat_map(|p| options.tau.iter().map(move |tau| (p, tau))) {
         let (name, mut compared) = (problem.to_string(), [None; 2]);
         let name = name.split(':').next().unwrap_or(&name);
-        let (tau, points, reference) = match problem {
-            // Its boundary has dimension 4 − 2τ: only meshes that are far finer show τ near 2.
-            NamedProblem::Strip(StripData::FatCantor { .. }) if tau > 1.75 => continue,
-            NamedProblem::Mesh(body) if *body != TestProblem::Corner && tau != options.tau[0] => continue,
-            NamedProblem::Strip(strip) => {
-                let data = &edges(strip, tau, 256)?[..1];
-                for (n, (_, library)) in [8, 16, 32].into_iter().zip(on_square(data, cone, &[8, 16, 32])?) {
-                    let definition = by_definition(&data[0], n, cone)?;
-                    out.check("by_definition over the library, h = 1/8, 1/16, 1/32").near(
-                        definition / library,
-                        1.0,
-                        1e-6,
-                        "stiffness of the springs",
-                    );
-                    compared = [library, definition].map(Some);
-                }
-                (tau, on_square(&edges(strip, tau, 32 << options.finest)?, cone, &cells)?, None)
+        if let NamedProblem::Strip(strip) = problem
+            && admits(problem, tau, options)
+        {
+            let data = &edges(strip, tau, 256)?[..1];
+            for (n, (_, library)) in [8, 16, 32].into_iter().zip(on_square(data, cone, &[8, 16, 32])?) {
+                let definition = by_definition(&data[0], n, cone)?;
+                let check = out.check("by_definition over the library, h = 1/8, 1/16, 1/32");
+                check.near(definition / library, 1.0, 1e-6, "stiffness of the springs");
+                compared = [library, definition].map(Some);
             }
-            NamedProblem::Mesh(body) => {
-                let levels = options.finest as usize - 6;
-                let points = on_triangles(*body, tau, cone, levels)?;
-                let own = if *body == TestProblem::Corner {
-                    tau
-                } else {
-                    body.regularity(&Parameters::default())?.tau
-                };
-                (own, points, Some(0.25 / (1 << (levels - 1)) as f64))
-            }
-        };
-        let order = Measured::from(ConvergenceOrder::against(&points, reference)); // of e² ≈ A h^(2p) + B h² + D h³
+        }
+        let Some((tau, points, reference)) = errors(problem, tau, cone, options)? else { continue };
+        // p of e² ≈ A h^(2p) + B h² + D h³ by least squares; ±: the largest of three standard errors, the change between
+        // windows of meshes, and that by the last term.
+        let order = Measured::from(ConvergenceOrder::against(&points, reference));
         let bound = Bound::Paper.through(points[0], points.iter().map(|point| point.0), tau)?;
-        let [.., before, last] = points[..] else { continue };
-        let [.., bound_before, bound_last] = bound[..] else { continue };
-        let (printed, [e_32, definition]) = (order_between(bound_before, bound_last), compared);
+        let ([.., before, last], [.., bound_before, bound_last]) = (&points[..], &bound[..]) else {
+            continue;
+        };
+        let (printed, [e_32, definition]) = (order_between(*bound_before, *bound_last), compared);
         out.row(cells! { problem: name, tau => e_32, definition, finest: last.1, order, printed, optimal: tau - 1.0 });
         if name != "transition" {
             out.observe(format!("order − (τ − 1), {name}")).near(order - (tau - 1.0), 0.0, 0.1, "few scales");
@@ -131,30 +116,22 @@ pub fn rates(cone: Cone, options: &Options, out: &mut Report) -> Result<()> {
             out.stronger("order − (τ − 1)").near(order - (tau - 1.0), 0.0, 0.05, "Drouet, Hild 2015");
         } else if tau == 2.0 {
             let growth = last.1 / bound_last.1 / (before.1 / bound_before.1);
-            out.check("τ = 2: error over bound, last mesh over last but one").at_most(
-                growth,
-                1.0,
-                "(3.2), (4.3)",
-            );
+            let check = out.check("τ = 2: error over bound, last mesh over last but one");
+            check.at_most(growth, 1.0, "(3.2), (4.3)");
         } else {
             // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.
             let [.., c, b, a] = points.iter().map(|(h, e)| e / h).collect::<Vec<_>>()[..] else { continue };
-            out.check(format!("τ = {tau}: increments of error/h, last over last but one")).at_most(
-                (a - b) / (b - c),
-                0.99,
-                "(4.4): error/h is bounded",
-            );
+            let check = out.check(format!("τ = {tau}: increments of error/h, last over last but one"));
+            check.at_most((a - b) / (b - c), 0.99, "(4.4): error/h is bounded");
         }
-        let theorem = if cone == Cone::Nodal { "3_1" } else { "4_1" };
+        let theorem = if cone == Cone::Nodal { "theorem_3_1" } else { "theorem_4_1" };
         let drawn = if name == "transition" { "errors" } else { name };
-        out.plot(
-            &format!("theorem_{theorem}_{drawn}_{tau}"),
-            &format!("{name}, {cone} cone, τ = {tau}"),
-            Axes::LogLog("h", "‖u − u^h‖"),
-        )
-        .line("error", points.clone())
-        .dashed_line("the theorem", bound)
-        .dashed_line("h^(τ−1)", Bound::Optimal.through(points[0], points.iter().map(|point| point.0), tau)?);
+        let title = format!("{name}, {cone} cone, τ = {tau}");
+        let optimal = Bound::Optimal.through(points[0], points.iter().map(|point| point.0), tau)?;
+        out.plot(&format!("{theorem}_{drawn}_{tau}"), &title, Axes::LogLog("h", "‖u − u^h‖"))
+            .line("error", points)
+            .dashed_line("the theorem", bound)
+            .dashed_line("h^(τ−1)", optimal);
     }
     out.remark("τ = 2: on these meshes the logarithm lowers the order of the bound itself; fat-cantor repeats itself only where h falls by 2^(1/(4 − 2τ))");
     Ok(())
@@ -162,6 +139,37 @@ pub fn rates(cone: Cone, options: &Options, out: &mut Report) -> Result<()> {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     rates(Cone::Nodal, options, out)
+}
+
+/// Whether the problem has this τ: the boundary of the fat Cantor set has dimension 4 − 2τ, which near τ = 2 only meshes
+/// that are far finer show; a body has one τ of its own.
+fn admits(problem: &NamedProblem, tau: f64, options: &Options) -> bool {
+    match problem {
+        NamedProblem::Strip(StripData::FatCantor { .. }) => tau <= 1.75,
+        NamedProblem::Strip(_) | NamedProblem::Mesh(TestProblem::Corner) => true,
+        NamedProblem::Mesh(_) => tau == options.tau[0],
+    }
+}
+
+/// τ, the points (h, ‖u − u^h‖), and the mesh size of what stands for u where it is a discrete solution.
+type Study = (f64, Vec<(f64, f64)>, Option<f64>);
+
+fn errors(problem: &NamedProblem, tau: f64, cone: Cone, options: &Options) -> Result<Option<Study>> {
+    let (cells, levels): (Vec<usize>, _) =
+        ((3..=options.finest).map(|k| 1 << k).collect(), options.finest as usize - 6);
+    Ok(match problem {
+        _ if !admits(problem, tau, options) => None,
+        NamedProblem::Strip(strip) => {
+            Some((tau, on_square(&edges(strip, tau, 32 << options.finest)?, cone, &cells)?, None))
+        }
+        NamedProblem::Mesh(body) => {
+            let own = match body {
+                TestProblem::Corner => tau,
+                _ => body.regularity(&Parameters::default())?.tau, // from the exponents of its corners
+            };
+            Some((own, on_triangles(*body, tau, cone, levels)?, Some(0.5 / (1 << levels) as f64)))
+        }
+    })
 }
 
 /// g at the nodes of an edge of so many cells, and λ as forces: its integral over a cell, half to either end; what is left
