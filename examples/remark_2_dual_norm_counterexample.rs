@@ -1,161 +1,123 @@
-//! Remark 2: ‖u − I^h u‖ in the dual norm of H^{1/2} is no better than h^{3/2} for u ∈ H^{3/2}: Falk's route
-//! ends at h^{3/4}.
+//! Remark 2: in the dual norm of H^(1/2) interpolation of H^(3/2) functions is of order h^(3/2) and no better.
 //!
-//! A wave per element is aliased to a constant. For comparison a smooth function: its dual norm is of order
-//! h².
+//! Falk's lemma bounds the error² by, among others, ‖σ_N‖_(1/2) ‖u_N − I u_N‖_(1/2,*), where I interpolates linearly on
+//! elements of length h and ‖f‖_(1/2,*) = sup ∫ f ψ / ‖ψ‖_(1/2), ‖ψ‖²_(1/2) = ‖ψ‖₀² + ∬ (ψ(x) − ψ(y))² / (x − y)² dx dy. For
+//! u in H²(Ω), u_N in H^(3/2), the remark says that better than h^(3/4) was not available on that way.
+//!
+//! One wave per element, u = cos(2πx/h) − 1 on (0, 1), vanishes at all nodes: I u = 0, and the error is u, of mean −1. The
+//! dual norm sees the mean, so that it is 1 or more, while ‖u‖_(3/2) is of the order h^(−3/2):
+//!
+//! ```text
+//! ‖u − I u‖²_(1/2,*) = 1 + ‖cos‖²_(1/2,*),  0 ≤ ‖cos‖_(1/2,*) ≤ γ₁ (h/2)^(1/2),
+//! ‖u‖²_(3/2) = 3/2 + ω²/2 + ω² (2ω Si(ω) − 2 Cin(2ω)),  ω = 2π/h;  quotient → h^(3/2) / (√8 π²),
+//! ```
+//!
+//! γ₁ the constant of Lemma 5.2 for mean zero on (0, 1). One function for all meshes h = 2^(−k) is u = Σ c_j 2^(−3j/2)
+//! (cos(2π 2^j x) − 1) over j ≥ 0, c_j = (1 + j)^(−0.6), in H^(3/2): the waves j ≥ k are aliased, the errors of the others
+//! have mean zero, so the dual norm is at least the sum of c_j 2^(−3j/2) over j ≥ k.
+//!
+//! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of all functions (Lemma
+//! 6.2) or is less than half its limit, or if the dual norm is not between the two bounds above.
+//!
+//! `cargo run --release --example remark_2_dual_norm_counterexample -- --elements 5`
 
-use example_frame::figures::{Axis, Chart, Series as Line};
-use example_frame::{Column, Error, Finding, Format, Headline, Result, Table};
-use experiments::EstimateExt;
-use experiments::interpolation::{AliasedWave, all_waves_rate, smooth_dual_error};
-use fractional_sobolev::{Domain, ErrorNorm, Estimate, Order, Tolerance, Work, interpolation_constant};
-use signorini::rates::ConvergenceOrder;
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{
+    Constraint, Domain, ErrorNorm, Gram, Mesh, gamma, gauss_legendre, interpolation_constant,
+};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
 
-/// Distance of a measured exponent from the theoretical one that counts as agreement.
-const EXPONENT_TOLERANCE: f64 = 0.02;
-/// Half the limit 1/(√8 π²) of the wave's error over h^{3/2}, over C_L2(1/2) = 0.0927.
-const HALF_LIMIT: f64 = 0.193;
-/// One function for all meshes is measured between 2^-170 and 2^-340, its waves falling like (1+j)^-0.6.
-const ALL_WAVES: (usize, f64) = (170, 0.6);
+example! { quick "Remark 2", "‖u − I u‖_(1/2,*) is no better than h^(3/2) ‖u‖_(3/2), so Falk's lemma leaves h^(3/4)";
+    /// elements of the coarsest mesh
+    elements: usize = "16" in "[4, 32]",
+    /// meshes, each with twice the elements of the one before
+    meshes: usize = "5" in "[2, 5]",
+}
 
-example_frame::options! {
-    /// The interpolation error in the dual norm of H^(1/2): a family at h^(3/2), a smooth function at h^2
-    pub struct Options: Quick {
-        /// Elements of the coarsest mesh
-        #[arg(long, default_value_t = 16)]
-        pub elements: usize,
-        /// Meshes, each with twice the elements of the one before
-        #[arg(long, default_value_t = 5)]
-        pub meshes: usize,
+/// ‖f‖_(1/2,*) from its definition for each f, given by element and place in (0, 1) there: (bᵀ (M + A)⁻¹ b)^(1/2) with
+/// bᵢ = ∫ f φᵢ by Gauss rules, M = ∫ φᵢ φⱼ and A the form of the seminorm in closed form, φᵢ the hat functions on four
+/// cells to an element.
+pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f64; N]) -> Result<[f64; N]> {
+    const CELLS: usize = 4;
+    let (cells, h) = (CELLS * n, 1.0 / (CELLS * n) as f64);
+    let mut norm = Gram::new(&Mesh::uniform(cells, 1.0)?, Order::HALF, 1e-8)?.to_dense()?;
+    let mut loads = [(); N].map(|()| DVector::<f64>::zeros(cells + 1));
+    let rule = gauss_legendre(8)?;
+    for k in 0..cells {
+        let mut block = norm.view_mut((k, k), (2, 2));
+        block += DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h / 6.0);
+        for (t, weight) in rule.iter() {
+            for (load, f) in loads.iter_mut().zip(&functions) {
+                let value = h * weight * f(k / CELLS, ((k % CELLS) as f64 + t) / CELLS as f64);
+                load[k] += value * (1.0 - t);
+                load[k + 1] += value * t;
+            }
+        }
     }
+    let factors =
+        norm.cholesky().ok_or_else(|| Error::Option("the Gram matrix is not positive".to_owned()))?;
+    Ok(loads.map(|load| load.dot(&factors.solve(&load)).sqrt()))
 }
 
-/// Errors on every mesh, coarsest first, and their exponents of h from each mesh to the next.
-pub struct Series {
-    /// ‖u − I^h u‖_{1/2,*}, of the wave over ‖u‖_{3/2}.
-    pub errors: Vec<Estimate>,
-    /// None on the first mesh.
-    pub rates: Vec<Option<ConvergenceOrder>>,
+/// ‖u‖_(3/2) of u = cos ωx − 1 on (0, 1), ω = 2πn: Si = ∫ sin t / t and Cin = ∫ (1 − cos t) / t by Gauss rules on half waves.
+pub fn norm_of_wave(n: usize) -> Result<f64> {
+    let (omega, rule) = (2.0 * PI * n as f64, gauss_legendre(16)?);
+    let integral = |half_waves: usize, f: fn(f64) -> f64| -> f64 {
+        (0..half_waves).map(|k| rule.iter().map(|(t, w)| w * PI * f(PI * (k as f64 + t))).sum::<f64>()).sum()
+    };
+    let (si, cin) = (integral(2 * n, |t| t.sin() / t), integral(4 * n, |t| (1.0 - t.cos()) / t));
+    Ok((1.5 + omega * omega * (0.5 + 2.0 * omega * si - 2.0 * cin)).sqrt())
 }
 
-/// What is computed.
-pub struct Computed {
-    /// Equal elements of (0, 1).
-    pub elements: Vec<usize>,
-    /// The wave of each mesh.
-    pub wave: Series,
-    /// One smooth function.
-    pub smooth: Series,
-    /// C_L2(1/2) h^{3/2}, which no function can exceed.
-    pub bounds: Vec<Estimate>,
-    /// Exponent of h of one function for all meshes, from a lower bound of its error.
-    pub one: Estimate,
+/// Σ c_j 2^(−3j/2) over j ≥ k, to all digits after 40 terms.
+pub fn mean_of_all_waves(k: i32) -> f64 {
+    (k..k + 40).rev().map(|j| (1.0 + f64::from(j)).powf(-0.6) * (-1.5 * f64::from(j)).exp2()).sum()
 }
 
-/// The errors of the wave of each mesh, of a smooth function, and of one function for all meshes.
-pub fn compute(options: &Options) -> Result<Computed> {
-    let (count, first) = (options.meshes, options.elements);
-    if !(2..=20).contains(&count) || first == 0 || first > 1024 >> (count - 1) {
-        return Err(Error::Option("2 to 20 meshes of 1 to 1024 elements".into()));
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    // Best constant in ‖u − I u‖₀ ≤ C h^(3/2) |u|_(3/2): an eigenvalue on one element, the error of refinement.
+    let best: Measured =
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, 1e-8)?.constant.into();
+    // γ₁² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials with mean zero.
+    let whole = gamma(Order::HALF, Constraint::mean_zero(), 1e-8)?.constant.value;
+    out.column("wave", "wave", "‖u − I u‖_(1/2,*) / ‖u‖_(3/2)");
+    out.column("dual", "‖u−Iu‖*", "by `dual_norms`");
+    out.column("bound", "bound", "C h^(3/2), of all functions");
+    out.column("falk", "Falk", "half the order from the mesh before");
+    out.column("smooth", "smooth", "‖u − I u‖_(1/2,*) of u = −exp x");
+    for n in (0..options.meshes).map(|k| options.elements << k) {
+        let h = 1.0 / n as f64;
+        let wave = |_: usize, s: f64| (2.0 * PI * s).cos() - 1.0;
+        // e^x₀ ((1 − s) + s e^h − e^(sh)), with differences from 1
+        let smooth =
+            |element: usize, s: f64| (h * element as f64).exp() * (s * h.exp_m1() - (s * h).exp_m1());
+        let [dual, smooth] = dual_norms(n, [&wave, &smooth])?;
+        let (low, high) = (1.0, (1.0 + 0.5 * h * whole * whole).sqrt());
+        let wave = Measured::new(0.5 * (low + high), 0.5 * (high - low)) / norm_of_wave(n)?;
+        let bound = best * h.powf(1.5);
+        let before = out.series("elements", "wave").last().copied();
+        let falk = before.map(|(_, longer)| 0.5 * (longer / wave.value).log2());
+        out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
+        let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
+        out.check("‖u − I u‖ of the wave, less 1").near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
+        out.check("wave over bound").at_most(wave / bound, 1.0, "Lemma 6.2");
+        let limit = 1.0 / (8f64.sqrt() * PI.powi(2));
+        out.check("wave over h^(3/2)").at_least(wave / h.powf(1.5), 0.5 * limit, "half of 1/(√8 π²)");
     }
-    let elements: Vec<usize> = (0..count).map(|k| first << k).collect();
-    let series = |error: fn(usize) -> fractional_sobolev::Result<Estimate>| {
-        let meshes: Vec<_> =
-            elements.iter().map(|&n| Ok((1.0 / n as f64, error(n)?))).collect::<Result<_>>()?;
-        Result::Ok(Series {
-            errors: meshes.iter().map(|mesh| mesh.1).collect(),
-            rates: (1..=meshes.len()).map(|k| ConvergenceOrder::of_last(&meshes[..k])).collect(),
-        })
-    };
-    let wave = series(|n| AliasedWave::new(n)?.quotient())?;
-    let (smooth, one) = (series(smooth_dual_error)?, all_waves_rate(ALL_WAVES.0, ALL_WAVES.1)?);
-    let best =
-        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, Tolerance::balanced())?;
-    let best = best.constant;
-    let bounds = elements.iter().map(|&n| Ok(best.times((n as f64).powf(-1.5))?)).collect::<Result<_>>()?;
-    Ok(Computed { elements, wave, smooth, bounds, one })
-}
-
-/// What decides: the exponents of the wave and of the one function, and the bound of all functions.
-pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
-    let Computed { wave, smooth, bounds, one, .. } = computed;
-    let estimate = |o: ConvergenceOrder| Estimate::new(o.order, o.uncertainty, Work::default()).ok();
-    let last = |series: &Series| series.rates.last().copied().flatten().and_then(estimate);
-    let shares = || wave.errors.iter().zip(bounds).filter_map(|(error, bound)| error.over(*bound).ok());
-    let within = |finding: Finding, rate: Option<Estimate>, theory: f64, source: &str| {
-        finding.largest(rate).within(EXPONENT_TOLERANCE, theory, source).told()
-    };
-    let half = last(wave).and_then(|rate| rate.times(0.5).ok());
-    let each = Finding::claim("wave", "h^{value} for the wave of each mesh");
-    let falk = Finding::remark("falk", "h^{value} is left of it by the square root of Falk's lemma");
-    let all = Finding::claim("one.function", "at best h^{value} for one function on all meshes");
-    vec![
-        within(each, last(wave), 1.5, "h^(3/2), Remark 2"),
-        Finding::claim("bound", "no wave passes the bound of all functions, at most {percent} % of it")
-            .largest(shares())
-            .at_most(1.0, "C_L2(1/2) h^(3/2), Lemma 6.2"),
-        Finding::claim("constant", "on every mesh the wave keeps at least {percent} % of that bound")
-            .smallest(shares())
-            .at_least(HALF_LIMIT, "half the limit 1/(sqrt 8 pi^2) of the wave, over C_L2(1/2)"),
-        within(all, Some(*one), 1.5, "h^(3/2), Remark 2"),
-        within(falk, half, 0.75, "half of 3/2"),
-        within(Finding::remark("smooth", "h^{value} for a smooth function"), last(smooth), 2.0, "two orders"),
-    ]
-}
-
-/// Measures both exponents.
-pub fn run(options: &Options) -> Result<Headline> {
-    let computed = compute(options)?;
-    let claim = "|u_N - I^h u_N| in the dual norm of H^(1/2) is no better than h^(3/2) for u_N in H^(3/2)";
-    let mut headline = Headline::new("Remark 2", claim, table(&computed), findings(options, &computed));
-    for (key, name) in [("wave", "wave"), ("smooth", "smooth"), ("one.function", "one_function")] {
-        headline.quote_found(key, format!("remark_2.{name}_rate"));
-    }
-    headline.draw(&options.output, "remark_2_dual_norm_counterexample", || Ok(draw(&computed)))?;
-    Ok(headline)
-}
-
-fn table(computed: &Computed) -> Table {
-    let (error, rate) = (Format::Scientific(4), Format::Fixed(4));
-    let change = "3.5 times the change from the rate before, and the errors of the norms";
-    Table::new(vec![
-        Column::new("elements", "elements", Format::Plain, ""),
-        Column::new("wave", "wave", error, "|u - Iu|_(1/2,*) / |u|_(3/2), u = cos(2 pi x/h) - 1"),
-        Column::new("wave_rate", "wave rate", rate, "observed exponent of the wave, theory 3/2"),
-        Column::new("wave_rate_error", "+-", Format::Scientific(0), change),
-        Column::new("falk", "Falk", rate, "half of it: the rate left for |u - u^h|_1"),
-        Column::new("bound", "bound", error, "C_L2(1/2) h^(3/2), which no u can exceed"),
-        Column::new("smooth", "smooth", error, "|u - Iu|_(1/2,*), u = -exp(x)"),
-        Column::new("smooth_rate", "smooth rate", rate, "observed exponent of the smooth u, theory 2"),
-        Column::new("smooth_rate_error", "+-", Format::Scientific(0), change),
-    ])
-    .with_rows((0..computed.elements.len()).map(|k| {
-        let columns = |series: &Series| {
-            let rate = series.rates[k];
-            [Some(series.errors[k].value), rate.map(|r| r.order), rate.map(|r| r.uncertainty)]
-        };
-        let (wave, elements) = (columns(&computed.wave), computed.elements[k] as f64);
-        let middle = [wave[1].map(|rate| 0.5 * rate), Some(computed.bounds[k].value)];
-        [[Some(elements)].as_slice(), &wave, &middle, &columns(&computed.smooth)].concat()
-    }))
-}
-
-fn draw(computed: &Computed) -> Chart {
-    let points = |errors: &[Estimate]| -> Vec<(f64, f64)> {
-        computed.elements.iter().zip(errors).map(|(&n, error)| (1.0 / n as f64, error.value)).collect()
-    };
-    let x = Axis::logarithmic("h, length of an element (interval = 1)");
-    Chart::new(
+    let [order, order_of_smooth] = ["wave", "smooth"].map(|column| -out.exponent("elements", column)); // of h, last two
+    let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;
+    out.check("order of the wave").near(order, 1.5, 0.02, "Remark 2");
+    out.check("order of one function, at best").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
+    out.check("order left by Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
+    out.observe("order of the smooth function").near(order_of_smooth, 2.0, 0.02, "no aliasing");
+    out.plot(
+        "remark_2_dual_norm_counterexample",
         "Remark 2: aliasing in a dual norm",
-        x,
-        Axis::logarithmic("|u - Iu| in the dual norm of H^(1/2)"),
+        Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)"),
     )
-    .with(Line::dashed("bound C h^(3/2)", points(&computed.bounds)))
-    .with(Line::line_and_points("one wave per element, over |u|_(3/2)", points(&computed.wave.errors)))
-    .with(Line::line_and_points("u = -exp(x)", points(&computed.smooth.errors)))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    .dashed("elements", "bound")
+    .curve("elements", "wave")
+    .curve("elements", "smooth");
+    Ok(())
 }

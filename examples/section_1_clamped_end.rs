@@ -1,162 +1,213 @@
 //! Section 1: are there infinitely many transitions where a clamped part meets the contact edge?
 //!
+//! Without contact the solution near such a point oscillates, r^(1/2) sin(ε ln r + c): the body would pass through the
+//! plane infinitely often. The paper leaves open whether the number of transitions between contact and gap is finite.
+//!
+//! Half disc of radius 1 above y = 0, plane strain, Poisson's ratio −1 < ν < 1/2: clamped for x < 0, contact without
+//! friction for x > 0, a constant traction (cos α, sin α) on the arc; r is the distance from 0, κ = 3 − 4ν, ε = ln κ/(2π).
+//!
+//! Theorem (page `section_1_clamped_end`): contact on (0, ℓ) for some ℓ > 0, whatever the load. If the body is closed on
+//! (0, ℓ) and open beyond,
+//!
+//! ```text
+//! −σ_N = C r^(−1/2) sinh(2ε arccos √(r/ℓ)),  r < ℓ;      the gap closes again near r/ℓ = e^((π + arctan 2ε)/ε)/4.
+//! ```
+//!
+//! Expected: contact at the end, at most two transitions (contact, gap, contact) in all decades; a scalar body (−Δu = 0,
+//! u in the place of u_N, no oscillation) has none. Refuted if an elastic body is open at the end over more than two
+//! periods π/ε of ln r, if more than two transitions are found, if a condition of contact, scaled by its own decade, is
+//! violated by 1e-10, if another start or solver gives another contact set, if the pressure leaves the formula by more
+//! than the width of half a ring, or if its power at the end is off −1/2 by 0.01.
+//!
 //! `cargo run --release --example section_1_clamped_end -- --angles 16 --smallest 1e-100`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::EstimateExt;
-use experiments::convergence::{EndCase, EndRun};
-use fractional_sobolev::Estimate;
-use signorini::{mesh::Outline, problems::DirichletEnd};
+use example_report::figures::{Axis, Chart, Series};
+use example_report::prelude::*;
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
+use signorini::edge::{RadialInterval, radial_intervals};
+use signorini::mesh::Outline;
+use signorini::problems::DirichletEnd;
 use std::f64::consts::{LN_10, PI};
-use std::process::ExitCode;
 
-example_frame::options! {
-    /// Resolve the clamped end of the contact edge over dozens of decades
-    pub struct Options {
-        /// Sectors of a ring, a multiple of 4; also solved with twice as many
-        #[arg(long, default_value_t = 12)]
-        pub angles: usize,
-        /// The rings end below this radius
-        #[arg(long, default_value_t = 1e-40)]
-        pub smallest: f64,
-    }
+example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the clamped part, whatever the load";
+    /// Poisson's ratios ν
+    poisson: Vec<f64> = "-0.5,0,0.25" in "(-1, 0.5)" slider "-0.5 to 0.4",
+    /// directions α of the traction in degrees: 90 pulls, -90 presses, 180 shears
+    alpha: Vec<f64> = "90,-90,180" in "[-360, 360]" slider "-180 to 180",
+    /// sectors of a ring, a multiple of 4; also solved with twice as many
+    angles: usize = "12" in "[4, 64]",
+    /// the rings end below this radius
+    smallest: f64 = "1e-20" in "[1e-120, 1e-6]",
 }
 
-/// Poisson's ratios; the scalar problem comes last.
-const POISSON: [f64; 4] = [-0.5, 0.0, 0.25, 0.35];
-/// Loads and their directions in degrees; a scalar body knows the first two.
-const LOADS: [(&str, f64); 4] = [("pull", 90.0), ("press", -90.0), ("back", 180.0), ("forth", 0.0)];
-/// A scaled condition may be violated by this, as in Section 2.
-const KKT_LIMIT: f64 = 1e-10;
-/// What a second solver and a sum of forces must confirm.
-const DIGITS: f64 = 1e-8;
-/// Solves all bodies under all loads, each with the name of its load.
-pub fn compute(options: &Options) -> Result<Vec<(&'static str, EndCase)>> {
-    let Options { angles, smallest, .. } = *options;
-    let elastic = POISSON.iter().flat_map(|&nu| LOADS.map(|load| (Some(nu), load)));
-    let all: Vec<_> = elastic.chain(LOADS[..2].iter().map(|&load| (None, load))).collect();
-    let mut cases = Vec::new();
-    for (poisson, (load, direction)) in progress(all.len() as u64).wrap_iter(all.into_iter()) {
-        let (outline, step) = (Outline::HalfDisc, PI / angles as f64);
-        let scene = DirichletEnd { outline, angles, step, smallest, poisson, direction };
-        cases.push((load, EndCase::of(scene)?));
-    }
-    Ok(cases)
+/// Contact and gaps from the end outwards; a border lies at the geometric mean of the two constraints beside it. Radii
+/// below ten times the innermost ring are not read: the fan that closes the mesh is felt there. In the midpoint cone a
+/// single open segment between two that touch counts as contact, since multipliers of singular pressures alternate.
+fn intervals(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec<RadialInterval>> {
+    let (set, place) = (&solution.contact_set, &solution.positions);
+    let first = place.partition_point(|&r| r < 10.0 * problem.edge().arc()[1]);
+    let touches = |i: usize| i >= set.constraints() || set.contains(i);
+    let alone = |i: usize| solution.cone == Cone::Midpoint && touches(i - 1) && touches(i + 1);
+    let read = (first..set.constraints()).map(|i| touches(i) || alone(i)).collect();
+    Ok(radial_intervals(&place[first..], &ContactSet::new(read))?)
 }
 
-/// What decides: signs of contact at the end, borders on all roads, powers, the conditions by decade.
-pub fn findings(options: &Options, cases: &[(&str, EndCase)]) -> Vec<Finding> {
-    let elastic = || cases.iter().map(|(_, case)| case).filter(|case| case.scene.poisson.is_some());
-    let worst = |of: &dyn Fn(&EndCase) -> f64| cases.iter().map(|(_, case)| of(case)).fold(0.0, f64::max);
-    let open = elastic().flat_map(EndCase::resolved).filter(|run| !run.touches()).count();
-    let most = worst(&|case| case.transitions() as f64);
-    let powers = elastic().filter_map(|case| case.limit(|run| run.power));
-    let power = powers.max_by(|a, b| (a.value + 0.5).abs().total_cmp(&(b.value + 0.5).abs()));
-    let shape = elastic().filter_map(|case| case.runs[1].shape).fold(0.0, f64::max);
-    let kkt = worst(&|case| case.resolved().map(EndRun::worst_decade).fold(0.0, f64::max));
-    let two_rings = 2.0 * PI / options.angles as f64 / LN_10;
-    let (starts, moved) = (worst(&|case| case.starts_apart() as f64), worst(&EndCase::moved));
-    let apart = |run: fn(&EndCase) -> &EndRun| worst(&|case| case.runs[0].apart(run(case)));
-    let (deeper, cones) = (apart(|case| &case.again[1]), apart(|case| &case.others[0]));
-    let (energy, sets) = (worst(&EndCase::energies_apart), worst(&|case| case.solvers_apart() as f64));
-    let force = worst(&|case| case.runs[1].solution.balance);
-    let odd = cases.iter().filter(|(_, case)| case.scene.poisson.is_none() && case.transitions() > 0).count();
-    let decided = [
-        ("end", "every elastic body touches at the end", open as f64, 0.0, "the theorem"),
-        ("transitions", "no edge has more than {value} transitions", most, 2.0, "zone, gap, contact"),
-        ("scalar", "a scalar body is open or closed to the end", odd as f64, 0.0, "real exponents"),
-        ("shape", "the zone's pressure is the closed form to {percent} %", shape, 0.05, "width of the rings"),
-        ("deeper", "half the decades give the same places", deeper, 0.5 * two_rings, "one ring"),
-        ("angles", "twice the angles move a border by {percent} % of ln r", moved, 0.25, "h^2/epsilon^2"),
-        ("kkt", "every condition is met in every decade", kkt, KKT_LIMIT, "as in Section 2"),
-        ("starts", "no contact and full contact lead to one set", starts, 0.0, "one solution"),
-        ("cones", "the midpoint cone's borders are {value} decades apart", cones, two_rings, "two rings"),
-        ("sets", "two solvers find one set, node by node, in every decade", sets, 0.0, "one solution"),
-        ("solvers", "the general solver agrees in J to {value}", energy, DIGITS, "eight digits"),
-        ("forces", "loads, reactions and contact add up to zero", force, DIGITS, "eight digits"),
-    ];
-    let decided = decided.into_iter().enumerate().map(|(k, (key, words, value, bound, source))| {
-        let finding = Finding::claim(key, words).number(value, 0.0).at_most(bound, source);
-        if k < 4 { finding.told() } else { finding }
-    });
-    let mut found = vec![
-        Finding::claim("theorem", "contact reaches the clamped end, and no gap is near it")
-            .by_proof("section_1_clamped_end"),
-        Finding::claim("power", "the pressure at the end is r to the power {value}")
-            .estimate_or(power, "no contact at the end")
-            .within(0.01, -0.5, "clamped and closed sides: u = r^(1/2)")
-            .told(),
-        Finding::remark("interior", "one barrier for all decades sees the contact set down to r = {value}")
-            .number(worst(&EndCase::unseen_below), 0.0)
-            .at_most(1e-6, "forces farther in are below its accuracy"),
-        Finding::remark("reach", "a gap between contacts has {value} times the decades of one zone's field")
-            .estimate_or(Estimate::smallest(elastic().filter_map(EndCase::reach)), "no body has such a gap")
-            .at_least(1.0, "where the closed form closes again"),
-    ];
-    found.extend(decided);
-    found
+/// Violations of the conditions of contact in every decade of r, by the largest force and displacement of that decade.
+fn worst_decade(problem: &ContactProblem, solution: &ContactSolution, smallest: f64) -> Result<f64> {
+    let decades: Vec<f64> = (0..=-smallest.log10().floor() as i32).rev().map(|k| 10f64.powi(-k)).collect();
+    let residuals = problem.kkt_by_radius(solution, [0.0; 2], &decades)?;
+    Ok(residuals.iter().map(|decade| decade.worst()).fold(0.0, f64::max))
 }
 
-/// Solves, decides, draws contact and gaps over ln r.
-pub fn run(options: &Options) -> Result<Headline> {
-    let cases = compute(options)?;
-    let claim = "a clamped body touches at the end of its contact edge, and has no transition near it";
-    let found = findings(options, &cases);
-    let mut headline = Headline::new("Section 1, clamped end", claim, table(&cases), found);
-    headline.draw(&options.output, "section_1_clamped_end", || Ok(draw(&cases)))?;
-    Ok(headline)
+/// log₁₀ of the radii at which contact and gap meet.
+fn borders(parts: &[RadialInterval]) -> Vec<f64> {
+    parts.iter().skip(1).map(|part| part.from.log10()).collect()
 }
 
-fn table(cases: &[(&str, EndCase)]) -> Table {
-    let (two, error) = (Format::Fixed(2), Format::Scientific(0));
-    let columns = vec![
-        Column::new("poisson", "nu_P", Format::Plain, "Poisson's ratio; none: scalar"),
-        Column::new("load", "load", Format::Plain, "traction on the outline"),
-        Column::new("end", "end", Format::Plain, "what reaches the end"),
-        Column::new("coarse", "to, n", two, "log10 of where it ends, n angles"),
-        Column::new("fine", "to, 2n", two, "the same, 2n angles; none: everywhere"),
-        Column::new("outer", "gap to", two, "log10 of where the gap ends"),
-        Column::new("power", "power", Format::Fixed(3), "of the pressure at the end, limit of both meshes"),
-        Column::new("energy", "J", Format::Significant(4), "limit of both meshes"),
-        Column::new("energy_error", "+-", error, "its distance from the finer value"),
-        Column::new("force", "force", Format::Significant(3), "contact force, limit of both meshes"),
-        Column::new("force_error", "+-", error, ""),
-        Column::new("kkt", "KKT", error, "worst condition in any decade, finer mesh"),
-        Column::hidden("by_decade"),
-    ];
-    Table::new(columns).with_rows(cases.iter().map(|(load, case)| {
-        let [coarse, fine] = &case.runs;
-        let end = if fine.touches() { "contact" } else { "gap" };
-        let border = |run: &EndRun, k: usize| Cell::from(run.borders().get(k).copied());
-        let pair = |e: Option<Estimate>| [e.map(|e| e.value), e.map(|e| e.error)].map(Cell::from);
-        let first = [case.scene.poisson.into(), (*load).into(), end.into(), border(coarse, 0)];
-        let second = [border(fine, 0), border(fine, 1), case.limit(|run| run.power).map(|e| e.value).into()];
-        let energy = pair(case.limit(|run| Some(run.solution.energy)));
-        let force = pair(case.limit(|run| Some(run.solution.contact_force)));
-        let decades: Vec<f64> =
-            fine.by_decade().into_iter().map(|touches| f64::from(u8::from(touches))).collect();
-        let last = [fine.worst_decade().into(), decades.into()];
-        first.into_iter().chain(second).chain(energy).chain(force).chain(last)
-    }))
-}
-
-/// One row per body and load: what every decade is.
-fn draw(cases: &[(&str, EndCase)]) -> Chart {
-    let dots = |wanted: bool| {
-        let row = |(k, (_, case)): (usize, &(&str, EndCase))| {
-            let decades = case.runs[1].by_decade().into_iter().enumerate().filter(move |d| d.1 == wanted);
-            decades.map(|(j, _)| (-0.5 - j as f64, -(k as f64))).collect::<Vec<_>>()
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("oscillates", "linear", "sign changes of u_N without contact, in all decades");
+    out.column("end", "end", "what reaches the clamped part");
+    out.column("coarse", "log ℓ", "log10 of where it ends (none: everywhere)");
+    out.column("fine", "log ℓ, 2n", "the same with twice as many sectors");
+    out.column("outer", "gap to", "log10 of where the gap ends and contact begins again, 2n");
+    out.column("power", "power", "of the pressure at the end, limit of both meshes");
+    let bodies = options.poisson.iter().map(|&nu| Some(nu)).chain([None]);
+    let all = bodies.flat_map(|body| options.alpha.iter().map(move |&alpha| (body, alpha)));
+    let loaded = |(body, alpha): &(Option<f64>, f64)| body.is_some() || alpha.to_radians().sin().abs() > 1e-9;
+    let mut drawn = Vec::new();
+    for (body, alpha) in all.filter(loaded) {
+        let epsilon = body.map(|nu| (3.0 - 4.0 * nu).ln() / (2.0 * PI));
+        let (mut found, mut powers, mut oscillates) = (Vec::new(), Vec::new(), 0);
+        for angles in [options.angles, 2 * options.angles] {
+            // Rings of n sectors, radii falling by e^(−π/n): on all of them linear elements have the same stiffness
+            // matrix, so that the innermost ring is as exact as the outermost.
+            let (step, outline) = (PI / angles as f64, Outline::HalfDisc);
+            let (smallest, poisson, direction) = (options.smallest, body, alpha);
+            let scene = DirichletEnd { outline, angles, step, smallest, poisson, direction };
+            let mut problem = scene.problem()?;
+            let arc = problem.edge().arc().to_vec();
+            // Active set: guess which constraints are active, solve with these as equations, correct by the signs, node
+            // by node without a tolerance; from no contact, from full contact, and for means on segments.
+            let nodal = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+            let full = Start::Set(ContactSet::new(vec![true; arc.len()]));
+            let closed = problem.solve(Cone::Nodal, Settings { start: full, ..Settings::default() })?;
+            let midpoint = problem.solve(Cone::Midpoint, Solver::ActiveSet)?;
+            // Interior point method on the edge whose barrier expects u_N of size r^(1/2), alike in every decade.
+            let sizes: Vec<f64> = arc.iter().map(|r| r.max(arc[1]).sqrt()).collect();
+            let how =
+                Settings { solver: Solver::EdgeInteriorPoint, sizes: Some(&sizes), ..Settings::default() };
+            let barrier = problem.solve(Cone::Nodal, how)?;
+            let parts = intervals(&problem, &nodal)?;
+            for other in [&closed, &barrier] {
+                let differ = (1..arc.len())
+                    .filter(|&i| nodal.contact_set.contains(i) != other.contact_set.contains(i));
+                out.check("nodes where solvers differ").at_most(differ.count(), 0.0, "one solution");
+            }
+            for solution in [&nodal, &closed, &midpoint, &barrier] {
+                let worst = worst_decade(&problem, solution, options.smallest)?;
+                out.check("conditions in every decade").at_most(worst, 1e-10, "rounding");
+                out.check("sum of all forces").at_most(solution.balance, 1e-8, "eight digits");
+                let parts = intervals(&problem, solution)?;
+                let Some(epsilon) = epsilon else {
+                    out.check("scalar body: transitions").at_most(parts.len() - 1, 0.0, "real exponents");
+                    continue;
+                };
+                // A gap at the end is no answer where it is shorter than two periods.
+                let periods = parts[0].decades() * LN_10 * epsilon / PI;
+                let open = match (parts[0].in_contact, periods < 2.0) {
+                    (true, _) => Measured::from(0.0),
+                    (false, true) => Measured::NONE,
+                    (false, false) => Measured::from(periods),
+                };
+                out.check("gap at the end, in periods").at_most(open, 0.0, "the theorem");
+                out.check("transitions").at_most(parts.len() - 1, 2.0, "contact, gap, contact");
+            }
+            // A border is known to half a ring: two of them are apart by a ring less or more.
+            let [one, two] = [borders(&parts), borders(&intervals(&problem, &midpoint)?)];
+            let rings = one.iter().zip(&two).map(|(a, b)| (a - b).abs() * LN_10 / step).fold(0.0, f64::max);
+            let rings = if one.len() == two.len() { Measured::new(rings, 1.0) } else { Measured::NONE };
+            out.check("midpoint cone: moved, in rings").at_most(rings, 3.0, "width of a ring");
+            if let (Some(epsilon), [zone, _, ..]) = (epsilon, parts.as_slice()) {
+                // Over the last four decades before ℓ/4: largest change of the quotient beside its mean, in logarithms.
+                let near = |r: f64| 1e-4 * zone.to <= 4.0 * r && 4.0 * r <= zone.to && r >= 10.0 * zone.from;
+                let formula = |r: f64| (2.0 * epsilon * (r / zone.to).sqrt().acos()).sinh() / r.sqrt();
+                let near = arc.iter().zip(&nodal.pressure).filter(|(r, _)| near(**r));
+                let quotients: Vec<f64> = near.map(|(&r, p)| (p / formula(r)).ln()).collect();
+                let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
+                let off = quotients.iter().map(|q| (q - mean).abs()).fold(0.0, f64::max);
+                out.check("pressure/formula, in half rings").at_most(
+                    off / (0.5 * step),
+                    1.0,
+                    "ℓ to half a ring",
+                );
+            }
+            // Slope of ln(−σ_N) over ln r far inside the zone; without two decades there, none.
+            let (from, to) = (100.0 * parts[0].from, 1e-6 * parts[0].to);
+            let inside: Vec<usize> = (0..arc.len()).filter(|&i| from <= arc[i] && arc[i] <= to).collect();
+            if let ([a, .., b], true) =
+                (inside.as_slice(), parts[0].in_contact && epsilon.is_some() && to > 100.0 * from)
+            {
+                powers.push((nodal.pressure[*b] / nodal.pressure[*a]).ln() / (arc[*b] / arc[*a]).ln());
+            }
+            // The same body with the plane far away.
+            problem.set_gap(|_| 1e6)?;
+            let free = problem.solve(Cone::Nodal, Solver::ActiveSet)?.normal_displacement;
+            oscillates = (2..free.len()).filter(|&i| free[i] * free[i - 1] < 0.0).count();
+            found.push(parts);
+        }
+        let [coarse, fine] = found.as_slice() else { continue };
+        let [one, two] = [borders(coarse), borders(fine)];
+        // Errors of order h²: the limit is the finer value and a third of the change, which is its error.
+        let power = match powers[..] {
+            [a, b] => Some(Measured::new(b + (b - a) / 3.0, (b - a) / 3.0)),
+            _ => None,
         };
-        cases.iter().enumerate().flat_map(row).collect()
-    };
-    let body = |case: &EndCase| case.scene.poisson.map_or("scalar".to_owned(), |nu| nu.to_string());
-    let names = cases.iter().map(|(load, case)| format!("{} {load}", body(case))).collect();
-    let (x, y) = (Axis::linear("log10 of the distance from the end"), Axis::rows(names));
-    let chart = Chart::new("Contact and gap near a clamped end, by Poisson's ratio and load", x, y);
-    chart.with(Series::points("contact", dots(true))).with(Series::points("gap", dots(false)))
+        let name = body.map_or("scalar".to_owned(), |nu| nu.to_string());
+        let end = if fine[0].in_contact { "contact" } else { "gap" };
+        out.row(cells! { nu: name.clone(), alpha => oscillates, end, coarse: one.first().copied(),
+        fine: two.first().copied(), outer: two.get(1).copied(), power });
+        if let Some(epsilon) = epsilon {
+            let phase = -options.smallest.ln() * epsilon / PI;
+            out.check("linear: sign changes − ε ln(1/r)/π").near(
+                oscillates as f64 - phase,
+                0.0,
+                1.0,
+                "r^(1/2) sin(ε ln r)",
+            );
+        }
+        if let Some(power) = power {
+            out.check("power of the pressure").near(power, -0.5, 0.01, "u of size r^(1/2)");
+        }
+        if let (Some(epsilon), [_, gap, _]) = (epsilon, fine.as_slice()) {
+            let reach = (PI + (2.0 * epsilon).atan()) / epsilon - 4f64.ln();
+            let quotient = Measured::new(gap.decades() * LN_10 / reach, PI / options.angles as f64 / reach);
+            out.observe("gap/gap of the formula").at_least(quotient, 1.0, "closes again");
+        }
+        drawn.push((format!("{name}, {alpha}°"), fine.clone()));
+    }
+    out.chart("section_1_clamped_end", chart(&drawn));
+    Ok(())
 }
 
-fn main() -> ExitCode {
-    example_frame::main(run)
+/// One row per body and load: what every half decade is.
+fn chart(drawn: &[(String, Vec<RadialInterval>)]) -> Chart {
+    let dots = |wanted: bool| {
+        let row = |(k, (_, parts)): (usize, &(String, Vec<RadialInterval>))| {
+            let places = (0..240).map(|j| -0.25 - 0.5 * f64::from(j));
+            let is_wanted = |x: &f64| {
+                let r = 10f64.powf(*x);
+                parts.iter().any(|part| part.in_contact == wanted && part.from <= r && r <= part.to)
+            };
+            places.filter(is_wanted).map(|x| (x, -(k as f64))).collect::<Vec<_>>()
+        };
+        drawn.iter().enumerate().flat_map(row).collect()
+    };
+    let (x, y) = (
+        Axis::linear("log10 of the distance from the end"),
+        Axis::rows(drawn.iter().map(|d| d.0.clone()).collect()),
+    );
+    let chart =
+        Chart::new("Contact and gap near a clamped end, by Poisson's ratio and direction of the load", x, y);
+    chart.with(Series::points("contact", dots(true))).with(Series::points("gap", dots(false)))
 }

@@ -1,161 +1,129 @@
-//! The sharp constants of one contact segment: how much of one half is lost on the worst contact set?
+//! The sharp constants of one contact segment: how much of the factor 1/2 is lost on the worst contact set.
 //!
-//! c(ν) by potentials, K(ν) for products of L¹ norms, κ(ν) for one gap, κ̄(ν) for all sets, midpoint cone.
+//! On a segment T = (0, 1) let E be the set where u_N = 0 and N the rest. A pressure σ vanishes on N, a slope w = u_N' on E;
+//! |·|_ν is the seminorm ∬ (v(x) − v(y))² / |x − y|^(1+2ν) dx dy on T × T, its root, ν = τ − 3/2 in (0, 1). Then
 //!
-//! `cargo run --release --example segment_constants`
+//! ```text
+//! ‖σ‖_L1 ‖w‖_L1 ≤ K |σ|_ν |w|_ν for every E,      consistency term ≤ κ |σ|_ν |w|_ν for one gap N at an end, either cone,
+//! term of the midpoint cone ≤ κ̄ |σ|_ν |w|_ν for every E;      with |x − y| ≤ 1 in the kernel alone the constant is 1/2.
+//! ```
+//!
+//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B, A,
+//! D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials,
+//! K ≤ c = ν / (2 (4^ν − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
+//!
+//! Refuted if κ ≤ κ̄ ≤ K ≤ c fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
+//! products of `moment_on_mesh` at the same e by more than 1 %.
+//!
+//! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress};
-use experiments::EstimateExt;
-use fractional_sobolev::{Estimate, Moment, Order, Tolerance, moment};
-use signorini::proof::{
-    SegmentConstant, consistency_constant, midpoint_bound, product_bound, product_constant,
-};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Gram, Mesh, Moment, moment};
+use nalgebra::DVector;
+use signorini::proof::{consistency_constant, midpoint_bound, product_bound, product_constant};
 
-example_frame::options! {
-    /// The best constants of a contact segment, by two roads
-    pub struct Options {
-        /// Orders nu = tau - 3/2 in [0.001, 0.999]
-        #[arg(long, value_delimiter = ',', default_value = "0.001,0.1,0.25,0.5,0.75,0.9,0.999")]
-        pub nu: Vec<Order>,
-        /// The order for which the extremal pair is drawn
-        #[arg(long, default_value = "0.25")]
-        pub pair: Order,
-        /// Relative tolerance: fast, balanced, reference or a number
-        #[arg(long, default_value = "1e-9")]
-        pub tolerance: Tolerance,
+example! { seconds "Sharp constants", "term of one segment ≤ κ h^(2τ−2) |σ_N|_ν |u_N'|_ν, κ far below 1/2";
+    /// orders ν = τ − 3/2
+    nu: Vec<Order> = "0.001,0.1,0.25,0.5,0.75,0.9,0.999" in "[0.001, 0.999]" slider "0.02 to 0.98",
+}
+
+/// The largest ∫ m w / |w|_ν from its definition: (bᵀ A⁻¹ b)^(1/2) over the continuous piecewise linear w that vanish on
+/// (e, 1), A the seminorm's form of the hat functions of the nodes before e, bᵢ = ∫ m φᵢ. Elements shrink by 0.7 towards 0, e, 1.
+fn moment_on_mesh(nu: Order, e: f64, m: impl Fn(f64) -> f64) -> Result<f64> {
+    let mesh = Mesh::graded(&[0.0, e, 1.0], 20, 0.7)?;
+    let (x, free) = (mesh.nodes(), mesh.len() / 2); // the nodes 0 .. free − 1 lie before e
+    let form = Gram::new(&mesh, nu, 1e-10)?.to_dense()?.view((0, 0), (free, free)).into_owned();
+    // ∫ m φ_b over the element between the nodes a and b, m linear
+    let over = |a: usize, b: usize| (x[b] - x[a]).abs() * (m(x[a]) + 2.0 * m(x[b])) / 6.0;
+    let load = DVector::from_fn(free, |i, _| over(i + 1, i) + if i > 0 { over(i - 1, i) } else { 0.0 });
+    let solution =
+        form.cholesky().ok_or_else(|| Error::Option("A is not positive definite".to_owned()))?.solve(&load);
+    Ok(load.dot(&solution).sqrt())
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    for &nu in &options.nu {
+        // Moments: functions whose slopes are polynomials on graded cells, a linear system; error from two such spaces.
+        // The maximum over e by golden section.
+        let found = [product_constant(nu, 1e-9)?, consistency_constant(nu, 1e-9)?, midpoint_bound(nu, 1e-9)?];
+        let [product, kappa, midpoint] = found.map(|found| Measured::from(found.value));
+        let (c, e, one) = (product_bound(nu), found.map(|found| found.contact), |_: f64| 1.0);
+        let definition = [
+            moment_on_mesh(nu, e[0], one)? * moment_on_mesh(nu, 1.0 - e[0], one)?,
+            moment_on_mesh(nu, e[1], |x| x)? * moment_on_mesh(nu, 1.0 - e[1], one)?,
+            moment_on_mesh(nu, e[2], one)? * moment_on_mesh(nu, 1.0 - e[2], |x| 1.0 - e[2] - x)?,
+        ];
+        let mut apart = 0.0f64;
+        for (found, definition) in found.iter().zip(definition) {
+            let value = Measured::from(found.value);
+            // Solve L v = m for the operator L of the seminorm by least squares; m − L v gives bounds on both sides.
+            let [low, high] = found.bounds()?;
+            let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
+            out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
+            out.check("`moment_on_mesh` over K, κ, κ̄").near(
+                value.recip() * definition,
+                1.0,
+                0.01,
+                "matrices",
+            );
+            apart = apart.max((ratio.value - 1.0).abs() + ratio.error);
+        }
+        out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
+        out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
+        out.check("K over c").at_most(product / c, 1.0, "potentials");
+        out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
+        if nu == Order::HALF {
+            // K(1/2) in closed form: Wiener and Hopf, a series over the roots of tan z = z
+            let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9)?.closed_form()?.value;
+            out.observe("ν = 1/2: K, over closed form").near(
+                product / (exact * exact),
+                1.0,
+                1e-8,
+                "roots of tan z = z",
+            );
+        }
+        let left = 0.5 - nu.offset(); // 1 − ν
+        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(
+            (product * (24.0 / left) - 1.0) / left,
+            4.0,
+            "limit 1/24",
+        );
+        out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value, apart });
     }
-}
-
-/// One order.
-pub struct Row {
-    /// The order.
-    pub nu: Order,
-    /// c, exact.
-    pub potentials: f64,
-    /// K, κ and κ̄.
-    pub sharp: [SegmentConstant; 3],
-    /// How far the strong form's bounds are from them at most.
-    pub apart: f64,
-    /// How far K is from its closed form, at ν = 1/2.
-    pub closed: Option<f64>,
-}
-
-/// The constants of every order, by both roads.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let row = |&nu: &Order| -> Result<Row> {
-        let tol = options.tolerance;
-        let sharp = [product_constant(nu, tol)?, consistency_constant(nu, tol)?, midpoint_bound(nu, tol)?];
-        let apart = sharp.iter().map(|found| Ok(found.apart()?));
-        let apart = apart.reduce(|a: Result<f64>, b| Ok(a?.max(b?))).unwrap_or(Ok(0.0))?;
-        let off = || -> Result<f64> {
-            let exact = moment(Order::HALF, 0.5..1.0, Moment::Mass, tol)?.closed_form()?;
-            Ok((sharp[0].value.value / exact.value.powi(2) - 1.0).abs())
-        };
-        let closed = (nu == Order::HALF).then(off).transpose()?;
-        Ok(Row { nu, potentials: product_bound(nu), sharp, apart, closed })
-    };
-    progress(options.nu.len() as u64).wrap_iter(options.nu.iter()).map(row).collect()
-}
-
-/// How far apart the two roads may be.
-const ASKED: f64 = 1e-8;
-const HALF: &str = "the bound by measures, one half";
-/// 24 K/(1−ν) differs from 1 by less than this times 1 − ν: 2.2 was seen.
-const NEAR_ONE: f64 = 4.0;
-
-/// What decides: the distance of the two roads, the order of the constants, their limits at one.
-pub fn findings(rows: &[Row]) -> Vec<Finding> {
-    let apart = rows.iter().map(|row| (row.apart, 0.0)).reduce(|a, b| if b.0 > a.0 { b } else { a });
-    let steps = rows.iter().flat_map(|Row { potentials, sharp: [k, kappa, midpoint], .. }| {
-        let c = k.value.times(1.0 / potentials);
-        [kappa.value.over(midpoint.value), midpoint.value.over(k.value), c].into_iter().flatten()
-    });
-    let mut findings = vec![
-        Finding::claim("half", "c = nu / (2 (4^nu - 1)) in place of 1/2: potentials are weakest at e = 1/2")
-            .at_most(0.5, HALF)
-            .by_proof("segment_constants"),
-        Finding::sharpness("loose", "the best constant is at most {percent} % of one half")
-            .largest(rows.iter().flat_map(|row| row.sharp[1].value.times(2.0)))
-            .at_most(1.0, HALF),
-        Finding::remark("closed", "at nu = 1/2 K is off its closed form by {value} of itself")
-            .number_or(rows.iter().find_map(|row| Some((row.closed?, 0.0))), "1/2 is not among the orders")
-            .at_most(ASKED, "Wiener and Hopf, roots of tan z = z"),
-        Finding::claim("roads", "two roads to the constants are {value} apart, relative to them")
-            .number_or(apart, "no order")
-            .at_most(ASKED, "the bounds of the strong form around the values by slopes")
-            .told(),
-        Finding::claim("order", "kappa, midpoint bound, K, c: none is more than {percent} % of the next")
-            .largest(steps)
-            .at_most(1.0, "one gap, every set, the product of norms, potentials alone"),
-    ];
-    if let Some(Row { nu, sharp, .. }) = rows.iter().max_by(|a, b| a.nu.value().total_cmp(&b.nu.value())) {
-        let left = 0.5 - nu.offset();
-        let Estimate { value, error, .. } = sharp[0].value;
-        let words = format!("24 K / (1 - nu) is {{value}} at nu = {nu}");
-        let finding = Finding::remark("limit", words).number(24.0 * value / left, 24.0 * error / left);
-        findings.push(finding.within(NEAR_ONE * left, 1.0, "its limit as nu -> 1"));
+    out.proof("c in place of 1/2, for every E", "segment_constants");
+    for (name, title, meaning) in [
+        ("c", "c", "by potentials"),
+        ("product", "K", "product of L1 norms, every E"),
+        ("by_definition", "on a mesh", "K by `moment_on_mesh`"),
+        ("kappa", "κ", "term, one gap"),
+        ("contact", "e", "where κ is reached"),
+        ("midpoint", "κ̄", "midpoint cone, every E"),
+        ("apart", "apart", "from the strong form, relative"),
+    ] {
+        out.column(name, title, meaning);
     }
-    findings.extend(rows.iter().map(|Row { nu, sharp, .. }| {
-        let key = format!("kappa.nu{nu}");
-        Finding::remark(key, format!("kappa({nu}) = {{value}}")).estimate(sharp[1].value).at_most(0.5, HALF)
-    }));
-    findings
-}
-
-/// Computes, compares, draws.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "a segment's term is at most kappa h^(2 tau - 2) |sigma_N| |u_N'|, kappa far below 1/2";
-    let mut headline = Headline::new("Sharp constants", claim, table(&rows), findings(&rows));
-    headline.draw(&options.output, "segment_constants", || Ok(draw(&rows)))?;
-    headline.draw(&options.output, "segment_constants_pair", || draw_pair(options.pair))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (ten, none) = (Format::Significant(10), Format::Scientific(0));
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, "tau - 3/2"),
-        Column::new("c", "c", Format::Significant(6), "by potentials: nu / (2 (4^nu - 1))"),
-        Column::new("product", "K", ten, "best constant of the product of L^1 norms, any set"),
-        Column::new("consistency", "kappa", ten, "best constant of the term, one gap, either cone"),
-        Column::new("contact", "contact", Format::Fixed(4), "contact length at which it is reached"),
-        Column::new("midpoint", "midpoint", Format::Significant(8), "bound of the midpoint cone, any set"),
-        Column::new("roads", "roads", none, "how far the strong form's bounds are, relative"),
-    ];
-    Table::new(columns).with_rows(rows.iter().map(|row| {
-        let [product, consistency, midpoint] = row.sharp.map(|found| found.value.value);
-        let [nu, c, contact] = [row.nu.value(), row.potentials, row.sharp[1].contact];
-        [nu, c, product, consistency, contact, midpoint, row.apart]
-    }))
-}
-
-fn draw(rows: &[Row]) -> Chart {
-    let axes = (Axis::linear("ν = τ - 3/2"), Axis::linear("constant"));
-    let points = |value: &dyn Fn(&Row) -> f64| rows.iter().map(|row| (row.nu.value(), value(row))).collect();
-    Chart::new("Bounds of the term of one segment", axes.0, axes.1)
-        .with(Series::dashed("1/2", points(&|_| 0.5)))
-        .with(Series::line_and_points("c, potentials", points(&|row| row.potentials)))
-        .with(Series::line_and_points("K, any set", points(&|row| row.sharp[0].value.value)))
-        .with(Series::line_and_points("midpoint, any set", points(&|row| row.sharp[2].value.value)))
-        .with(Series::line_and_points("κ, one gap", points(&|row| row.sharp[1].value.value)))
-}
-
-/// The pair for which κ is attained: σ_N on the right, u_N' on the gap at the left end.
-fn draw_pair(nu: Order) -> Result<Chart> {
-    let fast = Tolerance::fast();
-    let gap = 1.0 - consistency_constant(nu, fast)?.contact;
-    let sigma = moment(nu, 0.0..gap, Moment::FromFreeEnd, fast)?.extremal()?;
-    let slope = moment(nu, gap..1.0, Moment::Mass, fast)?.extremal()?;
-    let places = || (0..=400).map(|k| f64::from(k) / 400.0);
-    let (x, y) = (Axis::linear("place on the segment"), Axis::linear("seminorms 1"));
-    Ok(Chart::new(format!("The worst pair, ν = {nu}, gap {gap:.3}"), x, y)
-        .with(Series::line("σ_N", places().map(|x| (x, -sigma.value(&[x]))).collect()))
-        .with(Series::line("u_N'", places().map(|x| (x, slope.value(&[x]))).collect())))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    let half = options.nu.iter().map(|nu| (nu.value(), 0.5)).collect();
+    out.plot(
+        "segment_constants",
+        "Bounds of the term of one segment",
+        Axes::Linear("ν = τ − 3/2", "constant"),
+    )
+    .dashed_line("1/2", half)
+    .curve("nu", "c")
+    .curve("nu", "product")
+    .curve("nu", "midpoint")
+    .curve("nu", "kappa");
+    if let Some(&nu) = options.nu.get(options.nu.len() / 3).filter(|_| out.draws()) {
+        // The pair for which κ is attained: u_N' on the gap at the left end, σ_N on the rest.
+        let gap = 1.0 - consistency_constant(nu, 1e-3)?.contact;
+        let sigma = moment(nu, 0.0..gap, Moment::FromFreeEnd, 1e-3)?.extremal()?;
+        let slope = moment(nu, gap..1.0, Moment::Mass, 1e-3)?.extremal()?;
+        let points =
+            |f: &dyn Fn(f64) -> f64| (0..=400).map(|k| f64::from(k) / 400.0).map(|x| (x, f(x))).collect();
+        let axes = Axes::Linear("place on the segment", "seminorms 1");
+        out.plot("segment_constants_pair", &format!("The worst pair, ν = {nu}, gap {gap:.3}"), axes)
+            .line("σ_N", points(&|x| -sigma.value(&[x])))
+            .line("u_N'", points(&|x| slope.value(&[x])));
+    }
+    Ok(())
 }

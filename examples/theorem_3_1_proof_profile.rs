@@ -1,159 +1,237 @@
-//! Theorem 3.1, its proof (Theorem 4.1 is its twin): both sides of every inequality, and a ladder of bounds.
+//! Theorem 3.1, its proof line by line, with explicit constants; Theorem 4.1 is its twin.
 //!
-//! `cargo run --release --example theorem_3_1_proof_profile -- --scene fat-cantor --lines`
+//! On each segment T of length h, ν = τ − 3/2, ‖·‖₀ and ‖·‖_(L^q) on T, |·|_ν the seminorm, ‖v‖²_ν = ‖v‖₀² + |v|²_ν, u' = u_N', I u
+//! the interpolant of u_N at the ends a₁, a₂, q = 1/(2 − τ), at τ = 2 q = 2, θ = h^(2τ−3), at τ = 2 h². First case: zeros of u_N
+//! nearer than θh to both ends; second case: σ_N = 0 on a piece of length θh at one end. The lines are
+//!
+//! ```text
+//! (3.3)  ∫ σ_N I u ≤ ‖σ_N‖₀ ‖I u‖₀ ≤ ‖σ_N‖₀ h^(1/2) max |u_N(aᵢ)|       (3.4)  |u_N(aᵢ)| = |∫ u'| up to the nearest zero
+//! (3.5)  |∫ u'| ≤ (hθ)^(1−1/q) ‖u'‖_(L^q)                              (3.8)  ‖u'‖_(L^q) ≤ C_q h^(1/q−1/2) ‖u'‖_ν, with
+//! (3.6)  (‖u'‖₀² + h^(2ν) |u'|²_ν)^(1/2) between both sides, and (3.7) that it is ≤ ‖u'‖_ν
+//! (3.9)  ∫ σ_N I u ≤ C_q h θ^(1−1/q) ‖σ_N‖₀ ‖u'‖_ν, and Young's inequality;    at τ = 2 (3.10)
+//! (3.11) ∫ σ_N I u = ∫ σ_N (I u − u_N) ≤ ‖σ_N‖₀ ‖I u − u_N‖₀            (3.12) ‖σ_N‖₀ ≤ γ_θ h^ν |σ_N|_ν
+//! (3.13) ‖I u − u_N‖₀ ≤ C_I h^(1+ν) |u'|_ν       (3.14) ∫ σ_N I u ≤ γ_θ C_I h^(1+2ν) |σ_N|_ν |u'|_ν, and Young's; at τ = 2 (3.15)
+//! ```
+//!
+//! C_q: H^ν(0,1) in L^q; γ_θ: Lemma 5.2; C_I: Lemma 6.1. Refuted if in one line on one segment left/right exceeds 1 by more
+//! than the error of the seminorms. The table adds the bounds up over all segments, each in its own case: where does the
+//! exponent of h fall from 2τ − 2, that of the integral, to 2τ² − 5τ + 4? Where a zone as long as the segment has it is replaced
+//! by one of length θh.
+//!
+//! u_N = −δ^(τ−1), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0, and σ_N = −(a − x)^(τ−2) for x < a, a = 5/12 and 11/24, with 128
+//! cells to a segment: u' and σ_N constant in each cell (τ ≥ 2: linear, continuous), σ_N u_N = 0 at every point.
+//!
+//! `cargo run --release --example theorem_3_1_proof_profile -- --tau 1.6`
 
-use example_frame::shown::ladder::{ladder_table, line_table, show, title};
-use example_frame::{Finding, Headline, Result, within};
-use experiments::convergence::Levels;
-use experiments::proof::{LimitLine, LimitLines, Rung, limit_lines};
-use experiments::proof::{ProofCase, ProofProfile, Resolution};
+use example_report::prelude::*;
+use signorini::edge::{ContactPair, SegmentNorms, Traces};
 use signorini::problems::StripData;
-use signorini::proof::{Section, Step, ThetaRule};
-use std::process::ExitCode;
+use signorini::proof::{ProofConstants, Section, printed_exponent};
+use signorini::rates::ConvergenceOrder;
+use signorini::strip::LateralCondition;
+use std::collections::BTreeMap;
 
-example_frame::options! {
-    /// Compute both sides of every inequality of the proof on a manufactured pair (u_N, sigma_N)
-    pub struct Options {
-        /// A scene of the strip
-        #[arg(long, default_value_t = StripData::transition(), help = StripData::names())]
-        pub scene: StripData,
-        /// Regularity the proof assumes, in (3/2, 2], for Theorem 4.1 in (3/2, 5/2)
-        #[arg(long, default_value_t = 1.75, value_parser = within::<f64>("(1.5, 2.5)"))]
-        pub tau: f64,
-        /// Regularity the scene is built with; tau unless given
-        #[arg(long)]
-        pub scene_tau: Option<f64>,
-        /// Exponent q of the embedding at tau = 2
-        #[arg(long, default_value_t = 2.0, value_parser = within::<f64>("[2, 1e6]"))]
-        pub q: f64,
-        /// Mesh sizes h = 2^-COARSEST ... 2^-FINEST
-        #[arg(long, default_value = "3-11")]
-        pub levels: Levels,
-        /// segment:K, 2^K fine cells per segment on every mesh, or edge:K, one grid of 2^K cells for all
-        #[arg(long, default_value_t = Resolution::Segment(7))]
-        pub resolution: Resolution,
-        /// A fixed theta in (0, 1) instead of h^(2 tau - 3), h^2 at tau = 2
-        #[arg(long)]
-        pub theta: Option<f64>,
-        /// Over how many positions in its cell a single transition is moved (odd)
-        #[arg(long, default_value_t = 9)]
-        pub positions: usize,
-        /// Print the inequalities instead of the ladder
-        #[arg(long)]
-        pub lines: bool,
-    }
-    without_effect(options) {
-        "positions" if !options.scene.moves() => "unless the scene is one transition",
-    }
-    check(options) {
-        Ok(options.levels.require_count(3, "[3, 22]: an exponent takes three meshes")?)
-    }
+example! { seconds "(3.3)-(3.15)", "every line of the proof of Theorem 3.1, with explicit constants, on every segment";
+    /// regularity τ of the pair
+    tau: f64 = "1.75" in "(1.5, 2)" slider "1.55 to 1.95",
+    /// meshes of 8, 16, .. 2^finest segments
+    finest: u32 = "10" in "[5, 12]",
 }
 
-/// Both sides of every line on all meshes, and the rungs.
-pub struct Computed {
-    /// Every line.
-    pub profile: ProofProfile,
-    /// From the term to the final bound.
-    pub rungs: Vec<Rung>,
-    /// The lines for tau = 2 and beyond on several pairs.
-    pub limits: LimitLines,
-}
+/// A line on a segment: its name, left side, right side, and the size of what cancels in them. The first four entries of the
+/// second list are successive bounds of the integral: itself, Hölder's, with the zone of the segment, with θ.
+pub type Lines = (Vec<(&'static str, f64, f64, f64)>, Option<[f64; 4]>);
 
-/// Profiles the proof on all meshes.
-pub fn compute(section: Section, options: &Options) -> Result<Computed> {
-    let Options { scene: source, tau, levels, resolution, positions, .. } = options.clone();
-    let scene_tau = options.scene_tau.unwrap_or(tau);
-    let rule = options.theta.map_or(ThetaRule::Printed { tau: tau.min(2.0) }, ThetaRule::Fixed);
-    let case = ProofCase { section, source, tau, scene_tau, levels, resolution, rule, positions };
-    case.require_valid()?;
-    let profile = case.profile(&case.constants(options.q)?)?;
-    let rungs = profile.ladder()?;
-    Ok(Computed { profile, rungs, limits: limit_lines(section, options.q)? })
-}
+type Sides = BTreeMap<&'static str, [f64; 2]>;
 
-/// Rungs that coincide, and lines that are sharp, agree up to sums and constants, which are good to 1e-9.
-const CONSTANTS: f64 = 1e-8;
-/// Exponents of the losses come from nine meshes, on which the zones of a transition scatter.
-const SCATTER: f64 = 0.05;
-
-/// What decides: every line on every segment, every rung on every mesh, and where the exponent goes.
-pub fn findings(options: &Options, Computed { profile, rungs, limits }: &Computed) -> Vec<Finding> {
-    let (tau, printed, checks) = (options.tau, profile.printed_exponent(), profile.checks());
-    let bounds = profile.lines().into_iter().filter(|line| !line.line.is_equality());
-    let sharpest = bounds.max_by(|a, b| a.sharpest.total_cmp(&b.sharpest));
-    let which = sharpest.as_ref().map_or(String::new(), |line| line.line.to_string());
-    let rung = |step: Step| rungs.iter().find(|r| r.step == step);
-    let exponent = |step: Step| rung(step).map(|r| (r.exponent.order, r.exponent.uncertainty));
-    let loss = |step: Step| rung(step).and_then(|r| r.loss).map(|l| (l.order, l.uncertainty));
-    let mut findings = vec![
-        Finding::claim("lines", format!("of {checks} inequalities checked, {{value}} fail"))
-            .number(profile.violations() as f64, 0.0)
-            .at_most(0.0, "left side, right side and their errors")
-            .told(),
-        Finding::claim("sharpest", format!("the sharpest line is {which}, left/right at most {{value}}"))
-            .number_or(sharpest.map(|line| (line.sharpest, 0.0)), "no line with a positive right side")
-            .at_most(1.0 + CONSTANTS, "left <= right up to the error of the constants"),
-        Finding::claim("ladder", "every rung of the ladder bounds the one below on every mesh")
-            .number_or(profile.smallest_step().map(|step| (step, 0.0)), "no mesh with a positive term")
-            .at_least(1.0 - CONSTANTS, "1 up to the error of the constants"),
-        Finding::sharpness("loss", "h^{value} in the squared error on this scene")
-            .number_or(exponent(Step::Term).map(|(value, u)| (value - printed, u)), "no exponent")
-            .at_least(0.0, format!("{printed:.4}, the printed exponent")),
-        Finding::remark("term", "the term itself falls like h^{value}, as an optimal error does")
-            .number_or(exponent(Step::Term), "no exponent")
-            .within(SCATTER, 2.0 * tau - 2.0, "2 tau - 2")
-            .told(),
-        Finding::claim("globally", "at tau = 2 bound over h^2 ln(1/h) has factors {value} or less per mesh")
-            .number(limits.globally, 0.0)
-            .at_most(1.0 + CONSTANTS, "(3.2), (4.3) with theta = h^2: no growth"),
-    ];
-    for LimitLine { line, pairs, count, violations, sharpest } in &limits.lines {
-        let words = format!("{line}: left/right at most {{value}} on {count} segments of {pairs} pairs");
-        let number = (*count > 0).then_some((*sharpest, 0.0));
-        let claim = Finding::claim(line.key(), words).number_or(number, "no segment");
-        findings.push(claim.at_most(1.0 + CONSTANTS, format!("left <= right; {violations} fail")));
+/// Section 3 on one segment.
+pub fn lines(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> {
+    let (h, nu, q, power) = (t.length, c.order().value(), c.q(), 1.0 - 1.0 / c.q());
+    let (sigma, slope) = (t.stress.l2, t.slope.norm_squared().sqrt()); // ‖σ_N‖₀, ‖u'‖_ν
+    let semi = t.stress.seminorm() * t.slope.seminorm(); // |σ_N|_ν |u'|_ν
+    let squares = 0.5 * (t.stress.norm_squared() + t.displacement_norm_squared());
+    let (mut lines, mut chain) = (Vec::new(), None);
+    let (two, work) = (c.tau() == 2.0, t.force * t.depth);
+    if t.free_length >= theta * h {
+        let (gamma, factor) = (c.gamma(theta)?, c.interpolation * h.powf(1.0 + 2.0 * nu));
+        lines.push(("(3.11) σ u = 0", t.nodal_term, t.interpolation_term, f64::INFINITY));
+        lines.push(("(3.11) Cauchy-Schwarz", t.nodal_term, sigma * t.interpolation_error, work));
+        lines.push(("(3.12) Poincaré", sigma, gamma * h.powf(nu) * t.stress.seminorm(), 0.0));
+        let right = c.interpolation * h.powf(1.0 + nu) * t.slope.seminorm();
+        lines.push(("(3.13) interpolation", t.interpolation_error, right, t.depth * h.sqrt()));
+        lines.push((if two { "(3.15)" } else { "(3.14)" }, t.nodal_term, gamma * factor * semi, work));
+        lines.push((if two { "(3.15) Young" } else { "(3.14) Young" }, semi, squares, 0.0));
+        // γ of the zone that the segment has, its length rounded down to a power of 1/2.
+        let own = c.gamma_below(t.free_length / h)?.min(gamma);
+        chain =
+            Some([t.nodal_term, sigma * t.interpolation_error, own * factor * semi, gamma * factor * semi]);
     }
-    // With another theta, and with the logarithm of tau = 2, the bound is no power of that exponent.
-    if options.theta.is_none() && tau != 2.0 {
-        findings.push(
-            Finding::claim("bound", "the bound falls like h^{value}, the printed exponent")
-                .number_or(exponent(Step::WholeEdge), "no exponent")
-                .within(CONSTANTS, printed, "2 tau^2 - 5 tau + 4, above tau = 2 2 tau - 2")
-                .told(),
-        );
+    if let Some(zeros) = t.zero_distance.filter(|zeros| zeros.iter().all(|&d| d < theta * h)) {
+        let (highest, product) = (t.vertices[0].abs().max(t.vertices[1].abs()), sigma * t.interpolant);
+        lines.push(("(3.3) Cauchy-Schwarz", t.nodal_term, product, work));
+        lines.push(("(3.3) value at an end", product, sigma * h.sqrt() * highest, 0.0));
+        for (value, increment) in t.vertices.iter().zip(t.increments) {
+            lines.push(("(3.4) from an end to a zero", value.abs(), increment, f64::INFINITY));
+            lines.push(("(3.5) Hölder", increment, (h * theta).powf(power) * t.slope.lq, t.depth));
+        }
+        let (scaled, scale) =
+            (t.slope.l2.hypot(h.powf(nu) * t.slope.seminorm()), c.embedding * h.powf(1.0 / q - 0.5));
+        lines.push(("(3.6) embedding", t.slope.lq, scale * scaled, 0.0));
+        lines.push(("(3.7) scaling", scaled, slope, 0.0));
+        lines.push(("(3.8) both", t.slope.lq, scale * slope, 0.0));
+        let bound = |length: f64| c.embedding * h.powf(1.0 - power) * length.powf(power) * sigma * slope;
+        lines.push((if two { "(3.10)" } else { "(3.9)" }, t.nodal_term, bound(theta * h), work));
+        lines.push((if two { "(3.10) Young" } else { "(3.9) Young" }, sigma * slope, squares, 0.0));
+        chain = Some([t.nodal_term, product, bound(zeros[0].max(zeros[1])), bound(theta * h)]);
     }
-    if options.theta.is_none() && tau < 2.0 {
-        let (zone, law) = (loss(Step::ShortestZone), loss(Step::Law));
-        findings.extend([
-            Finding::remark("zone", "h^{value} is lost where every zone is taken as short as h_e theta")
-                .number_or(zone, "no loss")
-                .at_least(0.0, "no loss")
-                .told(),
-            Finding::remark("zone.law", "with the law of its constant that is the loss of the theorem")
-                .number_or(zone.zip(law).map(|(a, b)| (a.0 + b.0, a.1 + b.1)), "no loss")
-                .within(SCATTER, (2.0 * tau - 3.0) * (2.0 - tau), "(2 tau - 3)(2 - tau)"),
-        ]);
+    Ok((lines, chain))
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let factor = |c: &ProofConstants, h: f64, theta: f64| c.edge_factor(Section::Three, h, theta).printed;
+    profile(lines, factor, "theorem_3_1_proof_profile", (options.tau, options.finest), &[2.0], out)
+}
+
+/// Checks every line on every segment, and adds up the bounds. `factor`: the larger of the factors of both cases with the law
+/// of γ_θ, by which half the squared norms of the whole edge are multiplied in the end. `limits`: other τ for their lines.
+pub fn profile(
+    lines: fn(&SegmentNorms, &ProofConstants, f64) -> Result<Lines>,
+    factor: impl Fn(&ProofConstants, f64, f64) -> f64,
+    picture: &str,
+    (tau, finest): (f64, u32),
+    limits: &[f64],
+    out: &mut Report,
+) -> Result<()> {
+    let theta = |h: f64, tau: f64| h.powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
+    // The pairs of a problem, on 128 n cells.
+    let pairs = |problem: &StripData, tau: f64, n: usize| -> Result<Vec<ContactPair>> {
+        let places = if problem.moves() { vec![5.0 / 12.0, 11.0 / 24.0] } else { vec![f64::NAN] };
+        let pair = |&position: &f64| -> Result<ContactPair> {
+            if tau > 2.0 {
+                return Ok(ContactPair::smooth_transition(128 * n, position, tau)?);
+            }
+            let problem = if problem.moves() { &StripData::Transition { position } } else { problem };
+            let data = problem.data(tau, 128 * n, LateralCondition::Natural)?;
+            Ok(ContactPair::of_data(&data, Traces::for_regularity(tau))?)
+        };
+        places.iter().map(pair).collect()
+    };
+    // Half the squared norms of the whole edge, mean over the pairs.
+    let whole = |problem: &StripData, tau: f64, n: usize, c: &ProofConstants| -> Result<f64> {
+        let all = pairs(problem, tau, n)?;
+        let norms =
+            ContactPair::norms_of(&all, 1, c.order(), c.q())?.collect::<signorini::Result<Vec<_>>>()?;
+        let square = |t: &SegmentNorms| 0.5 * (t.stress.norm_squared() + t.displacement_norm_squared());
+        Ok(norms.iter().map(|edge| square(&edge[0])).sum::<f64>() / norms.len() as f64)
+    };
+    // Checks all lines on n segments and adds up their bounds, means over the pairs. Norms are sums over cells, seminorms
+    // closed forms of double integrals.
+    let mut sums =
+        |problem: &StripData, n: usize, theta: f64, c: &ProofConstants| -> Result<([f64; 4], Sides)> {
+            let (all, mut sums, mut sides) = (pairs(problem, c.tau(), n)?, [0.0; 4], Sides::new());
+            for norms in ContactPair::norms_of(&all, n, c.order(), c.q())? {
+                for t in norms? {
+                    let (lines, chain) = lines(&t, c, theta)?;
+                    let error = t.stress.seminorm_error() + t.slope.seminorm_error() + 1e-9; // relative
+                    for (name, left, right, size) in lines {
+                        if size.is_infinite() {
+                            let apart =
+                                (left - right) / t.depth.max(t.force * t.depth).max(f64::MIN_POSITIVE);
+                            out.check(name).near(apart, 0.0, 1e-10, "an equality");
+                        } else if right > 1e-10 * size {
+                            let quotient = Measured::new(left / right, error * left / right);
+                            out.check(name).at_most(quotient, 1.0 + 1e-8, "left ≤ right");
+                            let side = sides.entry(name).or_default();
+                            *side = [side[0] + left, side[1] + right];
+                        }
+                    }
+                    chain
+                        .iter()
+                        .flatten()
+                        .zip(&mut sums)
+                        .for_each(|(bound, sum)| *sum += bound / all.len() as f64);
+                }
+            }
+            Ok((sums, sides))
+        };
+    // Upper bounds of the best constants; the law of γ_θ is C θ^(τ−2), at τ = 2 C ln(1/θ), C from 17 zones.
+    let meshes: Vec<usize> = (3..=finest).map(|level| 1 << level).collect();
+    let thetas = |tau: f64| meshes.iter().map(|&n| theta(1.0 / n as f64, tau)).collect::<Vec<f64>>();
+    let (c, transition) = (ProofConstants::new(tau, 2.0, &thetas(tau))?, StripData::transition());
+    let (edge, mut rows) = (whole(&transition, tau, 1 << finest, &c)?, Vec::new());
+    let mut slacks = BTreeMap::<&str, Vec<(f64, f64)>>::new(); // right/left of the sums over the segments
+    for &n in &meshes {
+        let (h, theta) = (1.0 / n as f64, theta(1.0 / n as f64, tau));
+        let ([a, b, own, last], sides) = sums(&transition, n, theta, &c)?;
+        rows.push((h, [a, b, own, last, factor(&c, h, theta) * edge]));
+        sides
+            .into_iter()
+            .filter(|(_, side)| side[0] > 0.0)
+            .for_each(|(name, side)| slacks.entry(name).or_default().push((h, side[1] / side[0])));
     }
-    findings
-}
+    // The lines on other pairs and for other τ; with θ = h² no segment with an integral is in the first case: θ = 1/2 too.
+    let mut growth = 0.0f64;
+    for &tau in limits.iter().chain([&tau]) {
+        let c = ProofConstants::new(tau, 2.0, &thetas(tau.min(2.0)))?;
+        let others = [
+            transition.clone(),
+            StripData::Transitions { gaps: 5 },
+            StripData::Cantor { ratio: 0.3, depth: 4 },
+        ];
+        for problem in &others[..if tau <= 2.0 { 3 } else { 1 }] {
+            for &n in &meshes[..3] {
+                sums(problem, n, theta(1.0 / n as f64, tau.min(2.0)), &c)?;
+                sums(problem, n, 0.5, &c)?;
+            }
+        }
+        let over = |h: f64| factor(&c, h, h * h) / (h * h * -h.ln());
+        let pairs = meshes.windows(2).map(|n| over(1.0 / n[1] as f64) / over(1.0 / n[0] as f64));
+        if tau == 2.0 {
+            growth = pairs.fold(growth, f64::max)
+        }
+    }
+    for name in ["(3.7) scaling", "(3.12) Poincaré", "(4.10) embedding", "(4.11) Poincaré"] {
+        if let Some(points) = slacks.get(name).filter(|points| points.len() > 2) {
+            let exponent = ConvergenceOrder::of_scattered(points);
+            out.observe(format!("{name}: exponent of right/left")).at_most(exponent, 0.0, "it loses order");
+        }
+    }
+    out.check("τ = 2: bound/(h² ln(1/h)) over that before").at_most(growth, 1.0 + 1e-8, "θ = h²");
 
-/// The outcome for Theorem 3.1.
-pub fn run(options: &Options) -> Result<Headline> {
-    outcome(Section::Three, "theorem_3_1_proof_profile", options)
-}
-
-/// The outcome of either theorem, figures saved as `name` and `name_slack`.
-pub fn outcome(section: Section, name: &str, options: &Options) -> Result<Headline> {
-    let computed = compute(section, options)?;
-    let Computed { profile, rungs, .. } = &computed;
-    let claim = "every line of the proof holds with explicit constants; a ladder shows which one loses order";
-    let table = if options.lines { line_table(&profile.lines()) } else { ladder_table(section, rungs) };
-    let mut headline = Headline::new(title(section).0, claim, table, findings(options, &computed));
-    show(&mut headline, &options.output, name, profile, rungs)?;
-    Ok(headline)
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    out.column("exponent", "exponent", "of h, over the meshes");
+    out.column("loss", "loss", "what the step takes of it");
+    let mut before = Measured::NONE;
+    let steps = ["integral", "Hölder", "zone of the segment", "zone of length θh", "whole edge"];
+    for (k, step) in steps.into_iter().enumerate() {
+        let points: Vec<(f64, f64)> = rows.iter().map(|(h, sums)| (*h, sums[k])).collect();
+        let exponent = Measured::from(ConvergenceOrder::of_scattered(&points));
+        let loss = (k > 0).then(|| before - exponent);
+        out.row(cells! { step => sum: points[points.len() - 1].1, exponent, loss });
+        before = exponent;
+        match k {
+            0 => out.stronger("exponent of the integral").near(exponent, 2.0 * tau - 2.0, 0.05, "2τ − 2"),
+            3 => out.observe("exponent lost by zones of length θh").near(
+                loss,
+                (2.0 * tau - 3.0) * (2.0 - tau),
+                0.05,
+                "(2τ − 3)(2 − τ)",
+            ),
+            4 => out.check("exponent on the whole edge").near(
+                exponent,
+                printed_exponent(tau),
+                1e-8,
+                "2τ² − 5τ + 4",
+            ),
+            _ => {}
+        }
+    }
+    let plot = out.plot(
+        picture,
+        &format!("From the integral to the bound, τ = {tau}"),
+        Axes::LogLog("h", "sum over the segments"),
+    );
+    for (k, step) in steps.into_iter().enumerate() {
+        plot.line(step, rows.iter().map(|(h, sums)| (*h, sums[k])).collect());
+    }
+    Ok(())
 }

@@ -16,7 +16,7 @@ const ROUNDING: f64 = 1e-9;
 /// The terms on 4, 8, .., 128 cells.
 fn all_terms(kind: StripKind, scene: &str, tau: f64, cone: Cone) -> Vec<(usize, FalkTerms)> {
     let data = scene.parse::<StripData>().unwrap().data(tau, 64 << 7, kind.sides()).unwrap();
-    let trace = EdgeTrace::of_scene(&data).unwrap();
+    let trace = EdgeTrace::of_data(&data).unwrap();
     let problem = StripProblem::new(kind, &data, Reference::Nested, 4).unwrap();
     let on = |n: usize| {
         let operator = problem.operator(n).unwrap().0;

@@ -1,14 +1,13 @@
-//! The sharp constants of a segment: the example confirms its statement, planted faults turn it.
+//! The sharp constants of a segment: two independent computations, limits, and other contact sets.
 
-use example_frame::{Outcome, Verdict};
-use experiments::proof::SegmentSets;
-use fractional_sobolev::{Order, Tolerance};
+mod segment_sets;
+
+use fractional_sobolev::{Moment, Order, Tolerance, moment};
+use segment_sets::SegmentSets;
 use signorini::cone::Cone;
-use signorini::proof::{consistency_constant, midpoint_bound, one_gap_ratio, product_constant};
-
-#[allow(dead_code)]
-#[path = "../examples/segment_constants.rs"]
-mod example;
+use signorini::proof::{
+    consistency_constant, midpoint_bound, one_gap_ratio, product_bound, product_constant,
+};
 
 fn order(nu: f64) -> Order {
     Order::new(nu).unwrap()
@@ -16,37 +15,22 @@ fn order(nu: f64) -> Order {
 
 #[test]
 fn the_constants_are_known_by_two_roads() {
-    let headline = example::run(&example::Options::default()).unwrap();
-    assert!(headline.verdict().is_confirmed(), "{headline}");
-    assert_eq!(headline.finding("half").unwrap().outcome(), Outcome::ByProof);
-    for key in ["roads", "order", "limit", "loose", "closed", "kappa.nu0.25"] {
-        assert_eq!(headline.finding(key).unwrap().outcome(), Outcome::Holds, "{key}: {headline}");
+    for nu in [0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999] {
+        let nu = order(nu);
+        let tolerance = Tolerance::new(1e-9).unwrap();
+        let [product, kappa, midpoint] =
+            [product_constant, consistency_constant, midpoint_bound].map(|of| of(nu, tolerance).unwrap());
+        for found in [product, kappa, midpoint] {
+            assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
+        }
+        let [product, kappa, midpoint] = [product, kappa, midpoint].map(|found| found.value.value);
+        assert!(kappa < midpoint && midpoint < product && product < product_bound(nu), "{nu}");
+        assert!(kappa < 0.5 * 0.136, "{nu}: {kappa}");
+        if nu == Order::HALF {
+            let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9).unwrap().closed_form().unwrap();
+            assert!((product / exact.value.powi(2) - 1.0).abs() < 1e-8, "{product} {exact}");
+        }
     }
-    for row in 0..headline.table.rows().len() {
-        let number = |key| headline.table.number(row, key).unwrap();
-        assert!(number("consistency") < number("midpoint") && number("product") < number("c"), "{headline}");
-        assert!(number("roads") < 1e-8, "{headline}");
-    }
-}
-
-#[test]
-fn a_constant_off_in_its_eighth_digit_or_out_of_order_is_not_confirmed() {
-    let options = example::Options { nu: vec![order(0.3), order(0.6)], ..example::Options::default() };
-    let rows = || example::compute(&options).unwrap();
-    assert!(Verdict::of(&example::findings(&rows())).is_confirmed());
-    let mut spoiled = rows();
-    spoiled[1].apart = 2e-8;
-    assert!(!Verdict::of(&example::findings(&spoiled)).is_confirmed());
-    let mut spoiled = rows();
-    spoiled[0].closed = Some(2e-8);
-    let closed = example::findings(&spoiled).into_iter().find(|finding| finding.key() == "closed").unwrap();
-    assert_eq!(closed.outcome(), Outcome::Refuted);
-    let mut spoiled = rows();
-    spoiled[0].sharp[0].value.value = 1.01 * spoiled[0].potentials;
-    assert!(!Verdict::of(&example::findings(&spoiled)).is_confirmed());
-    let mut spoiled = rows();
-    spoiled[0].sharp[2].value.value = 0.99 * spoiled[0].sharp[1].value.value;
-    assert!(!Verdict::of(&example::findings(&spoiled)).is_confirmed());
 }
 
 #[test]
