@@ -65,7 +65,7 @@ const TERMS: [Term; 6] = [
 /// Exponent of h of a term; none with fewer than three meshes on which it does not vanish.
 fn exponent(rows: &[FalkRow], term: fn(&FalkRow) -> f64) -> Option<(f64, f64)> {
     let points = rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).filter(|point| point.1 > 0.0);
-    ConvergenceOrder::of_scattered(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
+    ConvergenceOrder::of_power(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
 }
 
 /// What decides: both sides of the lemma and of (4.8) on every mesh, a sign, an order.

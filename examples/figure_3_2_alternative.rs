@@ -80,7 +80,7 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
         .map(|r| (1.0 / r.n as f64, r.classification.total()))
         .filter(|t| t.1 > 0.0)
         .collect();
-    let order = ConvergenceOrder::of_scattered(&totals).filter(|_| !options.over_theta);
+    let order = ConvergenceOrder::of_power(&totals).filter(|_| !options.over_theta);
     let order = order.map(|found| (found.order, found.uncertainty));
     let none = "no mesh was classified";
     let no_share =

@@ -77,7 +77,7 @@ const ROUNDING: f64 = 1e-13;
 /// The order of the errors without a start from a coarser mesh.
 fn order(rows: &[VariantRow]) -> Option<ConvergenceOrder> {
     let cold = rows.iter().filter(|row| row.road == SolverVariant::Cold);
-    ConvergenceOrder::of_scattered(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
+    ConvergenceOrder::of_power(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
 }
 
 /// What decides: the order of the error, the conditions, and whether the roads meet; what they cost.

@@ -72,12 +72,10 @@ pub fn compute(options: &Options) -> Result<Computed> {
 const KKT_LIMIT: f64 = 1e-10;
 /// Inner iterations allowed in a step, whatever n and the gaps: the preconditioned spectrum is bounded.
 const INNER: f64 = 30.0;
-/// What an order may lack while error/bound climbs to its limit: a fat Cantor set lacks 0.03 on 3-11.
-const UNSETTLED: f64 = 0.05;
 const EXACT: &str = "error 0 on every level: the discrete solution is exact, nothing to compare";
 
 /// What decides: levels are solved, steps take few iterations, error/bound does not grow; the order itself.
-pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> Vec<Finding> {
+pub fn findings(_: &Options, Computed { study, errors, .. }: &Computed) -> Vec<Finding> {
     let Solved { worst_kkt: kkt, unsolved, most_inner: inner } = study.solved();
     let ((h, error), bar) = (errors[errors.len() - 1], study.errors[errors.len() - 1].error);
     let exact = errors.iter().all(|e| e.1 == 0.0);
@@ -92,19 +90,22 @@ pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> V
         let gaps = Finding::remark("gaps", "every gap is on the grid").number(planned as f64, 0.0);
         found.push(gaps.at_most(study.gaps as f64, "gaps on the grid").otherwise(words).told());
     }
-    let (Some(tau), [paper, ..]) = (study.regularity, &bounds[..]) else { return found };
-    let (order, ratio) = (Trend::of(errors), Trend::of_ratio(errors, paper));
+    let Some(tau) = study.regularity else { return found };
+    let order = Trend::of(errors).map(|trend| (trend.order.order, trend.order.uncertainty));
+    let (theorem, optimal) = (Bound::Paper.exponent(tau), Bound::Optimal.exponent(tau));
+    let (Ok(theorem), Ok(optimal)) = (theorem, optimal) else { return found };
     found.extend([
-        Finding::claim("bounded", "on the finer levels error/bound changes by the factor {value}")
-            .number_or(ratio.map(|r| (r.rise, 0.0)), "an error is 0")
-            .at_most(ratio.map_or(f64::NAN, |r| r.noise(UNSETTLED)), "alternation, 0.05 of an order to come")
-            .otherwise("error/bound grows {value}-fold on the finer levels; at one place, see --positions 5"),
-        Finding::sharpness("loose", "h^{value} on the finer levels")
-            .number_or(ratio.map(|r| (r.order.order, r.order.uncertainty)), "an error is 0")
+        // Only an order below that of the bound, whatever it may be off by, makes error/bound grow.
+        Finding::claim("bounded", "error/bound stays bounded: the order is {value} or less")
+            .number_or(order.map(|(p, bar)| (p + bar, 0.0)), "an error is 0")
+            .at_least(theorem, "exponent of Theorems 3.1, 4.1")
+            .otherwise("error/bound grows: the order is at most {value}; at one place, see --positions 5"),
+        Finding::sharpness("loose", "h^{value}")
+            .number_or(order.map(|(p, bar)| (p - theorem, bar)), "an error is 0")
             .at_least(0.0, "error/bound constant"),
-        Finding::remark("order", "order {value}, within a tenth of tau - 1 = {bound}")
-            .number_or(order.map(|o| (o.order.order, o.order.uncertainty)), "an error is 0")
-            .within(0.1, tau - 1.0, "the optimal order, Drouet & Hild 2015")
+        Finding::remark("order", "order {value}, where {bound} is optimal")
+            .number_or(order.map(|(p, _)| (p, 0.0)), "an error is 0")
+            .within(order.map_or(f64::NAN, |(_, bar)| bar), optimal, "min(tau - 1, 1), Drouet & Hild 2015")
             .told(),
     ]);
     found
