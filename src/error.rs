@@ -40,6 +40,20 @@ pub enum Error {
         /// λ there.
         force: f64,
     },
+    /// A body that nothing holds: the solution is not unique.
+    #[error(
+        "the body of {triangles} triangles with node {node} at ({}, {}) is not held: no edge of it is on the Dirichlet \
+         part of the boundary",
+        place[0], place[1]
+    )]
+    NotHeld {
+        /// Its number of triangles.
+        triangles: usize,
+        /// Its first node, by the numbers of the file of the mesh.
+        node: usize,
+        /// Where that is.
+        place: [f64; 2],
+    },
     /// A contact problem without a node in contact.
     #[error("the contact set is empty: u_N < 0 at all {nodes} nodes")]
     EmptyContact {

@@ -136,7 +136,7 @@ fn problems_that_hang_in_the_air_are_errors() {
 }
 
 #[test]
-fn a_loose_piece_is_found_by_its_pivot() {
+fn a_body_that_nothing_holds_is_named_before_any_factorization() {
     let held = unit_square(4, SideParts::HANGING).unwrap();
     let count = held.nodes().len();
     let mut nodes = held.nodes().to_vec();
@@ -152,10 +152,37 @@ fn a_loose_piece_is_found_by_its_pivot() {
     let mesh = Triangulation::new(nodes, triangles, boundary).unwrap();
     let load = vec![1.0; 2 * mesh.nodes().len()];
     for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
-        let problem = ContactProblem::new(mesh.clone(), form, values).unwrap();
-        let failed = problem.solve(Cone::Nodal, Solver::ActiveSet);
-        assert!(matches!(failed, Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. }))));
+        let failed = ContactProblem::new(mesh.clone(), form, values).unwrap_err();
+        assert_eq!(failed, Error::NotHeld { triangles: 32, node: 25, place: [3.0, 0.0] });
+        assert!(failed.to_string().contains("the body of 32 triangles with node 25 at (3, 0) is not held"));
     }
+    // A reaction term holds it.
+    assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load[..2 * count]).is_ok());
+}
+
+#[test]
+fn nodes_of_a_file_are_called_by_its_numbers() {
+    let of = |text: &str| match parse_msh(text) {
+        Err(Error::AtLine { cause, .. }) => *cause,
+        Ok(mesh) => ContactProblem::new(mesh, elastic(), &[0.0; 12]).unwrap_err(),
+        Err(other) => other,
+    };
+    let edge = |text: &str| match of(text) {
+        Error::Toolkit(ToolkitError::Edge { nodes, .. }) => nodes,
+        other => panic!("{other}"),
+    };
+    // The bottom has no label: its first edge is that of nodes 1 and 2 of the file, 0 and 1 in the mesh.
+    assert_eq!(edge(&GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1)), [1, 2]);
+    // Node 3 of the file off the line of the contact edge: found when the problem is made.
+    let bent = GOOD.replacen("1 0 0\n2 0 0", "1 0 0\n2 -0.25 0", 1);
+    assert_eq!(edge(&bent), [2, 3]);
+    // A second triangle, of the nodes 10, 30 and 20, that no edge holds.
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+         $PhysicalNames\n3\n1 1 \"contact\"\n1 2 \"free\"\n1 3 \"clamped\"\n$EndPhysicalNames\n\
+         $Nodes\n6\n3 0 0 0\n5 1 0 0\n7 0 1 0\n10 4 0 0\n20 4 1 0\n30 5 0 0\n$EndNodes\n\
+         $Elements\n8\n1 1 2 1 1 3 5\n2 1 2 2 2 5 7\n3 1 2 3 3 7 3\n4 2 2 0 1 3 5 7\n\
+         5 1 2 2 2 10 30\n6 1 2 2 2 30 20\n7 1 2 2 2 20 10\n8 2 2 0 1 10 30 20\n$EndElements\n";
+    assert_eq!(of(text), Error::NotHeld { triangles: 1, node: 10, place: [4.0, 0.0] });
 }
 
 #[test]

@@ -103,3 +103,28 @@ fn bad_input_is_an_error() {
     let floating = ContactProblem::new(unit_square(4, loose).unwrap(), elastic(), &[0.0; 50]);
     assert!(floating.is_err());
 }
+
+/// Forces of a body hanging from its top, pressed down by f = (0, −1): load, reaction and floor add up to zero, to the
+/// rounding that is stated for the material. Near ν = 1/2 it exceeds eight digits.
+#[test]
+fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
+    /// Standard deviations.
+    const ROUNDINGS: f64 = 8.0;
+    let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_999].map(|poisson| {
+        let mesh = unit_square(16, SideParts::HANGING).unwrap();
+        let load = [0.0, -1.0].repeat(mesh.nodes().len());
+        let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
+        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        let imbalance = (solution.reaction[1] + solution.contact_force - 1.0).abs();
+        assert!(
+            imbalance <= ROUNDINGS * solution.force_rounding,
+            "{poisson}: {imbalance:e}, {:e}",
+            solution.force_rounding
+        );
+        (imbalance, solution.force_rounding)
+    });
+    // It grows with λ/μ = 2ν/(1 − 2ν), and is no excuse elsewhere.
+    assert!(imbalances[0].1 < 1e-13 && imbalances[3].1 < 1e-4, "{imbalances:?}");
+    assert!(imbalances.windows(2).all(|pair| pair[0].1 < pair[1].1), "{imbalances:?}");
+}

@@ -69,7 +69,7 @@ impl ContactProblem {
     ///
     /// # Errors
     /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing
-    /// that holds the body, a load that is not finite or of the wrong length, an inadmissible form.
+    /// that holds the body or one of several ([`Error::NotHeld`]), a load that is not finite or of the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
@@ -83,6 +83,9 @@ impl ContactProblem {
                 value: 0,
                 range: "[1, inf), unless there is a reaction term",
             }));
+        }
+        if !reaction {
+            require_held(&mesh, &held)?;
         }
         require_values("volume load", volume, mesh.nodes().len() * c)?;
         let frames = if c == 2 { frames_of(&edge)? } else { Frames::all(Frame::cartesian()) };
@@ -301,6 +304,16 @@ impl ContactProblem {
         }
         turned
     }
+}
+
+/// [`Error::NotHeld`] for a body, triangles that nodes join, without a Dirichlet edge: before any matrix is made.
+fn require_held(mesh: &Triangulation, held: &[bool]) -> Result<()> {
+    let bodies = mesh.bodies();
+    let mut is_held = vec![false; bodies.len()];
+    bodies.iter().zip(held).for_each(|(&body, &held)| is_held[body] |= held);
+    let Some(node) = bodies.iter().position(|&body| !is_held[body]) else { return Ok(()) };
+    let triangles = mesh.triangles().iter().filter(|triangle| bodies[triangle[0]] == bodies[node]).count();
+    Err(Error::NotHeld { triangles, node: mesh.number(node), place: mesh.nodes()[node] })
 }
 
 /// The frame of one straight contact edge for all nodes, that of each of several on its own nodes.

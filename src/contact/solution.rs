@@ -118,6 +118,10 @@ pub struct ContactSolution {
     ///
     /// A standard deviation and no bound; differences of J below it have no meaning.
     pub energy_rounding: f64,
+    /// The same of a sum of forces, a component of the reaction or the contact force: ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
+    ///
+    /// Large beside the loads where stiffnesses cancel, as for Poisson ratios near 1/2: an imbalance below it is rounding.
+    pub force_rounding: f64,
     /// Sum of the multipliers.
     ///
     /// Σ_i λ_i = −∫ σ_N over the contact edge, in both cones, because the rows of B sum to 1.
@@ -176,6 +180,7 @@ pub(super) fn conclude(
     let displacement_scale = displacement_scale(problem, u);
     let energy = 0.5 * careful_dot(u, &stress_force) - careful_dot(u, &problem.load);
     let energy_rounding = f64::EPSILON * u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
+    let force_rounding = f64::EPSILON * sizes.iter().copied().fold(0.0, f64::hypot);
     require_values("energy J", &[energy, energy_rounding], 2)?;
     let terms = KktTerms {
         residual: &free,
@@ -210,6 +215,7 @@ pub(super) fn conclude(
         margins,
         energy,
         energy_rounding,
+        force_rounding,
         reaction,
         balance,
         history: candidate.history,

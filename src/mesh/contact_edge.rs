@@ -31,6 +31,8 @@ pub struct ContactEdge {
     closed: bool,
     /// The largest coordinate of the body.
     size: f64,
+    /// The numbers of the nodes in the file they come from.
+    numbers: Vec<usize>,
 }
 
 impl ContactEdge {
@@ -51,7 +53,7 @@ impl ContactEdge {
         match whole.starts[..] {
             [_] => Ok(whole),
             [_, second, ..] => Err(Error::Toolkit(ToolkitError::Edge {
-                nodes: [whole.nodes[second], whole.nodes[second + 1]],
+                nodes: [whole.numbers[second], whole.numbers[second + 1]],
                 reason: "belongs to a second piece of the contact edge, which must be in one piece",
             })),
             [] => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -86,7 +88,7 @@ impl ContactEdge {
                 range: "[1, inf)",
             }));
         }
-        let chains = chains(&edges)?;
+        let chains = chains(&edges).map_err(|error| mesh.in_own_numbers(error))?;
         let (mut nodes, mut arc, mut starts) = (Vec::new(), Vec::new(), Vec::new());
         for (chain, _) in &chains {
             starts.push(nodes.len());
@@ -98,7 +100,8 @@ impl ContactEdge {
         }
         let points: Vec<Point> = nodes.iter().map(|&node| mesh.nodes()[node]).collect();
         let size = mesh.nodes().iter().flatten().fold(0.0, |m: f64, x| m.max(x.abs()));
-        Ok(Self { nodes, points, arc, starts, closed: chains[0].1, size })
+        let numbers = nodes.iter().map(|&node| mesh.number(node)).collect();
+        Ok(Self { nodes, points, arc, starts, closed: chains[0].1, size, numbers })
     }
 
     /// Where each piece lies in [`ContactEdge::nodes`].
@@ -232,7 +235,7 @@ impl ContactEdge {
             let straight = off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
             if !straight {
                 return Err(Error::Toolkit(ToolkitError::Edge {
-                    nodes: [self.nodes[piece.start + i - 1], self.nodes[piece.start + i]],
+                    nodes: [self.numbers[piece.start + i - 1], self.numbers[piece.start + i]],
                     reason: "leaves the line of the contact edge, which must be straight: a free edge between \
                              two contact edges gives each its own normal",
                 }));

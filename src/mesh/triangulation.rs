@@ -16,6 +16,8 @@ pub struct Triangulation {
     triangles: Vec<[usize; 3]>,
     boundary: Vec<BoundaryEdge>,
     regions: Vec<u32>,
+    /// What each node is called where the triangulation comes from; empty for their places.
+    numbers: Vec<usize>,
 }
 
 impl Triangulation {
@@ -48,7 +50,7 @@ impl Triangulation {
         triangles: Vec<[usize; 3]>,
         boundary: Vec<BoundaryEdge>,
     ) -> Self {
-        Self { nodes, triangles, boundary, regions: Vec::new() }
+        Self { nodes, triangles, boundary, regions: Vec::new(), numbers: Vec::new() }
     }
 
     /// The same triangulation with a region number on every triangle (for piecewise constant materials).
@@ -73,6 +75,40 @@ impl Triangulation {
         }
         self.regions = regions;
         Ok(self)
+    }
+
+    /// The same triangulation whose errors call the nodes by these numbers.
+    pub(super) fn with_numbers(self, numbers: Vec<usize>) -> Self {
+        Self { numbers, ..self }
+    }
+
+    /// The number of a node in the file it was read from; its place without a file.
+    pub(crate) fn number(&self, node: usize) -> usize {
+        self.numbers.get(node).copied().unwrap_or(node)
+    }
+
+    /// An error about a node or an edge, by the numbers of the file.
+    pub(super) fn in_own_numbers(&self, error: Error) -> Error {
+        in_numbers(error, |node| self.number(node))
+    }
+
+    /// For every node the smallest node that a chain of triangles with common nodes joins it to. Cost: O(N log N) at most.
+    pub(crate) fn bodies(&self) -> Vec<usize> {
+        let mut parents: Vec<usize> = (0..self.nodes.len()).collect();
+        let root = |parents: &mut Vec<usize>, mut node: usize| {
+            while parents[node] != node {
+                parents[node] = parents[parents[node]];
+                node = parents[node];
+            }
+            node
+        };
+        for &[a, b, c] in &self.triangles {
+            for (from, to) in [(a, b), (b, c)] {
+                let (from, to) = (root(&mut parents, from), root(&mut parents, to));
+                parents[from.max(to)] = from.min(to);
+            }
+        }
+        (0..self.nodes.len()).map(|node| root(&mut parents, node)).collect()
     }
 
     /// The coordinates of the nodes.
@@ -169,5 +205,18 @@ impl Triangulation {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;
         Ok(self)
+    }
+}
+
+/// An error about a node or an edge with other numbers of the nodes.
+pub(super) fn in_numbers(error: Error, number: impl Fn(usize) -> usize) -> Error {
+    match error {
+        Error::Toolkit(ToolkitError::Node { node, reason }) => {
+            Error::Toolkit(ToolkitError::Node { node: number(node), reason })
+        }
+        Error::Toolkit(ToolkitError::Edge { nodes, reason }) => {
+            Error::Toolkit(ToolkitError::Edge { nodes: nodes.map(number), reason })
+        }
+        other => other,
     }
 }

@@ -5,7 +5,6 @@
 pub(crate) mod check;
 #[path = "../../toolkit/src/numeric/conjugate_gradients.rs"]
 pub(crate) mod conjugate_gradients;
-pub(crate) mod grid;
 #[allow(dead_code, reason = "one function of the toolkit's file is used")]
 #[path = "../../toolkit/src/numeric/legendre.rs"]
 pub(crate) mod legendre;

@@ -121,7 +121,7 @@ pub(super) fn regularity_with_ends(
             let slot = &mut sides.entry(node).or_default()[k];
             if slot.replace((other, side)).is_some() {
                 return Err(Error::Toolkit(ToolkitError::Node {
-                    node,
+                    node: mesh.number(node),
                     reason: "is where several pieces of the boundary touch",
                 }));
             }
@@ -130,7 +130,10 @@ pub(super) fn regularity_with_ends(
     let mut corners: Vec<CornerSingularity> = Vec::new();
     for (node, ends) in sides {
         let [Some((next, mut first)), Some((last, second))] = ends else {
-            return Err(Error::Toolkit(ToolkitError::Node { node, reason: "ends the boundary" }));
+            return Err(Error::Toolkit(ToolkitError::Node {
+                node: mesh.number(node),
+                reason: "ends the boundary",
+            }));
         };
         let place = mesh.nodes()[node];
         let angle = opening(place, mesh.nodes()[next], mesh.nodes()[last]);
@@ -226,7 +229,7 @@ fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
             Ok(Medium::PlaneStrain(0.5 * lambda / (lambda + mu)))
         }
         _ => Err(Error::Toolkit(ToolkitError::Node {
-            node,
+            node: mesh.number(node),
             reason: "lies between two materials, whose exponents are not computed",
         })),
     }

@@ -9,7 +9,8 @@
 mod bounds;
 mod line;
 mod order;
-mod series;
+mod posterior;
 
 pub use bounds::Bound;
-pub use order::{ConvergenceOrder, ErrorModel, order_between};
+pub use order::{ConvergenceOrder, order_between};
+pub use posterior::ErrorModel;

@@ -3,7 +3,7 @@
 use super::lines::{Lines, at, fault};
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::geometry::{BoundaryEdge, Part, Point, doubled_area};
-use crate::mesh::triangulation::Triangulation;
+use crate::mesh::triangulation::{Triangulation, in_numbers};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// The surface of a triangle, and its physical group.
@@ -98,7 +98,8 @@ impl Raw {
         let places: Vec<(usize, [f64; 3])> = tags.iter().map(|tag| self.nodes[tag]).collect();
         if let Some(node) = places.iter().position(|(_, place)| place[2] != places[0].1[2]) {
             let reason = "has another z: the body must lie in a plane z = const";
-            return Err(at(places[node].0, Error::Toolkit(ToolkitError::Node { node, reason })));
+            let tag = tags[node] as usize;
+            return Err(at(places[node].0, Error::Toolkit(ToolkitError::Node { node: tag, reason })));
         }
         let nodes: Vec<Point> = places.iter().map(|&(_, [x, y, _])| [x, y]).collect();
         self.turn_clockwise_surfaces(&mut triangles, &nodes);
@@ -111,8 +112,13 @@ impl Raw {
             };
             boundary.push(BoundaryEdge { nodes: [from, to], part });
         }
+        let named = |cause: Error| {
+            let line = self.line_of(&cause, &tags).unwrap_or(end);
+            at(line, in_numbers(cause, |node| tags[node] as usize))
+        };
         let mesh = Triangulation::new(nodes, triangles, boundary)
-            .map_err(|cause| at(self.line_of(&cause, &tags).unwrap_or(end), cause))?;
+            .map_err(named)?
+            .with_numbers(tags.iter().map(|&tag| tag as usize).collect());
         let regions = self.regions();
         if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(regions) }
     }

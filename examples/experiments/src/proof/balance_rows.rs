@@ -161,7 +161,7 @@ impl BalanceExponents {
         let few = ToolkitError::CountOutOfRange { name: "lengths", value: rows.len(), range: "[3, inf)" };
         let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
             let points: Vec<(f64, f64)> = rows.iter().map(|r| (r.h, value(r))).collect();
-            ConvergenceOrder::of_scattered(&points).ok_or_else(|| Error::Toolkit(few.clone()))
+            ConvergenceOrder::of_power(&points).ok_or_else(|| Error::Toolkit(few.clone()))
         };
         Ok(Self {
             printed: fit(&|r| r.printed[1])?,

@@ -125,7 +125,7 @@ impl CostStudy {
 fn term_order(rows: &[CostRow], tau: f64) -> Option<ConvergenceOrder> {
     let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
     let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
-    ConvergenceOrder::of_scattered(&points)
+    ConvergenceOrder::of_power(&points)
 }
 
 /// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,

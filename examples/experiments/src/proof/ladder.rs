@@ -56,7 +56,7 @@ impl ProofProfile {
         let finest = levels.last().ok_or_else(few)?;
         let fit = |value: &dyn Fn(&LevelProfile) -> f64| {
             let points: Vec<(f64, f64)> = levels.iter().map(|l| (l.h(), value(l))).collect();
-            ConvergenceOrder::of_scattered(&points).ok_or_else(few)
+            ConvergenceOrder::of_power(&points).ok_or_else(few)
         };
         let rung = |step: Step, before: Option<Step>| -> Result<Rung> {
             let loss = |before: Step| fit(&|l| l.rung(before).printed / l.rung(step).printed);
@@ -115,7 +115,7 @@ impl ProofProfile {
             count: found.iter().map(|(_, i)| i.count).sum(),
             violations: found.iter().map(|(_, i)| i.violations).sum(),
             sharpest: found.iter().fold(0.0, |m: f64, (_, i)| m.max(i.sharpest)),
-            exponent: ConvergenceOrder::of_scattered(&positive(&slacks)),
+            exponent: ConvergenceOrder::of_power(&positive(&slacks)),
             slacks,
         }
     }

@@ -41,7 +41,7 @@ impl FromStr for Load {
     type Err = Error;
 
     fn from_str(text: &str) -> Result<Self> {
-        Expression::parse_list(text).map(Self)
+        Expression::parse_list(text).map(Self).map_err(Error::Option)
     }
 }
 
