@@ -112,7 +112,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             coarser = Some(u);
         }
         let points: Vec<(f64, f64)> = scaled.into_iter().filter(|point| point.1 > 0.0).collect();
-        let order = Measured::from(ConvergenceOrder::of_scattered(&points));
+        let order = Measured::from(ConvergenceOrder::of_power(&points));
         let (quotient, of_best) = (limit(&by_interpolation), limit(&by_best));
         out.row(
             cells! { problem: name, tau => over_interpolation: quotient, over_best: of_best, order, theory },

@@ -85,7 +85,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     .map(|p| (ell(p[1].0), (p[2].1 / p[2].0).powi(2) - (p[0].1 / p[0].0).powi(2)))
                     .collect();
                 let skipped = increments.len() / 2; // the coarsest meshes
-                let q = Measured::from(ConvergenceOrder::of_scattered(&increments[skipped..])) + 1.0;
+                let q = Measured::from(ConvergenceOrder::of_power(&increments[skipped..])) + 1.0;
                 let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
                 let growth = |power: f64| {
                     let over = |(h, e): (f64, f64)| e / (h * (-h.ln()).powf(power));

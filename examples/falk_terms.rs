@@ -149,7 +149,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     let points = out.series("n", "consistency").into_iter().map(|(n, term)| (1.0 / n, term));
-    let order = ConvergenceOrder::of_scattered(&points.collect::<Vec<_>>()); // least squares in logarithms
+    let order = ConvergenceOrder::of_power(&points.collect::<Vec<_>>()); // least squares in logarithms
     out.observe("order of ∫σ(I^hu−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
     let (error, consistency) = (out.series("n", "error"), out.series("n", "consistency"));
     if let (Some(error), Some(consistency)) = (error.last(), consistency.last()) {

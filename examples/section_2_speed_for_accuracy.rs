@@ -118,7 +118,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    if let Some(order) = ConvergenceOrder::of_scattered(&errors) {
+    if let Some(order) = ConvergenceOrder::of_power(&errors) {
         out.check("order of |u − u^h|_a").near(order, 1.0, 0.1, "linear elements");
     }
     out.plot(

@@ -108,11 +108,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let errors: Vec<(f64, f64)> =
             out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();
         // Regression of ln error on ln h over the finer half of the meshes, as the transition moves in its cell.
-        let order = Measured::from(ConvergenceOrder::of_scattered(&errors));
+        let order = Measured::from(ConvergenceOrder::of_power(&errors));
         let meshes = || errors.iter().map(|point| point.0);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
         let bound = Bound::Paper.through(errors[0], meshes(), tau)?;
-        let printed = Measured::from(ConvergenceOrder::of_scattered(&bound)).value; // at τ = 2 the logarithm counts
+        let printed = Measured::from(ConvergenceOrder::of_power(&bound)).value; // at τ = 2 the logarithm counts
         let claim = format!("{name}: order of ‖u − u^h‖");
         if name == "transition" {
             out.check(claim).at_least(order, printed, "τ² − 5τ/2 + 2, (3.1)");

@@ -192,7 +192,7 @@ pub fn profile(
     }
     for name in ["(3.7) scaling", "(3.12) Poincaré", "(4.10) embedding", "(4.11) Poincaré"] {
         if let Some(points) = slacks.get(name).filter(|points| points.len() > 2) {
-            let exponent = ConvergenceOrder::of_scattered(points);
+            let exponent = ConvergenceOrder::of_power(points);
             out.observe(format!("{name}: exponent of right/left")).at_most(exponent, 0.0, "it loses order");
         }
     }
@@ -204,7 +204,7 @@ pub fn profile(
     let steps = ["integral", "Hölder", "zone of the segment", "zone of length θh", "whole edge"];
     for (k, step) in steps.into_iter().enumerate() {
         let points: Vec<(f64, f64)> = rows.iter().map(|(h, sums)| (*h, sums[k])).collect();
-        let exponent = Measured::from(ConvergenceOrder::of_scattered(&points));
+        let exponent = Measured::from(ConvergenceOrder::of_power(&points));
         let loss = (k > 0).then(|| before - exponent);
         out.row(cells! { step => sum: points[points.len() - 1].1, exponent, loss });
         before = exponent;
