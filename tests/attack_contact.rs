@@ -4,6 +4,7 @@
 //! `SIGNORINI_FUZZ=20000 cargo test --release --test attack_contact -- --nocapture` takes as many scenes,
 //! `SIGNORINI_SCENE=17` only that one, and shows it.
 
+mod common;
 #[path = "attack_contact/compare.rs"]
 mod compare;
 #[path = "attack_contact/count.rs"]
@@ -19,8 +20,8 @@ mod scene;
 #[path = "attack_contact/stiffness.rs"]
 mod stiffness;
 
+use common::SplitMix;
 use count::Counts;
-use experiments::SplitMix;
 use meshes::grid;
 use program::Program;
 use scene::Scene;

@@ -7,14 +7,10 @@
 //! `SIGNORINI_FUZZ=100000 cargo test --release --test attack_text -- --nocapture` tries as many per grammar,
 //! `SIGNORINI_SEED=7` other ones.
 
-use example_frame::Expression;
-use example_frame::contact::Material;
-use experiments::SplitMix;
-use experiments::convergence::Levels;
-use experiments::gallery::GalleryFunction;
-use experiments::interpolation::SampleSlope;
-use experiments::proof::Resolution;
-use experiments::zones::{Condition, Place};
+mod common;
+
+use common::SplitMix;
+use example_report::Expression;
 use fractional_sobolev::{Order, Tolerance};
 use peak_alloc::PeakAlloc;
 use signorini::Error;
@@ -108,24 +104,14 @@ fn grammars() -> Vec<Grammar> {
     let scenes = TestProblem::all().iter().map(TestProblem::to_string).collect::<Vec<_>>();
     let strips = StripData::all().iter().map(StripData::to_string).collect::<Vec<_>>();
     let orders = ["0.25", "1/2", "1/2+1e-20", "1/2-0.25", "1e-300", "0.999"];
-    let gallery = ["power:0.3", "step:0.4", "hat", "log:0.25", "samples:a/b.txt"];
     let loads = ["0.15, 0.2 - 0.3*x", "-cos(pi*x)^2 - 0.5", "max(x, -1e-3*y) + atan2(y, x)^(1/3)"];
-    let materials = ["lambda=1, mu=1", "E=2.5, nu=0.25, plane=stress"];
-    let slopes = ["power:0.3", "step:0.25", "cosine:3", "constant"];
     vec![
         Grammar { name: "gmsh", seeds: [all(&GMSH), vec![crlf]].concat(), read: mesh },
         Grammar { name: "samples", seeds: all(&[EDGE, "0 0\n-1 0\n"]), read: samples },
         Grammar { name: "scene", seeds: [scenes, strips].concat(), read: scene },
         Grammar { name: "order", seeds: all(&orders), read: order },
         Grammar { name: "tolerance", seeds: all(&["fast", "reference", "1e-9"]), read: word::<Tolerance> },
-        Grammar { name: "levels", seeds: all(&["3-9", "1-22"]), read: word::<Levels> },
-        Grammar { name: "gallery", seeds: all(&gallery), read: word::<GalleryFunction> },
-        Grammar { name: "slope", seeds: all(&slopes), read: word::<SampleSlope> },
-        Grammar { name: "resolution", seeds: all(&["segment:8", "edge:12"]), read: word::<Resolution> },
-        Grammar { name: "zone", seeds: all(&["end", "centre", "0.25"]), read: plain::<Place> },
         Grammar { name: "load", seeds: all(&loads), read: load },
-        Grammar { name: "material", seeds: all(&materials), read: plain::<Material> },
-        Grammar { name: "condition", seeds: all(&["mean-zero", "vanishing"]), read: plain::<Condition> },
     ]
 }
 
@@ -157,12 +143,8 @@ fn order(text: &str) -> Answer {
 fn load(text: &str) -> Answer {
     let read = Expression::parse_list(text);
     for function in read.iter().flatten() {
-        let again = Expression::parse(&function.to_string()).map_err(|e| format!("{function}: {e}"))?;
         for point in [[0.5, -0.25], [0.0, 0.0], [1e308, -1e-320]] {
-            let [one, other] = [function, &again].map(|function| function.at(point).to_bits());
-            if one != other {
-                return Err(format!("{function} is not {again} at {point:?}"));
-            }
+            function.at(point);
         }
     }
     kind(read.map(|list| format!("{} functions", list.len())))

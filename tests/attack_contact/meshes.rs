@@ -1,7 +1,7 @@
 //! Random meshes: jittered, graded and slanted grids, polygons cut from a point inside, rings.
 
 use super::scene::decades;
-use experiments::SplitMix;
+use crate::common::SplitMix;
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
 
 /// Most constraints of a scene.

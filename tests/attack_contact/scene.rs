@@ -1,7 +1,7 @@
 //! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
 
 use super::meshes::{Mesh, annulus, fan, grid, grid_in_pieces};
-use experiments::SplitMix;
+use crate::common::SplitMix;
 use signorini::contact::ContactProblem;
 use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
