@@ -86,11 +86,8 @@ macro_rules! examples {
 
 examples! {
     // examples
-    introduction_rates: "../examples/introduction_rates.rs",
     remark_3_face: "../examples/remark_3_face.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
-    theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
-    theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
     // end of examples
 }

@@ -64,6 +64,9 @@ macro_rules! examples {
 }
 
 examples! {
+    theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
+    theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
+    introduction_rates: "../examples/introduction_rates.rs",
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     section_2_regularity: "../examples/section_2_regularity.rs",
