@@ -19,7 +19,7 @@ use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma};
 use nalgebra::{DMatrix, DVector};
 
-example! { quick "Lemma 5.1", "α (‖u‖₀² + |u|²_ν)^(1/2) ≤ |u|_ν with α > 0 for mean zero on (0, θ);  best: α = (1 + γ²)^(−1/2)";
+example! { quick "Lemma 5.1", "mean zero on (0, θ):  α (‖u‖₀² + |u|²_ν)^(1/2) ≤ |u|_ν,  best α = (1 + γ²)^(−1/2) > 0";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
     /// lengths θ of the zone

@@ -45,12 +45,7 @@ fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
 /// Left over right side of (5.7), in the middle and at the end, and of (5.6), for the extremal function of the zone θ².
 /// It is interpolated by quadratics, six to an element; their seminorms are closed forms, their norms Gauss rules.
 /// (5.5) gives the norms on I. What the mean over the zone misses of zero is part of the error of the Poincaré step.
-fn on_stretched_interval(
-    nu: Order,
-    theta: f64,
-    gamma: Measured,
-    u: &Extremal,
-) -> Result<[Measured; 3]> {
+fn on_stretched_interval(nu: Order, theta: f64, gamma: Measured, u: &Extremal) -> Result<[Measured; 3]> {
     let all = u.interpolate(2, 6, &[theta * theta, theta])?;
     let nodes = all.mesh()?.nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + 1e-12)).count() - 1;
@@ -116,9 +111,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             product_59: product_59.value, last_lines: last_lines.value });
             out.check("(5.6), left over right side").at_most(stretched_56, 1.0, "the line");
             out.check("(5.7), ‖u‖₀ over γ(θ) |u|_ν").at_most(poincare_57, 1.0, "the line");
-            out.check("(5.8), γ(θ²)/γ(θ) over its bound").at_most(step_58, 1.0, "the line");
+            out.check("(5.8), γ(θ²)/γ(θ) over bound").at_most(step_58, 1.0, "the line");
             out.check("(5.9), γ over γ(t) ∏").at_most(product_59, 1.0, "the line");
-            out.check("γ over its bound in the last lines").at_most(last_lines, 1.0, "the line");
+            out.check("γ over bound of last lines").at_most(last_lines, 1.0, "the line");
             given.push(step_58.recip());
             before = gamma;
         }
@@ -130,7 +125,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    out.proof("(5.7), |c| ≤ ‖u‖₀, and |u|_ν on I", "lemma_5_2_induction");
+    out.proof("(5.7), first and last ≤", "lemma_5_2_induction");
     out.plot(
         "lemma_5_2_induction",
         "γ over the bound (5.9), as the zone is squared again and again",

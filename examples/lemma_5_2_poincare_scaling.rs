@@ -60,7 +60,7 @@ fn by_definition(nu: Order, theta: f64) -> Result<f64> {
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mut thetas = options.theta.clone();
     thetas.sort_by(|a, b| b.total_cmp(a));
-    out.column("definition", "10 lines", "γ by `by_definition`");
+    out.column("definition", "hats", "γ by `by_definition`");
     out.column("over_printed", "γ/printed", "C of (5.1), (5.2), (5.3) at this θ");
     out.column("over_law", "γ/law", "over the law as θ → 0");
     for &nu in &options.nu {
@@ -101,7 +101,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             );
             if let Some(value) = definition {
                 let quotient = gamma.recip() * value;
-                out.check("γ by its definition, over γ").near(quotient, 1.0, 5e-3, "the 10 lines");
+                out.check("γ by its definition, over γ").near(quotient, 1.0, 5e-3, "hat functions");
             }
         }
         if side == Equal {
