@@ -93,7 +93,7 @@ fn faults(row: &[String], values: &Value) -> Vec<String> {
             all.iter().find(|entry| entry["finding"].as_str() == Some(finding)).map(|entry| &entry["outcome"])
         });
         match found.and_then(Value::as_str) {
-            Some("holds" | "refuted" | "by proof") => {}
+            Some("holds" | "fails" | "by proof") => {}
             other => faults.push(format!("{label}: {key} is {other:?}")),
         }
     }

@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | `{{value: key}}`, `{{value: key: format}}` | a computed number; formats in [`crate::number`] |
 //! | `{{measured: example}}`, `verdict`, `claim`, `label` | that line of the example's headline |
-//! | `{{finding: example/key}}` | the words of that finding, marked where it is refuted or undecided, a fault where it is a claim; its comparison on hover |
+//! | `{{finding: example/key}}` | the words of that finding, marked where it fails or is undecided, a fault where it is a claim; its comparison on hover |
 //! | `{{findings: example}}` | all findings of the example: outcome, words, comparison |
 //! | `{{table: example}}` | the example's table, with what its columns mean |
 //! | `{{figure: name: caption}}` | the figure, inline; the caption is also its label |
@@ -121,7 +121,8 @@ fn parts(finding: &Value) -> Result<[&str; 3], String> {
     };
     let holds = matches!(outcome, "holds" | "by proof");
     if finding["role"] == "claim" && !holds {
-        return Err(format!("the claim is {outcome}"));
+        let outcome = if outcome == "fails" { "fails" } else { "is undecided" };
+        return Err(format!("the claim {outcome}"));
     }
     Ok([outcome, words, comparison])
 }
@@ -132,7 +133,7 @@ fn finding(finding: &Value) -> Result<String, String> {
     let says_so = words.starts_with(outcome);
     let words = typography::html(words);
     let mark = match outcome {
-        "refuted" | "undecided" if !says_so => format!("<strong class=\"outcome\">{outcome}:</strong> "),
+        "fails" | "undecided" if !says_so => format!("<strong class=\"outcome\">{outcome}:</strong> "),
         _ => String::new(),
     };
     let class = outcome.replace(' ', "-");
@@ -221,7 +222,7 @@ mod tests {
     fn data() -> Data {
         let text = r#"{"ex": {"verdict": "holds", "values": {"gamma": 0.29156}, "confirmed": true,
             "findings": [{"finding": "a", "outcome": "holds", "role": "claim", "words": "nu < 1", "comparison": "0.5 <= 1"},
-                {"finding": "b", "outcome": "refuted", "words": "no", "comparison": "2 > 1"}],
+                {"finding": "b", "outcome": "fails", "words": "no", "comparison": "2 > 1"}],
             "columns": [{"key": "nu", "title": "nu", "meaning": "order"}, {"key": "e", "title": "<e>", "meaning": ""}],
             "rows": [["0.5", "1e-3"], ["x", "-"]]}}"#;
         Data {
@@ -243,7 +244,7 @@ mod tests {
         let Ok(Meaning::Words(held)) = resolve("finding: ex/a", &sources) else { panic!("no finding") };
         assert!(held.contains("class=\"finding holds\" title=\"0.5 &lt;= 1\">ν"), "{held}");
         let Ok(Meaning::Words(failed)) = resolve("finding: ex/b", &sources) else { panic!("no finding") };
-        assert!(failed.contains("<strong class=\"outcome\">refuted:</strong> no"), "{failed}");
+        assert!(failed.contains("<strong class=\"outcome\">fails:</strong> no"), "{failed}");
         assert!(matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1")));
         let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");

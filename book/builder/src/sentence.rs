@@ -82,7 +82,7 @@ mod tests {
             ("<span class=\"finding holds\" title=\"a &lt; b\">no set</span>", None),
             ("no set", Some("No set")),
             (
-                "<span title=\"x\"><strong>refuted:</strong> it",
+                "<span title=\"x\"><strong>fails:</strong> it",
                 Some("<span title=\"x\"><strong>Refuted:</strong> it"),
             ),
             ("a force", Some("A force")),

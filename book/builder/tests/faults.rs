@@ -257,7 +257,7 @@ fn a_claim_that_is_undecided_fails_where_it_is_made() {
     assert!(shown.contains("<strong class=\"outcome\">undecided:</strong>"), "{shown}");
     for (role, outcome, words, expected) in [
         ("claim", "undecided", "words", "the claim is undecided"),
-        ("claim", "refuted", "words", "the claim is refuted"),
+        ("claim", "fails", "words", "the claim fails"),
         ("remark", "holds", "text", "damaged finding"),
     ] {
         let message = built(role, outcome, words).unwrap_err().to_string();

@@ -34,7 +34,7 @@ impl Decision {
             Decision::ByProof => "by proof",
             Decision::Holds => "holds",
             Decision::Undecided => "undecided",
-            Decision::Fails => "refuted",
+            Decision::Fails => "fails",
         }
     }
 }

@@ -100,7 +100,9 @@ impl Declared {
         }
         // A value may be a negative number, so that `--nu -0.1` is answered by what it means.
         let argument = match self.kind {
+            // Also a list of numbers, since `-0.5,0` is none.
             "text" => argument.allow_hyphen_values(true),
+            "number" if self.list => argument.allow_hyphen_values(true),
             _ => argument.allow_negative_numbers(true),
         };
         if self.default.is_empty() { argument } else { argument.default_value(self.default) }
