@@ -83,7 +83,7 @@ mod tests {
             ("no set", Some("No set")),
             (
                 "<span title=\"x\"><strong>fails:</strong> it",
-                Some("<span title=\"x\"><strong>Refuted:</strong> it"),
+                Some("<span title=\"x\"><strong>Fails:</strong> it"),
             ),
             ("a force", Some("A force")),
             ("h* is", None),
