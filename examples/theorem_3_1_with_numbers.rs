@@ -138,9 +138,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let Some(&(_, error, bound)) = points.last() else { continue };
                 // Before summing up: ‖u − I u‖ itself, and the seminorms of the segment with the transition.
                 let problem = known.problem(1 << options.finest)?;
-                let distance = known.error_norms(&problem, &known.interpolant(&problem)?)?.energy;
+                let interpolation = known.error_norms(&problem, &known.interpolant(&problem)?)?.energy;
                 let scale = bound / e;
-                let near = scale * energy(cone, distance / scale, local);
+                let near = scale * energy(cone, interpolation / scale, local);
                 out.check("error over the same from ‖u − I u‖ and one segment, finest mesh").at_most(
                     Measured::new(error, 1e-3 * error) / near,
                     1.0,
