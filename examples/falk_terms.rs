@@ -23,7 +23,6 @@ use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};
 use signorini::proof::printed_exponent;
-use signorini::rates::ConvergenceOrder;
 use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
 use std::f64::consts::PI;
 
@@ -148,8 +147,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    let points = out.series("n", "consistency").into_iter().map(|(n, term)| (1.0 / n, term));
-    let order = ConvergenceOrder::of_power(&points.collect::<Vec<_>>()); // least squares in logarithms
+    let order = -out.exponent("n", "consistency"); // between the last two meshes
     out.observe("order of ∫σ(I^hu−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
     let (error, consistency) = (out.series("n", "error"), out.series("n", "consistency"));
     if let (Some(error), Some(consistency)) = (error.last(), consistency.last()) {

@@ -1,12 +1,77 @@
 //! Every inequality of one section on scenes x h x theta x tau: what the proofs of both theorems are held to.
 
-use experiments::convergence::Levels;
-use experiments::proof::{ProofCase, Resolution};
+use signorini::edge::{ContactPair, SegmentNorms, Traces};
 use signorini::problems::StripData;
-use signorini::proof::{ProofConstants, Section, Step, ThetaRule};
+use signorini::proof::{
+    Alternative, ProofConstants, Section, SegmentSetting, Step, ThetaRule, TwoLaws, segment_chain,
+    segment_checks,
+};
+use signorini::strip::LateralCondition;
 
 /// Rungs that coincide agree to the rounding of their sums and to the error of the constants, about 1e-9.
 pub const RUNG: f64 = 1e-8;
+
+/// The bounds of one mesh in the order of [`Step::ALL`], and how many inequalities were checked.
+pub struct Level {
+    /// Sums over the segments.
+    pub rungs: [TwoLaws; Step::ALL.len()],
+    /// Inequalities.
+    pub checks: usize,
+}
+
+/// θ with γ_θ, and γ for the zone of a segment that is in the second case only.
+fn setting(section: Section, norms: &SegmentNorms, theta: f64, constants: &ProofConstants) -> SegmentSetting {
+    let gamma = constants.gamma(theta).unwrap();
+    let zone = match section {
+        Section::Three => Some(norms.free_length),
+        Section::Four => norms.contact_diameter(),
+    };
+    let zone = zone.filter(|zone| {
+        !Alternative::of_norms(section, norms, theta).first()
+            && (*zone < norms.length || section == Section::Four)
+    });
+    let own_gamma = zone.map_or(gamma, |zone| constants.gamma_below(zone / norms.length).unwrap().min(gamma));
+    SegmentSetting { theta, gamma, own_gamma, law: constants.law(theta) }
+}
+
+/// No inequality fails on n segments, every segment is in a case, every rung bounds the one before.
+pub fn checked(
+    section: Section,
+    pair: &ContactPair,
+    n: usize,
+    theta: f64,
+    constants: &ProofConstants,
+    name: &str,
+) -> Level {
+    let mut level = Level { rungs: Default::default(), checks: 0 };
+    for norms in pair.norms(n, constants.order(), constants.q()).unwrap() {
+        let setting = setting(section, &norms, theta, constants);
+        for check in segment_checks(section, &norms, constants, &setting) {
+            assert!(check.holds(), "{name}, n {n}, theta {theta}: {check:?}");
+            level.checks += 1;
+        }
+        let case = Alternative::of_norms(section, &norms, theta);
+        assert!(case != Alternative::Neither, "a segment in neither case: {name}, n {n}");
+        let chain = segment_chain(section, &norms, constants, &setting);
+        level.rungs.iter_mut().zip(chain).for_each(|(sum, part)| sum.add(part, 1.0));
+    }
+    let whole = &pair.norms(1, constants.order(), constants.q()).unwrap()[0];
+    let squares = 0.5 * (whole.stress.norm_squared() + whole.displacement_norm_squared());
+    let factors = constants.edge_factor(section, 1.0 / n as f64, theta);
+    level.rungs[Step::WholeEdge as usize] = factors.map(|factor| factor * squares);
+    assert!(
+        level.rungs.windows(2).all(|pair| pair[0].printed <= pair[1].printed * (1.0 + RUNG)),
+        "a rung is below the one it bounds: {name}, n {n}, {:?}",
+        level.rungs
+    );
+    level
+}
+
+/// A problem of the strip as a pair of functions, 64 cells to a segment.
+pub fn pair(problem: &StripData, tau: f64, n: usize) -> ContactPair {
+    let data = problem.data(tau, 64 * n, LateralCondition::Natural).unwrap();
+    ContactPair::of_data(&data, Traces::for_regularity(tau)).unwrap()
+}
 
 /// A linear congruential generator with a fixed seed.
 struct Random(u64);
@@ -43,49 +108,20 @@ pub fn all_cases(section: Section, taus: &[f64]) -> (usize, usize) {
     let mut random = Random(2012);
     let (mut cases, mut checks) = (0, 0);
     for &tau in taus {
-        let mut planned = Vec::new();
-        for level in [2, 4, 6] {
-            for kind in scenes(tau, &mut random) {
-                planned.extend(rules(tau).map(|rule| ProofCase {
-                    section,
-                    source: kind.clone(),
-                    tau,
-                    scene_tau: tau,
-                    levels: Levels::new(level, level).unwrap(),
-                    resolution: Resolution::Segment(6),
-                    rule,
-                    positions: 1,
-                }));
+        let meshes = [4, 16, 64];
+        let thetas = |n: usize| rules(tau).map(|rule| rule.theta(1.0 / n as f64).unwrap());
+        let zones: Vec<f64> = meshes.iter().flat_map(|&n| thetas(n)).collect();
+        let constants = ProofConstants::new(tau, 2.0, &zones).unwrap();
+        for n in meshes {
+            for problem in scenes(tau, &mut random) {
+                let pair = pair(&problem, tau, n);
+                for theta in thetas(n) {
+                    let name = format!("{problem}, tau {tau}");
+                    checks += checked(section, &pair, n, theta, &constants, &name).checks;
+                    cases += 1;
+                }
             }
         }
-        let zones: Vec<f64> = planned.iter().flat_map(|case| case.zones().unwrap()).collect();
-        let constants = ProofConstants::new(tau, 2.0, &zones).unwrap();
-        for case in &planned {
-            checks += checked(case, &constants);
-        }
-        cases += planned.len();
     }
     (cases, checks)
-}
-
-/// No inequality fails, every segment is in a case, every rung bounds the one before; returns the
-/// inequalities.
-fn checked(case: &ProofCase, constants: &ProofConstants) -> usize {
-    let profile = case.profile(constants).unwrap();
-    let (level, name) = (&profile.levels[0], format!("{}, tau {}", case.source, case.tau));
-    for inequality in &level.inequalities {
-        assert_eq!(
-            inequality.violations, 0,
-            "{} fails: {name}, n {}, theta {}, left/right {}",
-            inequality.line, level.n, level.theta, inequality.sharpest
-        );
-    }
-    assert_eq!(level.cases.neither, 0, "a segment in neither case: {name}, n {}", level.n);
-    let rungs = Step::ALL.map(|step| level.rung(step).printed);
-    assert!(
-        rungs.windows(2).all(|pair| pair[0] <= pair[1] * (1.0 + RUNG)),
-        "a rung is below the one it bounds: {name}, n {}, {rungs:?}",
-        level.n
-    );
-    profile.checks()
 }
