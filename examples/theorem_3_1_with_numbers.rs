@@ -78,8 +78,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("distance", "P(ν)", "best constant of the unit interval, by Legendre series");
     out.column("pressure", "|σ|_ν", "of σ_N on the contact edge");
     out.column("slope", "|u'|_ν", "of u_N' on the contact edge");
-    out.column("error", "error", "on the finest mesh");
     out.column("bound", "bound", "E h^(τ−1) on the finest mesh");
+    out.column("over", "/error", "bound over error there");
     let elastic = Lame::new(options.lambda, 1.0)?;
     let mut curves = Vec::new();
     for &tau in &options.tau {
@@ -147,7 +147,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     "the proof, before summing up",
                 );
                 out.row(cells! { body, tau, cone: cone.to_string() => constant: constants.interpolation,
-                segment: constants.segment, distance, whole, pressure, slope, error, bound });
+                segment: constants.segment, distance, whole, pressure, slope, bound, over: bound / error });
                 if lame.is_none() && cone == Cone::Nodal {
                     curves.push((tau, points));
                 }
