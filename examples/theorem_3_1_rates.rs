@@ -87,7 +87,11 @@ pub fn rates(cone: Cone, options: &Options, out: &mut Report) -> Result<()> {
     out.column("definition", "definition", "the same by `by_definition`");
     out.column("finest", "finest", "error on the finest mesh, for u on one 32 times finer");
     out.column("printed", "printed", "order of the printed bound, τ = 2: on the last two meshes");
-    for (problem, &tau) in options.problem.iter().flat_map(|p| options.tau.iter().map(move |tau| (p, tau))) {
+    let pairs = || options.problem.iter().flat_map(|p| options.tau.iter().map(move |&tau| (p, tau)));
+    if !pairs().any(|(problem, tau)| admits(problem, tau, options)) {
+        return Err(Error::option("tau", "at most 1.75 for fat-cantor"));
+    }
+    for (problem, tau) in pairs() {
         let (full, mut compared) = (problem.to_string(), [None; 2]);
         let short = full.split(':').next().unwrap_or(&full);
         let name = if short.parse().as_ref() == Ok(problem) { short } else { &full }; // parameters that are not the default

@@ -82,5 +82,5 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
 #[test]
 fn help_is_not_an_error() {
     let output = Command::new(example("tour")).arg("--help").output().unwrap();
-    assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("--quick"));
+    assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("--tau"));
 }

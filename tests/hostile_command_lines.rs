@@ -265,17 +265,6 @@ fn options_are_checked_before_the_first_computation() {
 }
 
 #[test]
-fn an_option_without_effect_is_refused() {
-    for (name, line) in [
-    ] {
-        let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
-        let answer = ask(name, &line, PATIENCE);
-        assert!(answer.stderr.contains("has no effect"), "{name} {line:?}: {}", answer.stderr);
-        assert_eq!(answer.code, Some(2), "{name} {line:?}");
-    }
-}
-
-#[test]
 fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
     for (name, line) in [
         ("lemma_6_2_global_estimate", "--elements=18446744073709551615"),
