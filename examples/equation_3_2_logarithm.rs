@@ -26,7 +26,7 @@ use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};
 use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
-example! { long "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1/2),  both cones";
+example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1/2),  both cones";
     /// contact sets on the edge
     problem: Vec<StripData> = "transition,transitions:11,cantor:0.25",
     /// slopes and pressures like |ln r|^-alpha

@@ -37,20 +37,17 @@ example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both en
     theta: Option<f64> = "" in "(0, 1)",
 }
 
-/// One segment.
-pub struct Segment {
-    /// Whether it is a first and a second case.
-    pub cases: [bool; 2],
-    /// Whether one cell more or less changes that.
-    pub unsure: bool,
-    /// ∫ σ_N I^h u_N, or that of Figure 4.1.
-    pub integral: f64,
-    /// What is compared with θh, in cells.
-    pub d: f64,
+/// One segment: is it a first, a second case; does one cell more or less change that; ∫ σ_N I^h u_N, or that of Figure 4.1;
+/// the length that is compared with θh, in cells.
+pub(crate) struct Segment {
+    pub(crate) cases: [bool; 2],
+    unsure: bool,
+    pub(crate) integral: f64,
+    d: f64,
 }
 
 /// The n segments of an edge of equal cells: u_N is linear in each cell, −σ_N is a point force at each node.
-pub fn classify(section: Section, edge: &EdgeTrace, n: usize, theta: f64) -> Vec<Segment> {
+pub(crate) fn classify(section: Section, edge: &EdgeTrace, n: usize, theta: f64) -> Vec<Segment> {
     let (u, force) = (edge.displacement(), edge.force());
     let (last, cells) = (u.len() - 1, (u.len() - 1) / n);
     let rounding = |v: &[f64]| 1e-12 * v.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
@@ -59,15 +56,7 @@ pub fn classify(section: Section, edge: &EdgeTrace, n: usize, theta: f64) -> Vec
         let (a, b) = (s * cells, (s + 1) * cells); // the nodes at its ends
         let zeros = (a..=b).filter(|&k| u[k] >= -zero);
         // A force at an end, without one at the next node, is pressure on the neighbour.
-        let beside = |k: usize| {
-            if k == a {
-                a + 1
-            } else if k == b {
-                b - 1
-            } else {
-                k
-            }
-        };
+        let beside = |k: usize| if k == a { a + 1 } else { k - usize::from(k == b) };
         let pressed = (a..=b).filter(|&k| force[k] > least && force[beside(k)] > least);
         // Cells from either end to the nearest of these nodes, and from the first to the last of them.
         let distances = |nodes: Vec<usize>| match nodes.as_slice() {
@@ -76,13 +65,14 @@ pub fn classify(section: Section, edge: &EdgeTrace, n: usize, theta: f64) -> Vec
                 .map(|d| d as f64),
         };
         let (zeros, pressed) = (distances(zeros.collect()), distances(pressed.collect()));
-        let (first, second, d) = match section {
-            Section::Three => (zeros[0].max(zeros[1]), pressed[0].max(pressed[1]), zeros[0].max(zeros[1])),
-            Section::Four => (zeros[2].max(pressed[2]), zeros[2], zeros[2]), // diameters of both sets
+        // First case: `first` is shorter than θh (Figure 4.1: no longer); second case: `second` is not shorter.
+        let (first, second) = match section {
+            Section::Three => (zeros[0].max(zeros[1]), pressed[0].max(pressed[1])),
+            Section::Four => (zeros[2].max(pressed[2]), zeros[2]), // diameters of both sets, and of the contact set
         };
-        let cases =
-            |reach: f64| [first < reach || section == Section::Four && first == reach, second >= reach];
-        let reach = theta * cells as f64; // θh in cells
+        let touches = section == Section::Four;
+        let cases = |reach: f64| [first < reach || touches && first == reach, second >= reach];
+        let (reach, d) = (theta * cells as f64, if touches { zeros[2] } else { first }); // θh and d in cells
         let mean = (a..b).map(|k| 0.5 * (u[k] + u[k + 1])).sum::<f64>() / cells as f64;
         let value = |k: usize| match section {
             Section::Three => u[a] + (u[b] - u[a]) * (k - a) as f64 / cells as f64,
@@ -105,7 +95,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
 }
 
 /// The table of Figure 3.2, or that of Figure 4.1 with the integral of its proof.
-pub fn alternative(section: Section, options: &Options, out: &mut Report) -> Result<()> {
+pub(crate) fn alternative(section: Section, options: &Options, out: &mut Report) -> Result<()> {
     let Options { problem, n, tau, theta } = options;
     // A body: P1 elements on 8n × 8n squares, each cut into two triangles, u_N ≤ 0 at the nodes, by an active set method;
     // the block has λ = μ = 1, its top fixed, the load (0, −cos πx). Otherwise u_N and σ_N are chosen, at 65536 nodes.
@@ -114,11 +104,11 @@ pub fn alternative(section: Section, options: &Options, out: &mut Report) -> Res
     let ends = u.windows(2).filter(|p| (p[0] == 0.0) != (p[1] == 0.0)).count();
     out.column("unsure", "unsure", "θh longer or shorter by one cell of the fine mesh changes the case");
     out.column("carriers", "carried by", "segments with a part of the integral above 1e-12");
-    out.column(
-        "d",
-        "d/h",
-        "there: larger distance of an end to a zero (4.1: diameter of the contact set), over h",
-    );
+    let meaning = match section {
+        Section::Three => "there, larger distance of an end to a zero, over h: first case if below θ",
+        Section::Four => "there, diameter of the contact set over h: first case if at most θ",
+    };
+    out.column("d", "d/h", meaning);
     for &n in n {
         if !cells.is_multiple_of(n) {
             return Err(Error::option("n", "divisors of the number of cells of the fine mesh"));
@@ -134,13 +124,7 @@ pub fn alternative(section: Section, options: &Options, out: &mut Report) -> Res
             (carriers.clone().count(), carriers.max_by(|a, b| a.integral.total_cmp(&b.integral)));
         let d = most.map(|s| Measured::new(s.d, 1.0) * (n as f64 / cells as f64));
         let case = most.map(|s| {
-            if s.cases == [true, true] {
-                "both"
-            } else if s.cases[0] {
-                "first"
-            } else {
-                "second"
-            }
+            [["none", "second"], ["first", "both"]][usize::from(s.cases[0])][usize::from(s.cases[1])]
         });
         out.row(cells! { n => theta, first: first.len(), second: second.len(), both: both.len(),
         unsure: found.iter().filter(|s| s.unsure).count(), integral, carriers, case, d });

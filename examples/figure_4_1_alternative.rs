@@ -22,7 +22,7 @@ use example_report::prelude::*;
 use signorini::problems::NamedProblem;
 use signorini::proof::Section;
 
-example! { quick "Figure 4.1", "each segment: contact set and pressure of diameter at most θh, or contact set at least θh";
+example! { quick "Figure 4.1", "each segment: contact set and pressure no wider than θh, or contact set at least θh";
     /// a body, or a contact set chosen on an edge
     problem: NamedProblem = "block",
     /// numbers of segments

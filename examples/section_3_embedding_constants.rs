@@ -1,154 +1,150 @@
-//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0,1) ⊂ L^q(0,1) and C(α) of H^{3/2}(0,1) ⊂ C^{0,α}.
+//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0, 1) ⊂ L^q(0, 1) and C(α) of H^(3/2)(0, 1) ⊂ C^(0,α).
 //!
-//! Lower bounds by functions found by an ascent, upper bounds by an inequality on the circle; growth like √q
-//! and (1−α)^{-1/2}.
+//! C(q) is the largest ‖u‖_Lq / ‖u‖_ν, ‖u‖²_ν = ‖u‖₀² + ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy: finite for q ≤ 2/(1 − 2ν)
+//! if ν < 1/2, for every q < ∞ if ν = 1/2. The proof of Theorem 3.1 uses it at τ = 2, where ν = 1/2; how fast C(q) grows decides
+//! what a good q can give. C(α) is the largest |u(x) − u(y)| / (|x − y|^α ‖u‖_(3/2)); Hölder: C(α) ≤ C(q), q = 1/(1 − α).
+//!
+//! ```text
+//! ν = 1/2:   0.167 √q ≤ C(q) ≤ 0.708 √q,      0.167 (1 − α)^(−1/2) ≤ C(α).
+//! ```
+//!
+//! From below, functions: the limit of their C(q)/√q is (3/(4π²e))^(1/2) = 0.1672, that of logarithms cut off at x = e^(−q/2).
+//! From above, the even reflection of u on the circle, with c_k its Fourier coefficients: ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's
+//! inequality ‖u‖²_Lq ≤ Σ m_k c_k², so C(q)² ≤ max m_k / w_k. `circle` has both for ν = 1/2.
+//!
+//! Refuted if a function passes an upper bound, if these quotients leave their interval for one q, if the constant function
+//! does not attain a bound of 1, or if `ascent` and `circle` are off the library's bounds by 1e-3.
+//!
+//! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, progress, within};
-use experiments::EstimateExt;
-use fractional_sobolev::{Estimate, Order, Target, Tolerance, embedding_constant};
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Gram, Mesh, Target, embedding_constant, gauss_legendre};
+use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
+use std::f64::consts::PI;
 
-/// C(q)/√q lies between these for q = 2 ... 200: below its limit 0.16719..., above 1/√2 at q = 2.
-const GROWTH: [f64; 2] = [0.167, 0.708];
-/// lim C(q)/√q for q → ∞ at ν = 1/2: (3/(4π²e))^{1/2}, from the logarithm cut off at ln(1/θ) = q/2.
-const LIMIT: f64 = 0.167_198_939_329_408_5;
-/// The quotient 1/√8 : 0.1672 of the limits of both bounds over √q, rounded up.
-const GAP: f64 = 2.2;
-/// To this the quotient of the constant function is known, where that function is the worst.
-const ACCURACY: f64 = 1e-7;
+example! { seconds "(3.6), (3.10)", "H^ν(0, 1) ⊂ L^q(0, 1) for q ≤ 2/(1 − 2ν);  ν = 1/2: C(q) grows like √q";
+    /// exponents q for ν = 1/2, and α = 1 − 1/q
+    q: Vec<f64> = "2,3,4,6,8,12,16,24,36,50,75,100,150,200" in "[2, 500]" slider "2 to 200 by factors",
+    /// orders ν below 1/2, at q = 2/(1 − 2ν)
+    nu: Vec<Order> = "0.1,0.3,0.4,0.45,0.49" in "(0, 0.495]" slider "0.05 to 0.49",
+}
 
-example_frame::options! {
-    /// Embedding constants: C(q) at nu = 1/2 and at critical exponents, C(alpha)
-    pub struct Options {
-        /// Exponents q for nu = 1/2, comma separated; alpha = 1 - 1/q beside them
-        #[arg(long, value_delimiter = ',', default_values = ["2", "3", "4", "6", "8", "12", "16", "24", "36", "50", "75", "100", "150", "200"], value_parser = within::<f64>("[2, 1000]"))]
-        pub q: Vec<f64>,
-        /// Orders nu < 1/2, comma separated, taken at the critical exponent q = 2/(1 - 2 nu), at most 1e5
-        #[arg(long, value_delimiter = ',', default_values = ["0.1", "0.3", "0.4", "0.45", "0.49"], value_parser = within::<Order>("(0, 0.49999]"))]
-        pub nu: Vec<Order>,
+/// A mesh with elements shorter by 0.6 towards 0, down to 0.6^n, and the matrix B of ‖u‖²_(1/2) for its hat functions.
+fn space(n: usize) -> Result<(Mesh, DMatrix<f64>)> {
+    let mesh = Mesh::geometric(n, 0.6, 1.0)?;
+    let mut form = Gram::new(&mesh, Order::HALF, 1e-10)?.to_dense()?; // closed forms
+    for (k, h) in mesh.lengths().iter().enumerate() {
+        let mut block = form.view_mut((k, k), (2, 2));
+        block += DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h / 6.0);
     }
+    Ok((mesh, form))
 }
 
-/// Bounds of C(q) at one order.
-pub struct Row {
-    /// The order.
-    pub nu: f64,
-    /// The exponent.
-    pub q: f64,
-    /// The quotient of a function: C(q) from below.
-    pub lower: Estimate,
-    /// C(q) from above.
-    pub upper: Estimate,
-    /// C(1 − 1/q) from below, at ν = 1/2.
-    pub hoelder: Option<Estimate>,
-}
-
-/// Both bounds for every q and nu.
-pub fn compute(options: &Options) -> Result<Vec<Row>> {
-    let bar = progress((options.q.len() + options.nu.len()) as u64);
-    let mut rows = Vec::new();
-    let row = |order: Order, q: f64| -> Result<Row> {
-        let found = embedding_constant(order, q, Tolerance::balanced())?;
-        let upper = found.upper.unwrap_or(found.constant);
-        Ok(Row { nu: order.value(), q, lower: found.lower, upper, hoelder: None })
-    };
-    for &q in &options.q {
-        let hoelder = embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), Tolerance::balanced())?.lower;
-        rows.push(Row { hoelder: Some(hoelder), ..row(Order::HALF, q)? });
-        bar.inc(1);
+/// C(q) from below at ν = 1/2: u ← B⁻¹ b, bᵢ = ∫ |u|^(q−2) u φᵢ, until ‖u‖_Lq / ‖u‖_(1/2), which rises, has ten digits. From two functions
+/// with a peak at 0 and from u = 1; twelve Gauss points on each element.
+fn ascent(mesh: &Mesh, form: &DMatrix<f64>, factor: &Cholesky<f64, Dyn>, q: f64) -> Result<f64> {
+    let (x, rule) = (mesh.from_left(), gauss_legendre(12)?);
+    let mut best = 1.0f64; // of u = 1
+    for peak in [0.2 * q, 0.5 * q].map(|depth| (-depth.min(0.4 * mesh.len() as f64)).exp()) {
+        let start = |x: f64| 1.0 - (x + peak).ln();
+        let mut u = DVector::from_iterator(x.len(), x.iter().map(|&x| start(x)));
+        let mut last = 0.0;
+        for _ in 0..200 {
+            u /= u.amax();
+            let (mut load, mut power) = (DVector::zeros(x.len()), 0.0);
+            for (k, h) in mesh.lengths().iter().enumerate() {
+                for (t, w) in rule.iter() {
+                    let value = u[k] * (1.0 - t) + u[k + 1] * t;
+                    let weight = h * w * value.abs().powf(q - 1.0).copysign(value);
+                    load[k] += weight * (1.0 - t);
+                    load[k + 1] += weight * t;
+                    power += weight * value;
+                }
+            }
+            let quotient = power.powf(1.0 / q) / u.dot(&(form * &u)).sqrt();
+            if !(quotient > last * (1.0 + 1e-10)) {
+                break;
+            }
+            (last, u) = (quotient, factor.solve(&load));
+        }
+        best = best.max(last);
     }
-    for &order in &options.nu {
-        rows.push(row(order, 2.0 / (-2.0 * order.offset()))?);
-        bar.inc(1);
+    Ok(best)
+}
+
+/// C(q) from above at ν = 1/2: the root of max m_k / w_k, m_0 = w_0 = 1, m_k = m_(k−1) (k − 1/q) / (k − 1 + 1/q), w_k = π² k + 3 − π²/2.
+fn circle(q: f64) -> f64 {
+    let (mut m, mut largest) = (1.0, 1.0f64);
+    for k in (1..100_000).map(f64::from) {
+        m *= (k - 1.0 / q) / (k - 1.0 + 1.0 / q);
+        largest = largest.max(m / (PI * PI * k + 3.0 - PI * PI / 2.0));
     }
-    Ok(rows)
+    largest.sqrt()
 }
 
-/// What decides: lower against upper bounds, and both against the root of q.
-pub fn findings(_: &Options, rows: &[Row]) -> Vec<Finding> {
-    let at_half = || rows.iter().filter(|row| row.hoelder.is_some());
-    let growth = |row: &Row, bound: Estimate| bound.times(row.q.sqrt().recip()).ok();
-    // Where the upper bound is 1 the constant function attains it, and only rounding could tell the two
-    // apart.
-    let share = |attained: bool| {
-        let rows = rows.iter().filter(move |row| (row.upper.value == 1.0) == attained);
-        rows.filter_map(|row| row.lower.over(row.upper).ok())
-    };
-    vec![
-        Finding::claim("growth.lower", "C(q) is at least {value} q^(1/2)")
-            .smallest(at_half().filter_map(|row| growth(row, row.lower)))
-            .at_least(GROWTH[0], "the limit (3/(4 pi^2 e))^(1/2), rounded down")
-            .told(),
-        Finding::claim("growth.upper", "C(q) is at most {value} q^(1/2)")
-            .largest(at_half().filter_map(|row| growth(row, row.upper)))
-            .at_most(GROWTH[1], "its value 1/sqrt(2) at q = 2, rounded up")
-            .told(),
-        Finding::claim("ordered", "no function passes the upper bound, the best takes {percent} % of it")
-            .largest(share(false))
-            .at_most(1.0, "upper bound"),
-        Finding::claim("attained", "where the upper bound is 1 the constant function attains it")
-            .largest(share(true).filter_map(|share| share.off(1.0).ok()))
-            .at_most(ACCURACY, "C(q) = 1"),
-        Finding::claim("hoelder", "C(alpha) stays below the upper bound of C(q), {percent} % of it at most")
-            .largest(at_half().filter_map(|row| row.hoelder?.over(row.upper).ok()))
-            .at_most(1.0, "Hoelder's inequality"),
-        Finding::claim("hoelder.growth", "C(alpha) is at least {value} (1-alpha)^(-1/2)")
-            .smallest(at_half().filter_map(|row| growth(row, row.hoelder?)))
-            .at_least(GROWTH[0], "the same limit"),
-        Finding::remark("gap", "upper and lower bound of C(q) differ by a factor of {value} at most")
-            .largest(rows.iter().filter_map(|row| row.upper.over(row.lower).ok()))
-            .at_most(GAP, "quotient of both limits for large q"),
-    ]
-}
-
-/// Both bounds of the constants and their growth.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "H^nu(0,1) embeds in L^q(0,1), q <= 2/(1-2 nu); C(q) grows like sqrt(q) at nu = 1/2";
-    let mut headline = Headline::new("Sec. 3, C(q)", claim, table(&rows), findings(options, &rows));
-    for Row { q, lower, upper, .. } in rows.iter().filter(|row| row.hoelder.is_some()) {
-        headline.quote(format!("section_3_embedding.lower.q_{q}"), lower.value);
-        headline.quote(format!("section_3_embedding.upper.q_{q}"), upper.value);
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let mut orders = vec![(Order::HALF, options.q.clone())];
+    orders.extend(options.nu.iter().map(|&nu| (nu, vec![-1.0 / nu.offset()])));
+    let largest = options.q.iter().fold(200.0f64, |a, q| a.max(*q));
+    let (mesh, form) = space(30 + (1.2 * largest) as usize)?;
+    let broken = || Error::Option("B is not positive definite".to_owned());
+    let factor = Cholesky::new(form.clone()).ok_or_else(broken)?;
+    for (nu, exponents) in orders {
+        for q in exponents {
+            // As `ascent` and `circle`, with more starts and for every ν; error of the integrals, and rounding.
+            let found = embedding_constant(nu, q, 1e-8)?;
+            let (lower, upper) = (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
+            out.check("from below over from above").at_most(lower / upper, 1.0 + 1e-12, "circle");
+            if upper.value == 1.0 {
+                out.check("bound 1: quotient of u = 1").near(lower, 1.0, 1e-7, "attained");
+            }
+            let (mut hoelder, mut trial) = (None, None);
+            if nu == Order::HALF {
+                // The norm of u ↦ u(θ) − u(0), one solve, for all nodes θ.
+                let found =
+                    Measured::from(embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower);
+                let value = ascent(&mesh, &form, &factor, q)?;
+                out.check("`ascent` over the library's bound").near(
+                    lower.recip() * value,
+                    1.0,
+                    1e-3,
+                    "functions",
+                );
+                out.check("`circle` over the library's bound").near(
+                    upper.recip() * circle(q),
+                    1.0,
+                    1e-3,
+                    "circle",
+                );
+                out.check("ν = 1/2: C(q)/√q from below").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
+                out.check("ν = 1/2: C(q)/√q from above").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
+                out.check("C(α) from below over C(q) from above").at_most(found / upper, 1.0, "Hölder");
+                out.check("C(α) (1 − α)^(1/2) from below").at_least(found / q.sqrt(), 0.167, "limit 0.1672");
+                (hoelder, trial) = (Some(found.value), Some(value));
+            }
+            out.observe("from above over from below").at_most(upper / lower, 2.2, "limits: 2.115");
+            out.row(cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
+            upper_growth: upper.value / q.sqrt(), hoelder });
+        }
     }
-    headline.draw(&options.output, "section_3_embedding_constants", || Ok(draw(&rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Row]) -> Table {
-    let (digits, growth) = (Format::Fixed(6), Format::Fixed(4));
-    Table::new(vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("q", "q", Format::Significant(5), "for nu < 1/2 the critical exponent 2/(1-2 nu)"),
-        Column::new("lower", "C(q) >=", digits, "quotient of a function"),
-        Column::new("upper", "C(q) <=", digits, "for all functions"),
-        Column::new("growth", ">= /sqrt(q)", growth, "the lower bound over sqrt(q)"),
-        Column::new("upper_growth", "<= /sqrt(q)", growth, "the upper bound over sqrt(q)"),
-        Column::new("alpha", "alpha", Format::Significant(5), "1 - 1/q"),
-        Column::new("hoelder", "C(alpha) >=", Format::Fixed(5), "H^(3/2), pairs (0, theta)"),
-        Column::new("hoelder_growth", "*(1-alpha)^(1/2)", growth, "C(alpha) q^(-1/2)"),
-    ])
-    .with_rows(rows.iter().map(|row| {
-        let (q, root) = (row.q, row.q.sqrt());
-        let (lower, upper) = (row.lower.value, row.upper.value);
-        let hoelder = row.hoelder.map_or(vec![], |c| vec![1.0 - 1.0 / q, c.value, c.value / root]);
-        [[row.nu, q, lower, upper, lower / root, upper / root].as_slice(), &hoelder].concat()
-    }))
-}
-
-fn draw(rows: &[Row]) -> Chart {
-    let points = |of: fn(&Row) -> f64| -> Vec<(f64, f64)> {
-        rows.iter().filter(|row| row.hoelder.is_some()).map(|row| (row.q, of(row))).collect()
-    };
-    let y = Axis::logarithmic("C(q), embedding constant");
-    let hoelder = points(|row| row.hoelder.map_or(f64::NAN, |c| c.value));
-    Chart::new("C(q) of H^(1/2)(0,1) in L^q(0,1)", Axis::logarithmic("q, exponent"), y)
-        .with(Series::line_and_points("upper bound", points(|row| row.upper.value)))
-        .with(Series::line_and_points("lower bound", points(|row| row.lower.value)))
-        .with(Series::line_and_points("C(alpha), alpha = 1 - 1/q, lower bound", hoelder))
-        .with(Series::dashed("0.1672 sqrt(q)", points(|row| LIMIT * row.q.sqrt())))
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+    for (name, title, meaning) in [
+        ("lower", "C(q) ≥", "quotient of a function"),
+        ("trial", "ascent", "the same by `ascent`"),
+        ("upper", "C(q) ≤", "for all functions"),
+        ("growth", "≥ /√q", ""),
+        ("upper_growth", "≤ /√q", ""),
+        ("hoelder", "C(α) ≥", "α = 1 − 1/q"),
+    ] {
+        out.column(name, title, meaning);
+    }
+    let law = options.q.iter().map(|q| (*q, (0.75 / (PI * PI * 1f64.exp()) * q).sqrt())).collect();
+    out.plot(
+        "section_3_embedding_constants",
+        "C(q) of H^ν(0, 1) in L^q(0, 1)",
+        Axes::LogLog("q, exponent", "C(q)"),
+    )
+    .curve_by("nu", "q", "upper")
+    .curve_by("nu", "q", "lower")
+    .dashed_line("0.1672 √q", law);
+    Ok(())
 }

@@ -87,7 +87,6 @@ macro_rules! examples {
 examples! {
     // examples
     remark_3_face: "../examples/remark_3_face.rs",
-    section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
     // end of examples
 }

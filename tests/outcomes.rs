@@ -64,6 +64,7 @@ macro_rules! examples {
 }
 
 examples! {
+    section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
     theorem_4_1_proof_profile: "../examples/theorem_4_1_proof_profile.rs",
     introduction_rates: "../examples/introduction_rates.rs",

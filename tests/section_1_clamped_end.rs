@@ -1,12 +1,9 @@
 //! Section 1, clamped end: contact reaches the end of the edge, whatever the load, and no gap is near it.
 
-#[allow(dead_code)]
-#[path = "../examples/section_1_clamped_end.rs"]
-mod example;
-
-use example_frame::Outcome;
-use experiments::convergence::{EndCase, EndMethod, EndRun};
-use signorini::cone::Cone;
+use signorini::Result;
+use signorini::cone::{Cone, ContactSet};
+use signorini::contact::{ContactSolution, Settings, Solver, Start};
+use signorini::edge::{RadialInterval, radial_intervals};
 use signorini::mesh::Outline;
 use signorini::problems::DirichletEnd;
 use signorini::singular::ContactZone;
@@ -20,45 +17,60 @@ const SCENE: DirichletEnd = DirichletEnd {
     direction: 90.0,
 };
 
+/// The solution from no contact, contact and gaps beyond ten times the innermost ring, and the worst violated condition of
+/// any decade.
+fn solve(scene: &DirichletEnd) -> Result<(ContactSolution, Vec<RadialInterval>, f64)> {
+    let problem = scene.problem()?;
+    let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    let radii = problem.edge().arc();
+    let first = radii.partition_point(|&r| r < 10.0 * radii[1]);
+    let read = (first..radii.len()).map(|i| solution.contact_set.contains(i)).collect();
+    let parts = radial_intervals(&radii[first..], &ContactSet::new(read))?;
+    let decades: Vec<f64> =
+        (0..=-scene.smallest.log10().floor() as i32).rev().map(|k| 10f64.powi(-k)).collect();
+    let residuals = problem.kkt_by_radius(&solution, [0.0; 2], &decades)?;
+    let worst = residuals.iter().map(|decade| decade.worst()).fold(0.0, f64::max);
+    Ok((solution, parts, worst))
+}
+
+/// Pulled, pressed and sheared: contact at the end, from no contact and from full contact.
 #[test]
 fn every_elastic_body_touches_at_the_end() {
-    let options = example::Options { angles: 8, ..example::Options::default() };
-    let mut cases = example::compute(&options).unwrap();
-    let outcome = |cases: &[(&str, EndCase)], key: &str| {
-        let found = example::findings(&options, cases);
-        found.iter().find(|finding| finding.key() == key).unwrap().outcome()
-    };
-    for key in ["end", "transitions", "kkt", "starts", "sets", "solvers", "scalar", "forces"] {
-        assert_eq!(outcome(&cases, key), Outcome::Holds, "{key}");
+    for (poisson, direction) in [(-0.5, 90.0), (0.0, -90.0), (0.0, 180.0), (0.25, 0.0)] {
+        let scene = DirichletEnd { angles: 8, smallest: 1e-20, poisson: Some(poisson), direction, ..SCENE };
+        let (solution, parts, worst) = solve(&scene).unwrap();
+        assert!(parts[0].in_contact && parts.len() <= 3 && worst < 1e-10, "{scene:?}: {parts:?} {worst}");
+        let full = ContactSet::new(vec![true; solution.positions.len()]);
+        let settings = Settings { start: Start::Set(full), ..Settings::default() };
+        let closed = scene.problem().unwrap().solve(Cone::Nodal, settings).unwrap();
+        // Nothing is decided at the end itself.
+        assert_eq!(solution.contact_set.as_slice()[1..], closed.contact_set.as_slice()[1..], "{scene:?}");
     }
-    // Planted faults: an end that is open, a decade that is off balance, a third transition, other starts.
-    let part = cases[0].1.runs[1].intervals[0];
-    cases[0].1.runs[1].intervals[0].in_contact = false;
-    assert_eq!(outcome(&cases, "end"), Outcome::Refuted);
-    cases[0].1.runs[1].intervals[0] = part;
-    cases[0].1.runs[1].decades[30].balance = 1e-3;
-    assert_eq!(outcome(&cases, "kkt"), Outcome::Refuted);
-    cases[0].1.runs[1].decades[30].balance = 0.0;
-    cases[0].1.runs[1].intervals.extend([part; 3]);
-    assert_eq!(outcome(&cases, "transitions"), Outcome::Refuted);
-    cases[0].1.scaled[1].solution.contact_set = cases[1].1.runs[1].solution.contact_set.clone();
-    assert_eq!(outcome(&cases, "sets"), Outcome::Refuted);
-    cases[0].1.again[0].solution.contact_set = cases[1].1.again[0].solution.contact_set.clone();
-    assert_eq!(outcome(&cases, "starts"), Outcome::Refuted);
+    let scalar = DirichletEnd { poisson: None, smallest: 1e-20, ..SCENE };
+    assert!(
+        [90.0, -90.0]
+            .iter()
+            .all(|&direction| { solve(&DirichletEnd { direction, ..scalar }).unwrap().1.len() == 1 })
+    );
 }
 
 /// The zone of the closed form: the pressure follows it over four decades, the gap beyond too.
 #[test]
 fn the_zone_of_a_pulled_body_is_the_closed_form() {
-    let run = EndRun::of(&SCENE, Cone::Nodal, EndMethod::Open).unwrap();
-    // The border is known to half a ring, 12 % of ℓ; the pressure at ℓ/4 changes by a third of that.
-    assert!(run.shape.unwrap() < 0.05, "{:?}", run.shape);
-    let radius = run.intervals[0].to;
+    let (solution, parts, _) = solve(&SCENE).unwrap();
+    let radius = parts[0].to;
     let zone = ContactZone::new(0.25, radius).unwrap();
     let radii = SCENE.problem().unwrap().edge().arc().to_vec();
+    // The border is known to half a ring, 12 % of ℓ; the pressure at ℓ/4 changes by a third of that.
+    let quotients: Vec<f64> = (0..radii.len())
+        .filter(|&i| 1e-4 * radius <= 4.0 * radii[i] && 4.0 * radii[i] <= radius)
+        .map(|i| solution.pressure[i] / zone.pressure(radii[i]))
+        .collect();
+    let (low, high) = quotients.iter().fold((f64::INFINITY, 0.0f64), |(l, h), &q| (l.min(q), h.max(q)));
+    assert!(quotients.len() > 10 && high / low < 1.05, "{low} {high}");
     let ratio: Vec<f64> = (0..radii.len())
         .filter(|&i| 1e2 * radius < radii[i] && radii[i] < 1e4 * radius)
-        .map(|i| -run.solution.normal_displacement[i] / zone.opening(radii[i]))
+        .map(|i| -solution.normal_displacement[i] / zone.opening(radii[i]))
         .collect();
     let (low, high) = ratio.iter().fold((f64::INFINITY, 0.0f64), |(l, h), &r| (l.min(r), h.max(r)));
     assert!(ratio.len() > 10 && low > 0.0 && high / low < 1.2, "{low} {high}");
@@ -68,11 +80,10 @@ fn the_zone_of_a_pulled_body_is_the_closed_form() {
 #[test]
 fn a_hundred_decades_say_the_same() {
     let deep = DirichletEnd { smallest: 1e-100, ..SCENE };
-    let [short, long] = [SCENE, deep].map(|scene| EndRun::of(&scene, Cone::Nodal, EndMethod::Open).unwrap());
-    assert_eq!(long.decades.len(), 100);
-    assert!(long.worst_decade() < 1e-10, "{}", long.worst_decade());
-    assert_eq!(short.borders().len(), 1);
-    assert!((short.borders()[0] - long.borders()[0]).abs() < 1e-9);
+    let [short, long] = [SCENE, deep].map(|scene| solve(&scene).unwrap());
+    assert!(long.2 < 1e-10, "{}", long.2);
+    assert!(short.1.len() == 2 && long.1.len() == 2);
+    assert!((short.1[0].to / long.1[0].to - 1.0).abs() < 1e-9);
 }
 
 /// Near Poisson's ratio 1/2 ε is small, and coarse rings, which have an ε of their own, move the zone by many
@@ -82,9 +93,9 @@ fn coarse_rings_move_the_zone_and_keep_it() {
     let borders = |angles: usize| {
         let step = std::f64::consts::PI / angles as f64;
         let scene = DirichletEnd { angles, step, poisson: Some(0.45), smallest: 1e-60, ..SCENE };
-        let run = EndRun::of(&scene, Cone::Nodal, EndMethod::Open).unwrap();
-        assert!(run.touches() && run.worst_decade() < 1e-10, "{:?}", run.intervals);
-        run.borders()
+        let (_, parts, worst) = solve(&scene).unwrap();
+        assert!(parts[0].in_contact && worst < 1e-10, "{parts:?}");
+        parts.iter().skip(1).map(|part| part.from.log10()).collect::<Vec<f64>>()
     };
     let (coarse, fine) = (borders(8), borders(32));
     assert!(coarse.len() == 1 && fine.len() == 1, "{coarse:?} {fine:?}");
@@ -100,6 +111,6 @@ fn what_collapses_is_refused() {
         DirichletEnd { poisson: Some(0.5), ..SCENE },
         DirichletEnd { direction: f64::INFINITY, ..SCENE },
     ] {
-        assert!(EndRun::of(&scene, Cone::Nodal, EndMethod::Open).is_err(), "{scene:?}");
+        assert!(scene.problem().is_err(), "{scene:?}");
     }
 }

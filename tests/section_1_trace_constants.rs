@@ -1,12 +1,5 @@
-//! Section 1, traces: the constant of the half-plane by two roads, corners against a second computation, the
-//! square below both, and planted faults.
+//! Section 1, traces: the constant of the half-plane by two computations, corners against a third one.
 
-#[allow(dead_code)]
-#[path = "../examples/section_1_trace_constants.rs"]
-mod example;
-
-use example_frame::{Outcome, Verdict};
-use experiments::square_trace::SquareTrace;
 use fractional_sobolev::{Domain, trace_constant, trace_quotient};
 
 /// C(s) with sixteen digits, by mpmath.
@@ -49,20 +42,21 @@ fn half_plane(s: f64) -> f64 {
 
 #[test]
 fn nine_orders_have_five_digits_by_two_roads() {
-    let options = example::Options::default();
-    let computed = example::compute(&options).unwrap();
-    assert!(Verdict::of(&example::findings(&computed)).is_confirmed());
-    assert_eq!(computed.rows.len(), CONSTANTS.len());
-    for (row, (s, exact)) in computed.rows.iter().zip(CONSTANTS) {
-        assert_eq!(row.order.value(), s);
-        let error = (row.constant.value - exact).abs();
-        assert!(error <= row.constant.error.max(1e-14 * exact), "{s}: {} {exact}", row.constant);
-        for quotient in &row.half_plane {
-            // Honest, and five digits.
-            let error = (quotient.value - 1.0).abs();
-            assert!(error < quotient.error && error < 1e-5, "{s}: {quotient}");
+    for (s, exact) in CONSTANTS {
+        let constant = trace_constant(Domain::HalfPlane, s, 1e-8).unwrap().constant;
+        let error = (constant.value - exact).abs();
+        assert!(error <= constant.error.max(1e-14 * exact), "{s}: {constant} {exact}");
+        for frequency in [0.0, 1.0, 4.0] {
+            let quotient = trace_quotient(Domain::HalfPlane, s, frequency, 1e-5).unwrap();
+            // The error bound holds, and five digits are reached.
+            let error = (quotient.value / exact.powi(2) - 1.0).abs();
+            assert!(
+                error <= quotient.error / exact.powi(2) + 1e-12 && error < 1e-5,
+                "{s} {frequency}: {quotient}"
+            );
         }
     }
+    assert!(trace_constant(Domain::HalfPlane, 0.5, 1e-8).is_err());
 }
 
 #[test]
@@ -75,37 +69,4 @@ fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
     }
     let worse = CORNERS.iter().filter(|(_, degrees, _, share)| *degrees == 30.0 && *share > 1.0);
     assert!(worse.count() > 0);
-}
-
-#[test]
-fn more_functions_on_the_square_reach_more_and_never_the_half_plane() {
-    let bound = half_plane(0.8);
-    let found = [4, 8, 12].map(|degree| SquareTrace::new(0.8, degree).unwrap().largest().value / bound);
-    assert!(found.windows(2).all(|pair| pair[0] < pair[1]) && found[2] < 1.0, "{found:?}");
-}
-
-#[test]
-fn planted_faults_turn_the_findings() {
-    let options = example::Options { s: vec!["0.8".parse().unwrap()], ..example::Options::default() };
-    let outcome = |computed: &example::Computed, key: &str| {
-        let found = example::findings(computed);
-        found.iter().find(|finding| finding.key() == key).unwrap().outcome()
-    };
-    let sound = example::compute(&options).unwrap();
-    let spoiled = |key: &str, spoil: &dyn Fn(&mut example::Computed)| {
-        let mut computed = sound.clone();
-        assert_eq!(outcome(&computed, key), Outcome::Holds, "{key}");
-        spoil(&mut computed);
-        assert_eq!(outcome(&computed, key), Outcome::Refuted, "{key}");
-    };
-    spoiled("roads", &|c| c.rows[0].half_plane[1].value *= 1.0 + 1e-3);
-    spoiled("corner", &|c| c.rows[0].corner[2].value *= 1.5);
-    spoiled("square", &|c| c.rows[0].square.as_mut().unwrap().value *= 2.0);
-    spoiled("growth", &|c| c.growth.value *= 1.0 + 1e-4);
-    // An acute corner is worse than the half-plane, and the example says so.
-    let acute = example::Options { angle: 30.0, s: vec!["0.6".parse().unwrap()], ..options };
-    let computed = example::compute(&acute).unwrap();
-    assert_eq!(outcome(&computed, "corner"), Outcome::Refuted);
-    let below = example::Options { s: vec!["0.5".parse().unwrap()], ..acute };
-    assert!(example::compute(&below).is_err());
 }
