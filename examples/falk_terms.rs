@@ -4,12 +4,12 @@
 
 use example_frame::figures::{Axis, Chart, Series};
 use example_frame::{Column, Finding, Format, Headline, Result, Table};
+use experiments::convergence::regression;
 use experiments::convergence::{Levels, StripCase};
 use experiments::proof::{FalkRow, falk_terms};
 use signorini::cone::Cone;
 use signorini::problems::StripData;
 use signorini::proof::printed_exponent;
-use signorini::rates::ConvergenceOrder;
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
@@ -65,7 +65,7 @@ const TERMS: [Term; 6] = [
 /// Exponent of h of a term; none with fewer than three meshes on which it does not vanish.
 fn exponent(rows: &[FalkRow], term: fn(&FalkRow) -> f64) -> Option<(f64, f64)> {
     let points = rows.iter().map(|r| (1.0 / r.n as f64, term(r).abs())).filter(|point| point.1 > 0.0);
-    ConvergenceOrder::of_power(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
+    regression(&points.collect::<Vec<_>>()).map(|found| (found.order, found.uncertainty))
 }
 
 /// What decides: both sides of the lemma and of (4.8) on every mesh, a sign, an order.

@@ -6,10 +6,10 @@
 
 use example_frame::shown::alternatives::{CASES, edge_chart, shares_chart, table};
 use example_frame::{Finding, Headline, Result};
+use experiments::convergence::regression;
 use experiments::proof::{Against, AlternativeCase, AlternativeStudy};
 use signorini::problems::{NamedProblem, TestProblem};
 use signorini::proof::{Alternative, Section, ThetaRule, printed_exponent};
-use signorini::rates::ConvergenceOrder;
 use std::process::ExitCode;
 
 example_frame::options! {
@@ -80,7 +80,7 @@ pub fn findings(section: Section, options: &Options, Computed { study, other }: 
         .map(|r| (1.0 / r.n as f64, r.classification.total()))
         .filter(|t| t.1 > 0.0)
         .collect();
-    let order = ConvergenceOrder::of_power(&totals).filter(|_| !options.over_theta);
+    let order = regression(&totals).filter(|_| !options.over_theta);
     let order = order.map(|found| (found.order, found.uncertainty));
     let none = "no mesh was classified";
     let no_share =

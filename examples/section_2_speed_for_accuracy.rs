@@ -4,6 +4,7 @@
 //! `cargo run --release --example section_2_speed_for_accuracy -- --levels 6`
 
 use example_frame::{Finding, Headline, Result, contact, progress};
+use experiments::convergence::regression;
 use experiments::solver_variants::{SolverVariant, VariantRow, manufactured_by_every_variant};
 use peak_alloc::PeakAlloc;
 use signorini::cone::{Cone, KKT_ROUNDING};
@@ -77,7 +78,7 @@ const ROUNDING: f64 = 1e-13;
 /// The order of the errors without a start from a coarser mesh.
 fn order(rows: &[VariantRow]) -> Option<ConvergenceOrder> {
     let cold = rows.iter().filter(|row| row.road == SolverVariant::Cold);
-    ConvergenceOrder::of_power(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
+    regression(&cold.map(|row| (1.0 / row.n as f64, row.error)).collect::<Vec<_>>())
 }
 
 /// What decides: the order of the error, the conditions, and whether the roads meet; what they cost.

@@ -7,7 +7,7 @@ use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, prog
 use experiments::convergence::{CaseStudy, Levels, Solved, StripCase, Trend};
 use signorini::cone::Cone;
 use signorini::problems::StripData;
-use signorini::rates::Bound;
+use signorini::rates::{Bound, order_between};
 use signorini::strip::{Reference, StripKind};
 use std::process::ExitCode;
 
@@ -75,7 +75,7 @@ const INNER: f64 = 30.0;
 const EXACT: &str = "error 0 on every level: the discrete solution is exact, nothing to compare";
 
 /// What decides: levels are solved, steps take few iterations, error/bound does not grow; the order itself.
-pub fn findings(_: &Options, Computed { study, errors, .. }: &Computed) -> Vec<Finding> {
+pub fn findings(_: &Options, Computed { study, errors, bounds }: &Computed) -> Vec<Finding> {
     let Solved { worst_kkt: kkt, unsolved, most_inner: inner } = study.solved();
     let ((h, error), bar) = (errors[errors.len() - 1], study.errors[errors.len() - 1].error);
     let exact = errors.iter().all(|e| e.1 == 0.0);
@@ -90,10 +90,11 @@ pub fn findings(_: &Options, Computed { study, errors, .. }: &Computed) -> Vec<F
         let gaps = Finding::remark("gaps", "every gap is on the grid").number(planned as f64, 0.0);
         found.push(gaps.at_most(study.gaps as f64, "gaps on the grid").otherwise(words).told());
     }
-    let Some(tau) = study.regularity else { return found };
+    let (Some(tau), [theorem, ..]) = (study.regularity, &bounds[..]) else { return found };
     let order = Trend::of(errors).map(|trend| (trend.order.order, trend.order.uncertainty));
-    let (theorem, optimal) = (Bound::Paper.exponent(tau), Bound::Optimal.exponent(tau));
-    let (Ok(theorem), Ok(optimal)) = (theorem, optimal) else { return found };
+    // The mean slope of the bound: its exponent, and at tau = 2 what the logarithm leaves of it.
+    let theorem = order_between(theorem[0], theorem[theorem.len() - 1]);
+    let optimal = Bound::Optimal.exponent(tau).unwrap_or(f64::NAN);
     found.extend([
         // Only an order below that of the bound, whatever it may be off by, makes error/bound grow.
         Finding::claim("bounded", "error/bound stays bounded: the order is {value} or less")

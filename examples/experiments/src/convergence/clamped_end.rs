@@ -8,6 +8,7 @@
 //! and last eight decades. The shape compares the pressure with the closed form [`ContactZone`] of the same
 //! length over the last four decades before ℓ/4: largest relative deviation, one common factor.
 
+use super::regression::regression;
 use signorini::Result;
 use signorini::cone::{Cone, ContactSet, KktResiduals};
 use signorini::contact::{self, ContactSolution, Settings, Solver};
@@ -140,17 +141,7 @@ fn power(pressure: &[(f64, f64)], zone: &RadialInterval) -> Option<f64> {
     // Nearest to the end last: there the power is read.
     let points: Vec<(f64, f64)> =
         pressure.iter().rev().copied().filter(|&(r, p)| inner(r) && p > 0.0).collect();
-    let nearer = &points[points.len() / 2..];
-    (nearer.len() > 2).then(|| slope(nearer))
-}
-
-/// Of the regression line in ln p over ln r.
-fn slope(points: &[(f64, f64)]) -> f64 {
-    let count = points.len() as f64;
-    let mean = |of: fn(&(f64, f64)) -> f64| points.iter().map(of).sum::<f64>() / count;
-    let (r, p) = (mean(|point| point.0.ln()), mean(|point| point.1.ln()));
-    let spread: f64 = points.iter().map(|point| (point.0.ln() - r).powi(2)).sum();
-    points.iter().map(|point| (point.0.ln() - r) * (point.1.ln() - p)).sum::<f64>() / spread
+    regression(&points).map(|found| found.order)
 }
 
 fn shape(pressure: &[(f64, f64)], zone: &ContactZone, length: f64) -> Option<f64> {

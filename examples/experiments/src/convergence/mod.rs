@@ -9,7 +9,7 @@
 //! | one transition on meshes, against its known solution | [`TransitionRates`] |
 //! | the scenes' regularity beside their orders | [`scene_orders`] |
 //! | which levels count | [`RateLevel`], [`Flag`] |
-//! | the exponent of an alternating series | [`Trend`] |
+//! | the exponent of an alternating series; the slope of a term | [`Trend`]; [`regression`] |
 //! | the power of \|ln h\| at τ = 2 | [`LogarithmFit`] |
 //! | the exponent at a scene's worst corner, read off graded meshes | [`CornerReading`] |
 //! | one body at its clamped end, solved; on all roads | [`EndRun`], [`EndCase`] |
@@ -26,6 +26,7 @@ mod levels;
 mod logarithm;
 mod memory;
 mod mesh_rates;
+mod regression;
 mod scene_orders;
 mod strip_case;
 mod strip_levels;
@@ -47,6 +48,7 @@ pub use levels::Levels;
 pub use logarithm::LogarithmFit;
 pub use memory::{LevelKey, LevelMemory, NoMemory};
 pub use mesh_rates::MeshRates;
+pub use regression::regression;
 pub use scene_orders::{SceneOrder, scene_orders};
 pub use strip_case::StripCase;
 pub use strip_levels::{StripLevels, StripSolution, strip_levels};

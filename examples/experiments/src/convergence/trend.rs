@@ -1,6 +1,7 @@
 //! A quantity that alternates about a power of h: errors of one transition, at another place of its cell on every
 //! level. Its order with what it may be off by, and how far the finer levels depart from one power.
 
+use super::regression::regression;
 use signorini::rates::ConvergenceOrder;
 
 /// q = C h^p on the finer levels, up to an alternation.
@@ -18,9 +19,6 @@ pub struct Trend {
     pub levels: usize,
 }
 
-/// Fewest levels on the line.
-const FEWEST: usize = 3;
-
 impl Trend {
     /// The rise that says nothing: the alternation, and what an order may still lack by `unsettled` on these
     /// levels, h halved each time.
@@ -31,30 +29,22 @@ impl Trend {
     /// Of error over bound, given as pairs with the same h.
     pub fn of_ratio(errors: &[(f64, f64)], bound: &[(f64, f64)]) -> Option<Self> {
         let ratios: Vec<(f64, f64)> = errors.iter().zip(bound).map(|(e, b)| (e.0, e.1 / b.1)).collect();
-        Some(Self::along(&ratios, ConvergenceOrder::of_power(&ratios)?))
+        Self::along(&ratios, ConvergenceOrder::of_power(&ratios)?)
     }
 
     /// Of errors of linear elements (h, e), coarsest first; `None` for fewer than five, or where e is not positive.
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
-        Some(Self::along(points, ConvergenceOrder::of(points)?))
+        Self::along(points, ConvergenceOrder::of(points)?)
     }
 
-    fn along(points: &[(f64, f64)], order: ConvergenceOrder) -> Self {
-        let finer = &points[(points.len() / 2).min(points.len() - FEWEST)..];
-        let finer: Vec<(f64, f64)> = finer.iter().map(|(h, q)| (h.ln(), q.ln())).collect();
-        let count = finer.len() as f64;
-        let mean = |of: fn(&(f64, f64)) -> f64| finer.iter().map(of).sum::<f64>() / count;
-        let (x, y) = (mean(|point| point.0), mean(|point| point.1));
-        let spread: f64 = finer.iter().map(|point| (point.0 - x).powi(2)).sum();
-        let slope = finer.iter().map(|point| (point.0 - x) * (point.1 - y)).sum::<f64>() / spread;
-        let rest = finer.iter().map(|point| (point.1 - y - slope * (point.0 - x)).abs());
-        Self {
-            order,
-            slope,
-            rise: (slope * (finer[finer.len() - 1].0 - finer[0].0)).exp(),
-            alternation: rest.fold(0.0, f64::max).exp(),
-            levels: finer.len(),
-        }
+    fn along(points: &[(f64, f64)], order: ConvergenceOrder) -> Option<Self> {
+        let ConvergenceOrder { order: slope, regime: (coarsest, finest), .. } = regression(points)?;
+        let finer = points.iter().filter(|point| point.0 <= coarsest);
+        // What is left of ln q without the power, about its mean: the residual of the regression line.
+        let rest: Vec<f64> = finer.map(|(h, q)| q.ln() - slope * h.ln()).collect();
+        let mean = rest.iter().sum::<f64>() / rest.len() as f64;
+        let alternation = rest.iter().map(|r| (r - mean).abs()).fold(0.0, f64::max).exp();
+        Some(Self { order, slope, rise: (finest / coarsest).powf(slope), alternation, levels: rest.len() })
     }
 }
 

@@ -16,6 +16,7 @@
 //! ‖u_N − π^h u_N‖_{L^∞} ≤ h^{1/2} ‖u_N'‖₀/√3, ‖u_N'‖₀ ≤ γ_r h^ν |u_N'|_ν.
 
 use super::balance::{ElementBalance, WorstPair};
+use crate::convergence::regression;
 use signorini::cone::Cone;
 use signorini::proof::ThetaRule;
 use signorini::rates::ConvergenceOrder;
@@ -161,7 +162,7 @@ impl BalanceExponents {
         let few = ToolkitError::CountOutOfRange { name: "lengths", value: rows.len(), range: "[3, inf)" };
         let fit = |value: &dyn Fn(&BalanceRow) -> f64| {
             let points: Vec<(f64, f64)> = rows.iter().map(|r| (r.h, value(r))).collect();
-            ConvergenceOrder::of_power(&points).ok_or_else(|| Error::Toolkit(few.clone()))
+            regression(&points).ok_or_else(|| Error::Toolkit(few.clone()))
         };
         Ok(Self {
             printed: fit(&|r| r.printed[1])?,

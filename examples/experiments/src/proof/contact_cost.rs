@@ -23,6 +23,7 @@
 //! On a strip I^h u is continued inside with least energy, and the best approximation is the discrete
 //! solution for the forces A g that hold the exact edge: no contact problem. Cost as for [`super::falk_terms`].
 
+use crate::convergence::regression;
 use crate::convergence::{Level, StripCase, StripLevels, StripSolution, solve_levels};
 use signorini::Result;
 use signorini::cone::Cone;
@@ -125,7 +126,7 @@ impl CostStudy {
 fn term_order(rows: &[CostRow], tau: f64) -> Option<ConvergenceOrder> {
     let points = rows.iter().map(|row| (1.0 / row.n as f64, row.scaled_term(tau)));
     let points: Vec<(f64, f64)> = points.filter(|point| point.1 > 0.0).collect();
-    ConvergenceOrder::of_power(&points)
+    regression(&points)
 }
 
 /// The order of the term over h^{2τ−2}, τ at most 2; `None` for samples and for transitions with 2 < τ < 5/2,

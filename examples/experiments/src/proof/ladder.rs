@@ -2,6 +2,7 @@
 
 use super::inequality_profile::InequalityProfile;
 use super::profile::{LevelProfile, ProofProfile};
+use crate::convergence::regression;
 use signorini::proof::Inequality;
 use signorini::proof::printed_exponent;
 use signorini::proof::{Step, TwoLaws};
@@ -56,7 +57,7 @@ impl ProofProfile {
         let finest = levels.last().ok_or_else(few)?;
         let fit = |value: &dyn Fn(&LevelProfile) -> f64| {
             let points: Vec<(f64, f64)> = levels.iter().map(|l| (l.h(), value(l))).collect();
-            ConvergenceOrder::of_power(&points).ok_or_else(few)
+            regression(&points).ok_or_else(few)
         };
         let rung = |step: Step, before: Option<Step>| -> Result<Rung> {
             let loss = |before: Step| fit(&|l| l.rung(before).printed / l.rung(step).printed);
@@ -115,7 +116,7 @@ impl ProofProfile {
             count: found.iter().map(|(_, i)| i.count).sum(),
             violations: found.iter().map(|(_, i)| i.violations).sum(),
             sharpest: found.iter().fold(0.0, |m: f64, (_, i)| m.max(i.sharpest)),
-            exponent: ConvergenceOrder::of_power(&positive(&slacks)),
+            exponent: regression(&positive(&slacks)),
             slacks,
         }
     }
