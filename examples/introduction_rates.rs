@@ -6,7 +6,7 @@
 //! `cargo run --release --example introduction_rates -- --levels 3-16 --out out`
 
 use example_frame::rates::{HALF_WIDTH, order_columns, printed_and_measured, printed_rates};
-use example_frame::rates::{Printed, RateRow, complete, fit_cells, largest, lowest};
+use example_frame::rates::{Printed, RateRow, complete, fit_cells, highest, largest, lowest};
 use example_frame::{Cell, Column, Finding, Format, Headline, Result, Table, within};
 use experiments::convergence::Levels;
 use signorini::rates::Bound;
@@ -52,11 +52,17 @@ pub fn findings(_: &Options, computed: &Computed) -> Vec<Finding> {
                 true => (" to a tenth of an order", ", less a tenth: finite series"),
                 false => ("", ""),
             };
-            let words =
-                format!("reached{to} in the {} cone, {}: order {{value}}", row.study.cone, row.words());
+            let words = format!(
+                "reached{to} in the {} cone, {}: order {{value}} or less",
+                row.study.cone,
+                row.words()
+            );
             found.push(
                 Finding::claim(format!("{key}.{}", row.study.cone), format!("{label} is {words}"))
-                    .number_or(row.order(), "too few levels, or an error that is not a positive number")
+                    .number_or(
+                        row.order().map(highest),
+                        "too few levels, or an error that is not a positive number",
+                    )
                     .at_least(exponent - less, format!("{label}, {exponent:.4}{source}"))
                     .otherwise(format!("{label} is not {words}")),
             );

@@ -24,7 +24,7 @@ pub enum RateReference {
 /// with account of it.
 const ROUGH: f64 = 1.5;
 /// Share of the change by the account of the reference grid that is uncertain: the account is a model itself.
-const UNRESOLVED: f64 = 0.5;
+const UNRESOLVED: f64 = 1.0;
 
 /// The levels of one scene, coarsest first.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! What orders of convergence decide: one row against the theorem of its cone, (4.14) beyond τ = 2.
 
-use super::row::RateRow;
+use super::row::{RateRow, highest};
 use crate::Finding;
 use signorini::cone::Cone;
 use signorini::rates::Bound;
@@ -27,10 +27,10 @@ pub fn against_theorem(key: String, words: &str, row: &RateRow) -> Finding {
         _ => (1.0 - NEAR_ONE, format!("{one}, less {NEAR_ONE}: orders creep up to one")),
     };
     let role: fn(String, String) -> Finding = if row.is_fat() { Finding::remark } else { Finding::claim };
-    role(key, format!("{words}: the error has order {{value}}, at least {{bound}}"))
-        .number_or(row.order(), "too few levels, or an error that is not a positive number")
+    role(key, format!("{words}: the order of the error is {{value}} or less, not below {{bound}}"))
+        .number_or(row.order().map(highest), "too few levels, or an error that is not a positive number")
         .at_least(bound, source)
-        .otherwise(format!("{words}: the error has order {{value}} only, below {{bound}}"))
+        .otherwise(format!("{words}: the error has order {{value}} at most, below {{bound}}"))
 }
 
 /// Beyond τ = 2: the root of the consistency term, of which (4.14) says h^{τ−1}, against order one; key

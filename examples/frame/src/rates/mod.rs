@@ -17,7 +17,8 @@ pub use logarithms::LogarithmRow;
 pub use plan::{RatePlan, both_cones, on_meshes};
 pub use printed::{Printed, Shape, printed_rates};
 pub use row::{
-    HALF_WIDTH, RateRow, complete, fit_cells, largest, lowest, order_columns, rate_table, term_remarks,
+    HALF_WIDTH, RateRow, complete, fit_cells, highest, largest, lowest, order_columns, rate_table,
+    term_remarks,
 };
 pub use store::LevelStore;
 

@@ -134,6 +134,11 @@ pub fn lowest(numbers: impl Iterator<Item = Option<(f64, f64)>>) -> Option<(f64,
     all?.into_iter().reduce(|a, b| if (a.0 - a.1).is_nan() || a.0 - a.1 <= b.0 - b.1 { a } else { b })
 }
 
+/// The largest value that a number may have: a lower bound is refuted only where even that is below it.
+pub fn highest((value, uncertainty): (f64, f64)) -> (f64, f64) {
+    (value + uncertainty, 0.0)
+}
+
 /// The claim that every study has all its levels, each with an error: key `levels`.
 pub fn complete<'a>(studies: impl Iterator<Item = &'a RateStudy>) -> Finding {
     let missing: usize = studies.map(RateStudy::missing).sum();
@@ -144,8 +149,7 @@ pub fn complete<'a>(studies: impl Iterator<Item = &'a RateStudy>) -> Finding {
 }
 
 /// What "+-" beside an order says, for the meaning of a column.
-pub const HALF_WIDTH: &str =
-    "what the order may be off by: windows of levels, scatter, next model, smooth part, whichever is largest";
+pub const HALF_WIDTH: &str = "what the order as h -> 0 may be off by, with the terms beside the leading one that the levels leave possible";
 
 /// One row per study: order, theorem's exponent, constants, term.
 ///
@@ -162,7 +166,7 @@ pub fn rate_table(rows: &[RateRow]) -> Result<Table> {
             "model",
             "orders",
             Format::Plain,
-            "which orders were told apart: p alone, beside the smooth part 1, beside 1 and 3/2",
+            "which explain the levels best: p alone, beside the smooth part 1, beside h ln h",
         ),
         Column::hidden("optimal"),
         Column::new("paper", "paper", three, "exponent of the theorem"),
@@ -180,7 +184,7 @@ pub fn rate_table(rows: &[RateRow]) -> Result<Table> {
             "the same over the norms of u_N and sigma_N on the edge",
         ),
         Column::new("term_order", "term", three, "order of the root of the consistency term"),
-        Column::new("term_half_width", "+-", three, "the same for it: halves of the window, scatter"),
+        Column::new("term_half_width", "+-", three, "the same for it, with any terms beside"),
         Column::new(
             "term_ratio",
             "t/bound",
