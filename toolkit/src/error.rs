@@ -157,6 +157,12 @@ pub enum Error {
         /// What it said.
         reason: String,
     },
+    /// Two triangles of a mesh have inner points in common.
+    #[error("triangles {} and {} overlap", triangles[0], triangles[1])]
+    Overlap {
+        /// Their numbers, from 0.
+        triangles: [usize; 2],
+    },
     /// A triangle of a mesh is not usable.
     #[error("triangle {triangle} {reason} {value:?}")]
     Triangle {

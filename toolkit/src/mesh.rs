@@ -156,8 +156,12 @@ impl Mesh {
             return Ok((1.0, self.clone()));
         }
         let unit = power_between(shortest, self.total());
-        let lengths = self.lengths.iter().map(|length| length / unit).collect();
-        Ok((unit, Self::at(0.0, lengths)?))
+        Ok((unit, Self { left: 0.0, ..self.over(unit)? }))
+    }
+
+    /// The mesh in units of a power of two.
+    pub(crate) fn over(&self, unit: f64) -> Result<Self> {
+        Self::at(self.left / unit, self.lengths.iter().map(|length| length / unit).collect())
     }
 
     fn at(left: f64, lengths: Vec<f64>) -> Result<Self> {

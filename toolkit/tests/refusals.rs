@@ -2,8 +2,8 @@
 //! its square or of a part of it, and says why more is not to be had.
 
 use fractional_sobolev::{
-    Constraint, Domain, DualOf, Error, ErrorNorm, Estimate, Function, Mesh, Order, Result, Tolerance, gamma,
-    interpolation_constant, projection_constant,
+    Constraint, Curve, Domain, DualOf, Error, ErrorNorm, Estimate, Function, Mesh, Order, Result, Tolerance,
+    Triangles, gamma, interpolation_constant, projection_constant,
 };
 
 const SHARPEST: f64 = 1e-15;
@@ -102,4 +102,63 @@ fn the_message_names_value_and_reason() {
         .map(|found| found.constant);
     let text = error.unwrap_err().to_string();
     assert!(text.contains("best value") && text.contains("rounding"), "{text}");
+}
+
+/// Thin triangles as polygons: digits, or a refusal that says why, and limits of work are kept.
+#[test]
+fn needles_of_polygons_end() {
+    let of = |height: f64| {
+        let side = Mesh::uniform(4, 1.0).unwrap();
+        let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, height]];
+        let curve = Curve::closed(&corners, &[side.clone(), side.clone(), side]).unwrap();
+        let values: Vec<f64> = curve.nodes().iter().map(|p| f64::sin(3.0 * p[0]) + p[1] / height).collect();
+        (curve, values)
+    };
+    for height in [1e-3, 1e-6, 1e-12] {
+        let (curve, values) = of(height);
+        let u = Function::on_curve(&curve, 1, &values).unwrap();
+        let few = Tolerance::fast().with_work(100_000);
+        let refused = u.seminorm(0.5, few).unwrap_err().to_string();
+        assert!(refused.contains("limit of work") && refused.contains("small angle"), "{refused}");
+        match u.seminorm(0.5, 1e-4) {
+            Ok(found) => assert!(found.work.points < 2 * Tolerance::WORK && height > 1e-5, "{found}"),
+            Err(error) => assert!(matches!(error, Error::ToleranceNotMet { .. }) && height < 1e-3, "{error}"),
+        }
+    }
+}
+
+#[test]
+fn overlapping_triangles_are_named() {
+    let nodes = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.1, 0.1], [1.0, 0.2], [0.2, 1.0]];
+    let apart = Triangles::new(nodes.clone(), vec![[0, 1, 2], [3, 4, 5]]);
+    assert_eq!(apart.unwrap_err().to_string(), "triangles 0 and 1 overlap");
+    // folded over a common edge, and the same triangle twice
+    assert!(matches!(
+        Triangles::new(nodes.clone(), vec![[0, 1, 2], [0, 1, 3]]),
+        Err(Error::Overlap { triangles: [0, 1] })
+    ));
+    assert!(Triangles::new(nodes, vec![[0, 1, 2], [0, 2, 1]]).is_err());
+    let mut many = Triangles::grid([60, 60], 1.0).unwrap();
+    many = many.mapped(|[x, y]| [x + 0.2 * (y / 7.0).sin(), y * y + y]).unwrap();
+    let folded = |[x, y]: [f64; 2]| if (x - 30.0).abs() < 0.3 && y == 930.0 { [x - 1.5, y] } else { [x, y] };
+    assert!(matches!(many.mapped(folded), Err(Error::Overlap { .. })));
+    // thin triangles side by side do not
+    let thin = vec![[0.0, 0.0], [1.0, 0.0], [0.5, 1e-9], [0.5, 1.0], [0.3, -1.0]];
+    assert!(Triangles::new(thin, vec![[0, 1, 2], [0, 2, 3], [2, 1, 3], [0, 1, 4]]).is_ok());
+}
+
+#[test]
+fn what_varies_by_some_ulps_has_digits_or_is_refused() {
+    for slope in [1e-14, 1e-13, 1e-12] {
+        let u = Function::from_fn(&[0.0, 1.0], |x| 1.0 + slope * x).unwrap();
+        for asked in [1e-2, 1e-3, 1e-8] {
+            match u.seminorm(0.5, asked) {
+                Ok(found) => assert!(found.relative_error() <= asked, "{found}"),
+                Err(error) => {
+                    let best = error.best().unwrap_or_else(|| panic!("{error}"));
+                    assert!((best.value - slope).abs() <= best.error, "{best}");
+                }
+            }
+        }
+    }
 }

@@ -565,6 +565,38 @@ fn layers_of_any_height_and_of_moderate_width_are_within_their_error() {
 }
 
 #[test]
+fn errors_of_fields_and_dual_norms_of_formulas_divide_out_length_and_size() {
+    let of = |length: f64, size: f64| {
+        let f = move |at: Position| size * (at.distance_to(0) / length).powf(0.8);
+        let u = Function::from_positions(&[0.0, length], f).unwrap();
+        let mesh = Mesh::from_lengths(vec![length / 40.0; 40]).unwrap();
+        let values: Vec<f64> = (0..=40).map(|k| size * (f64::from(k) / 40.0).powf(0.8)).collect();
+        let field = Function::linears(&mesh, &values).unwrap();
+        let error = u.minus(&field).unwrap();
+        let s = [0.2, 0.5, 0.7].map(|s| error.seminorm(s, 1e-6).unwrap().value / size * length.powf(s - 0.5));
+        let q = [1.0, 2.0, 4.0].map(|q| error.lp(q, 1e-6).unwrap().value / size / length.powf(1.0 / q));
+        [s, q].concat()
+    };
+    let one = of(1.0, 1.0);
+    for (length, size) in [(1e-250, 1.0), (1e-100, 1e100), (1e-10, 1e-120), (1e100, 1e-100), (1e200, 1.0)] {
+        for (found, exact) in of(length, size).iter().zip(&one) {
+            assert!((found / exact - 1.0).abs() < 1e-5, "{length:e} {size:e}: {found:e} {exact:e}");
+        }
+    }
+    for length in [1e-250, 1e-100, 1e-10, 1e10, 1e100] {
+        let load = Function::from_positions(&[0.0, length], |at| at.distance_to(0) / length - 0.3).unwrap();
+        let mesh = Mesh::from_lengths(vec![length]).unwrap();
+        let array = Function::linears(&mesh, &[-0.3, 0.7]).unwrap();
+        let zero = Function::linears(&mesh, &[0.0, 0.0]).unwrap();
+        for of in [DualOf::Slobodeckij, DualOf::Interpolation] {
+            let exact = array.dual_norm(of, 0.5, 1e-8).unwrap().value;
+            assert_near("load", load.dual_norm(of, 0.5, 1e-6), exact, 1e-6);
+            assert_near("difference", load.minus(&zero).unwrap().dual_norm(of, 0.5, 1e-6), exact, 1e-6);
+        }
+    }
+}
+
+#[test]
 fn a_power_near_its_limit_keeps_its_digits() {
     let u = Function::power(0.45).unwrap();
     let exact = fractional_sobolev::closed_forms::power_seminorm(0.45, 0.93).unwrap().value;

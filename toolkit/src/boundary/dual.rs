@@ -97,6 +97,7 @@ fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
         };
         (e + 1..n).map(form).collect()
     });
+    pairs.require_all()?;
     let mut matrix = DMatrix::<f64>::zeros(nodes, nodes);
     let mut load = DMatrix::<f64>::zeros(nodes, 1);
     for (e, row) in rows.iter().enumerate() {

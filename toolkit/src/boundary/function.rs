@@ -120,7 +120,7 @@ impl BoundaryFunction {
         require_memory("elements", n, 64)?;
         let scale = self.size();
         let target = SHARE * tolerance.relative();
-        let pairs = CurvePairs::new(&self.curve, order, self.constants, target)?;
+        let pairs = CurvePairs::new(&self.curve, order, self.constants, target)?.within(tolerance.work());
         let value = |e: usize, s: f64| {
             let [a, b] = self.ends[e];
             (a / scale) * (1.0 - s) + (b / scale) * s
@@ -144,6 +144,7 @@ impl BoundaryFunction {
                 sum
             })
             .reduce(PairSum::default, |a, b| a + b);
+        pairs.require_all()?;
         let error = (target + ENTRY_ROUNDING) * sum.value + 8.0 * f64::EPSILON * sum.rounding;
         let work = Work { points: sum.points, pairs: (n * (n + 1) / 2) as u64, ..Work::default() };
         scaled(scale, Estimate::new(sum.value, error, work)?.sqrt()?)

@@ -11,13 +11,22 @@
 //!   quotient of the two decides.
 
 use super::curve::{Curve, Place, Relation};
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::estimate::Tolerance;
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::quadrature::Rule;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Points of a rule at most: enough for pieces as long as their distance.
 const MOST_POINTS: usize = 16;
+
+/// What one cut counts as.
+const OF_CUT: u64 = 4;
+/// Why the work allowed is not enough.
+const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): two sides without a common corner, or at a \
+     small angle, are so near each other that elements are cut in pieces as short as that distance; elements graded \
+     towards that place take fewer";
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {
@@ -27,6 +36,9 @@ pub(super) struct CurvePairs<'a> {
     digits: f64,
     /// 3 − 2ν, or 1 − 2ν for constants
     radial: f64,
+    /// evaluations of the kernel that elements cut in pieces may still take
+    left: AtomicU64,
+    asked: f64,
 }
 
 /// A part (start, length) of an element.
@@ -41,7 +53,30 @@ impl<'a> CurvePairs<'a> {
             rules: (1..=MOST_POINTS).map(Rule::gauss_legendre).collect::<Result<_>>()?,
             digits: (1.0 - target.log10()).clamp(3.0, 17.0),
             radial: if constants { kernel.one_minus } else { kernel.three_minus },
+            left: AtomicU64::new(Tolerance::WORK),
+            asked: target,
         })
+    }
+
+    /// The same with so many evaluations of the kernel at most for elements that are cut in pieces.
+    pub(super) fn within(self, evaluations: u64) -> Self {
+        Self { left: AtomicU64::new(evaluations), ..self }
+    }
+
+    /// Whether so many evaluations are left, which are then taken.
+    fn spend(&self, count: u64) -> bool {
+        let left = self.left.load(Ordering::Relaxed);
+        self.left.store(left.saturating_sub(count), Ordering::Relaxed);
+        left > count
+    }
+
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] when what was visited is not all.
+    pub(super) fn require_all(&self) -> Result<()> {
+        if self.left.load(Ordering::Relaxed) > 0 {
+            return Ok(());
+        }
+        Err(Error::out_of_reach("norm on a curve", self.asked, f64::INFINITY, NEEDLES))
     }
 
     /// Of linears with values differing by one at the ends of an element of length h.
@@ -115,6 +150,9 @@ impl<'a> CurvePairs<'a> {
         let (p, q) = (parts[0].1, parts[1].1);
         let gap = self.curve.apart(relation, middle(0), middle(1)) - 0.5 * (p + q);
         if p.max(q) > 1.0001 * gap {
+            if !self.spend(OF_CUT) {
+                return;
+            }
             let longer = usize::from(q > p);
             let (start, half) = (parts[longer].0, 0.5 * parts[longer].1);
             for start in [start, start + half] {
@@ -125,6 +163,10 @@ impl<'a> CurvePairs<'a> {
             return;
         }
         let (first, second) = (self.rule(p / gap), self.rule(q / gap));
+        let is_cut = [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
+        if is_cut && !self.spend((first.points().len() * second.points().len()) as u64) {
+            return;
+        }
         for (x, v) in first.iter() {
             let s = parts[0].0 + p * x;
             let here = place(0, s);

@@ -9,7 +9,7 @@
 use super::functional::DualOf;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
-use crate::functions::{Arm, SingularFunction};
+use crate::functions::{Arm, Normalized, SingularFunction};
 use crate::mesh::Mesh;
 use crate::numeric::legendre;
 use crate::order::Order;
@@ -42,7 +42,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
     pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.of_moderate_size(tolerance)?;
+        let Normalized { size: scale, length, u: unit } = self.normalized(tolerance)?;
         let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let mut best: Option<Estimate> = None;
@@ -57,7 +57,7 @@ impl SingularFunction<'_> {
                     other => other?,
                 }
             }
-            let (u, left) = pieces.finish()?;
+            let (u, left) = pieces.finish(length)?;
             let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
             let found = Estimate::new(found.value, found.error + left, found.work)?.times(scale)?;
             if found.relative_error() <= tolerance.relative() || found.value == 0.0 {
@@ -78,10 +78,11 @@ impl SingularFunction<'_> {
 }
 
 impl Interpolant {
-    /// The polynomial, and the L² norm of what it leaves.
-    pub(crate) fn finish(self) -> Result<(PiecewisePolynomial, f64)> {
-        let partition = Mesh::from_lengths(self.lengths)?;
-        Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, self.left.sqrt()))
+    /// The polynomial, and the L² norm of what it leaves, on an interval `unit` times as long.
+    pub(crate) fn finish(self, unit: f64) -> Result<(PiecewisePolynomial, f64)> {
+        let partition = Mesh::from_lengths(self.lengths.iter().map(|length| length * unit).collect())?;
+        let left = self.left.sqrt() * unit.sqrt();
+        Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, left))
     }
 
     /// ∫ of a square that is left on a piece pushed.

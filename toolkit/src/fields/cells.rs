@@ -81,7 +81,8 @@ impl FieldCells {
 fn singular(difference: &Difference, part: &Part, tolerance: f64) -> Result<Sampled> {
     let mirrored = part.right == 0.0;
     let k = part.gap + usize::from(mirrored);
-    let closest = (64.0 * f64::EPSILON * difference.function.blur(k)).max(1e-290) / part.length;
+    let closest =
+        (64.0 * f64::EPSILON * difference.function.blur(k)).max(difference.function.closest()) / part.length;
     Sampled::new(closest, mirrored, tolerance, |delta| difference.near_break(part, mirrored, delta))
 }
 

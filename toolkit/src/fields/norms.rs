@@ -6,7 +6,7 @@ use super::patch::{by_polynomials, patch};
 use crate::energy::energy;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::functions::SingularFunction;
+use crate::functions::{Normalized, SingularFunction};
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PiecewisePolynomial};
@@ -74,25 +74,38 @@ impl FieldError<'_> {
     /// # Errors
     /// As [`FieldError::seminorm`], without the infinite seminorms.
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
-        let field = self.field.scaled_by(1.0 / scale);
-        let cells = FieldCells::new(&Difference { function: &unit, field: &field }, tolerance.relative())?;
-        accept("L^2 norm", scaled(scale, l2(&cells)?)?, tolerance, LIMIT)
+        let (unit, field) = self.normalized(tolerance)?;
+        let cells = FieldCells::new(&Difference { function: &unit.u, field: &field }, tolerance.relative())?;
+        accept("L^2 norm", of_lq(&unit, 2.0, l2(&cells)?)?, tolerance, LIMIT)
+    }
+
+    /// Both over the size of u, on the interval over its length.
+    pub(super) fn normalized(&self, tolerance: Tolerance) -> Result<(Normalized<'_>, PiecewisePolynomial)> {
+        let unit = self.function.normalized(tolerance)?;
+        let field = self.field.scaled_by(1.0 / unit.size).on(self.field.mesh().over(unit.length)?);
+        Ok((unit, field))
     }
 
     /// The seminorm and the L² norm.
     fn parts(&self, order: Order, tolerance: Tolerance) -> Result<[Estimate; 2]> {
-        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
-        let field = self.field.scaled_by(1.0 / scale);
-        let difference = Difference { function: &unit, field: &field };
+        let (unit, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &unit.u, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
         if !order.is_below_half() && cells.jumps_apart() {
             let why = "a jump of the field is not in H^nu for nu >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
-        let squared = squared(&difference, &cells, order, tolerance)?;
-        Ok([scaled(scale, squared.sqrt()?)?, scaled(scale, l2(&cells)?)?])
+        let back = |squared: Estimate| unit.seminorm(order, squared.sqrt()?);
+        let seminorm = squared(&difference, &cells, order, tolerance)
+            .map_err(|error| error.carry("seminorm", back))
+            .and_then(back)?;
+        Ok([seminorm, of_lq(&unit, 2.0, l2(&cells)?)?])
     }
+}
+
+/// The L^q norm of u − u_h from that of the normalized difference.
+pub(super) fn of_lq(unit: &Normalized, q: f64, found: Estimate) -> Result<Estimate> {
+    scaled(unit.size, scaled(unit.length.powf(1.0 / q), found)?)
 }
 
 /// |u − u_h|²_ν.

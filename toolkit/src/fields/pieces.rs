@@ -2,7 +2,7 @@
 
 use super::cells::{Content, FieldCells};
 use super::fit::Difference;
-use super::norms::{FieldError, LIMIT, l2};
+use super::norms::{FieldError, LIMIT, l2, of_lq};
 use super::patch::patch;
 use crate::dual::DualOf;
 use crate::dual::closure::Interpolant;
@@ -37,9 +37,8 @@ impl FieldError<'_> {
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`FieldError::l2_norm`].
     pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
-        let field = self.field.scaled_by(1.0 / scale);
-        let difference = Difference { function: &unit, field: &field };
+        let (unit, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &unit.u, field: &field };
         let cells = FieldCells::new(&difference, 0.1 * tolerance.relative())?;
         let (mut lengths, mut ends, mut bubbles) = (Vec::new(), Vec::new(), Vec::new());
         let (mut found, mut left) = (Vec::new(), Vec::new());
@@ -70,7 +69,7 @@ impl FieldError<'_> {
         let beyond = join(&mut left.iter().copied(), worst);
         let error = found.iter().map(|e| e.error).sum::<f64>() + beyond + 16.0 * f64::EPSILON * value;
         let work = found.iter().fold(Work::default(), |sum, e| sum + e.work);
-        accept("L^q norm", scaled(scale, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
+        accept("L^q norm", of_lq(&unit, q, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
     }
 
     /// The norm dual to [`FieldError::norm`], sup ∫ (u − u_h) v / ||v||_ν, as [`SingularFunction::dual_norm`].
@@ -79,9 +78,8 @@ impl FieldError<'_> {
     /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] for a value of the function,
     /// [`Error::OutOfRange`] unless both live on the same interval.
     pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let (scale, unit) = self.function.of_moderate_size(tolerance)?;
-        let field = self.field.scaled_by(1.0 / scale);
-        let difference = Difference { function: &unit, field: &field };
+        let (unit, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &unit.u, field: &field };
         let asked = (OF_CELLS * tolerance.relative()).max(LEAST);
         let cells = FieldCells::new(&difference, asked)?;
         let goal = asked * l2(&cells)?.value;
@@ -99,11 +97,11 @@ impl FieldError<'_> {
                 }
             }
         }
-        let (u, left) = pieces.finish()?;
+        let (u, left) = pieces.finish(unit.length)?;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
-        accept("dual norm", scaled(scale, found)?, tolerance, LIMIT)
+        accept("dual norm", scaled(unit.size, found)?, tolerance, LIMIT)
     }
 }
 

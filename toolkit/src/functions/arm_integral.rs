@@ -10,7 +10,7 @@
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
 use super::partials::Partials;
-use super::rest::rest_by_chords;
+use super::rest::{rest_by_chords, rest_through};
 use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
@@ -36,6 +36,8 @@ const START_RATIO: f64 = 0.15;
 const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
 /// Times the distance of a geometric rest from that by chords.
 const BETWEEN: f64 = 4.0;
+/// Of a rest: what is not seen of it at a few points.
+const UNSEEN: f64 = 0.1;
 /// Depth before which no tail is believed: e^{-6} of the arm.
 const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
@@ -63,21 +65,23 @@ impl ArmIntegral {
     }
 
     /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is
-    /// known.
+    /// known, `samples` are (t, ℓ) on all scales of the arm where ℓ is known there, else nothing.
     pub(crate) fn integrate(
         &self,
         depth: f64,
         scale: f64,
         tail: Option<&DeepTail>,
+        samples: &[(f64, f64)],
         mut density: impl FnMut(f64) -> Result<Density>,
     ) -> Result<ArmValue> {
         let (rounding, last, is_settled) = (Cell::new(0.0), Cell::new(0.0), Cell::new(false));
-        let limit = self.limit(depth, scale, tail, [&rounding, &last], &is_settled, |t, weight| {
-            let density = density(t)?;
-            last.set(density.rounding);
-            rounding.set((weight * density.rounding).hypot(rounding.get()));
-            Ok(density.value)
-        })?;
+        let limit =
+            self.limit(depth, scale, tail, samples, [&rounding, &last], &is_settled, |t, weight| {
+                let density = density(t)?;
+                last.set(density.rounding);
+                rounding.set((weight * density.rounding).hypot(rounding.get()));
+                Ok(density.value)
+            })?;
         let rounding = ROUNDING_SAFETY * rounding.get();
         Ok(ArmValue { limit, rounding, is_settled: is_settled.get() })
     }
@@ -89,6 +93,7 @@ impl ArmIntegral {
         depth: f64,
         scale: f64,
         tail: Option<&DeepTail>,
+        samples: &[(f64, f64)],
         [rounding, of_last]: [&Cell<f64>; 2],
         is_settled: &Cell<bool>,
         mut density: impl FnMut(f64, f64) -> Result<f64>,
@@ -124,16 +129,25 @@ impl ArmIntegral {
             let settles = |rest: f64| rest <= 0.02 * self.tolerance * whole;
             if from > SETTLED && ratio < 0.95 && settles(rest) {
                 let last = densities[densities.len() - 1];
-                let chords = rest_by_chords(from + h, last, end, |t| {
-                    Ok(Density { value: density(t, 0.0)?, rounding: of_last.get() })
-                })?;
+                let end_of_cell = from + h;
+                let chords = if samples.is_empty() {
+                    rest_by_chords(end_of_cell, last, end, |t| {
+                        Ok(Density { value: density(t, 0.0)?, rounding: of_last.get() })
+                    })?
+                } else {
+                    rest_through(end_of_cell, last, samples)
+                };
                 let error = rest.max(chords - rest);
                 if settles(error) {
                     is_settled.set(true);
-                    // Where ln ℓ is convex, or concave, the rest lies between the two.
+                    // Where ln ℓ is convex, or concave, the rest lies between the two. A few chords may miss a layer.
                     let changed = (rest_before - cell.abs() - rest).abs();
                     let between = BETWEEN * (chords - rest).abs() + changed;
-                    let error = if between < error { between } else { error };
+                    let error = match samples {
+                        _ if between.is_nan() => error,
+                        [] => between.max(UNSEEN * error).min(error),
+                        _ => between,
+                    };
                     return Ok(Limit { value: sum + rest.copysign(cell), error });
                 }
             }

@@ -113,7 +113,7 @@ pub(crate) struct SingularFunction<'a> {
     pub(super) sight: Sight,
     pub(super) budget: Budget,
     /// the unit of length, a power of two, in which the breaks are given
-    unit: f64,
+    pub(super) unit: f64,
 }
 
 /// A function over a unit, on an interval over a unit of length: both powers of two near its size and length.

@@ -88,7 +88,7 @@ impl<'a> LogEnergy<'a> {
         for arm in 0..self.arms.len() {
             let depth = self.arms[arm].depth;
             let end = self.tail(arm)?;
-            let found = integral.integrate(depth, value, end.as_ref(), |t| self.density(arm, t))?;
+            let found = integral.integrate(depth, value, end.as_ref(), &[], |t| self.density(arm, t))?;
             value += found.limit.value;
             tail += found.limit.error;
             rounding = found.rounding.hypot(rounding);

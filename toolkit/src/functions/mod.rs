@@ -23,4 +23,4 @@ mod waves;
 
 pub(crate) use arm::Arm;
 pub use function::Position;
-pub(crate) use function::SingularFunction;
+pub(crate) use function::{Normalized, SingularFunction};

@@ -1,5 +1,6 @@
 //! Norms of functions with declared break points.
 
+use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
 use super::function::{Normalized, SingularFunction};
 use super::graded::UNDECLARED;
@@ -14,6 +15,21 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled};
+
+impl Normalized<'_> {
+    /// |u|_ν from that of the normalized function: |u|_ν ~ L^{1/2−ν}.
+    pub(crate) fn seminorm(&self, order: Order, found: Estimate) -> Result<Estimate> {
+        // ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
+        let factor = if order.value() < 0.25 {
+            self.length.sqrt() * self.length.powf(-order.value())
+        } else {
+            self.length.powf(-order.offset())
+        };
+        let rounding = 0.3 * self.length.ln().abs() * f64::EPSILON;
+        let error = found.error + rounding * found.value;
+        scaled(self.size, scaled(factor, Estimate { error, ..found })?)
+    }
+}
 
 impl SingularFunction<'_> {
     /// The seminorm |u|_ν on the whole interval.
@@ -37,19 +53,9 @@ impl SingularFunction<'_> {
     /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
     /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let Normalized { size, length, u } = self.normalized(tolerance)?;
-        let found = u.seminorm_of_normalized(order, tolerance);
-        // |u|_ν ~ L^{1/2−ν}; ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
-        let factor = if order.value() < 0.25 {
-            length.sqrt() * length.powf(-order.value())
-        } else {
-            length.powf(-order.offset())
-        };
-        let rounding = 0.3 * length.ln().abs() * f64::EPSILON;
-        let back = |found: Estimate| {
-            let error = found.error + rounding * found.value;
-            scaled(size, scaled(factor, Estimate { error, ..found })?)
-        };
+        let normalized = self.normalized(tolerance)?;
+        let found = normalized.u.seminorm_of_normalized(order, tolerance);
+        let back = |found: Estimate| normalized.seminorm(order, found);
         found.map_err(|error| error.carry("seminorm", back)).and_then(back)
     }
 
@@ -204,7 +210,7 @@ impl SingularFunction<'_> {
         if is_inside || is_deep(&profile.densities(q), asked) {
             return by_scales();
         }
-        match self.integral_by_rules(tolerance, factor, &f) {
+        match self.integral_by_rules(profile, tolerance, factor, &f) {
             Err(refused @ Error::ToleranceNotMet { .. }) if self.work_left() > 0 => {
                 by_scales().map_err(|_| refused)
             }
@@ -215,17 +221,24 @@ impl SingularFunction<'_> {
     /// The same for functions without structure far down.
     fn integral_by_rules(
         &self,
+        profile: &Profile,
         tolerance: Tolerance,
         factor: f64,
         f: &impl Fn(f64) -> f64,
     ) -> Result<Estimate> {
         let arms = self.arms();
+        // Seen already, on all scales.
+        let seen = |(k, arm): (usize, &Arm)| -> Vec<(f64, f64)> {
+            let of = |(delta, u): (f64, f64)| ((arm.length / delta).ln(), delta * f(u));
+            profile.samples(k).map(of).collect()
+        };
+        let samples: Vec<Vec<(f64, f64)>> = arms.iter().enumerate().map(seen).collect();
         refine(self, tolerance, factor, false, |level, tolerance| {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             let mut is_settled = true;
-            for arm in &arms {
-                let found = integral.integrate(arm.depth, value, None, |t| {
+            for (arm, samples) in arms.iter().zip(&samples) {
+                let found = integral.integrate(arm.depth, value, None, samples, |t| {
                     points += 1;
                     let delta = arm.delta(t);
                     let value = delta * f(self.at(arm, delta)?);

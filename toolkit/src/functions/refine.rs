@@ -73,8 +73,10 @@ pub(super) fn refine(
             let error =
                 of_rules(&current, &coarse) + beside_rules + 64.0 * f64::EPSILON * current.value.abs();
             let estimate = Estimate::new(current.value, error, work)?;
-            // All that is found of a function without variation is its rounding.
-            let is_zero = is_constant && estimate.error.max(estimate.value.abs()) <= ZERO;
+            // All that is found of a function without variation is its rounding; what is more than that is a value.
+            let is_rounding =
+                estimate.error.max(estimate.value.abs()) <= ZERO && estimate.value <= estimate.error;
+            let is_zero = is_constant && is_rounding;
             if is_zero || estimate.relative_error() <= tolerance {
                 return Ok(estimate);
             }

@@ -41,8 +41,7 @@ pub(super) fn rest_by_chords(
         };
         value = value.max(f64::MIN_POSITIVE);
         rate = (value / there).ln() / (next - t);
-        let equal = (rate * (next - t)).abs() < 1e-6;
-        sum += if equal { (next - t) * value.max(there) } else { (value - there) / rate };
+        sum += chord(next - t, value, there);
         if there <= f64::MIN_POSITIVE {
             return Ok(sum);
         }
@@ -50,6 +49,23 @@ pub(super) fn rest_by_chords(
     }
     // A rate that grows, or stands still, leaves the integral to those who judge whether it is finite.
     Ok(if rate > 0.0 { sum + value / rate } else { f64::INFINITY })
+}
+
+/// The same through samples (t, ℓ) on all scales, those beyond `from`, up to the last one.
+pub(super) fn rest_through(from: f64, first: f64, samples: &[(f64, f64)]) -> f64 {
+    let (mut t, mut value, mut sum) = (from, first.abs().max(f64::MIN_POSITIVE), 0.0);
+    for &(next, there) in samples.iter().filter(|(next, _)| *next > from) {
+        let there = there.abs().max(f64::MIN_POSITIVE);
+        sum += chord(next - t, value, there);
+        (t, value) = (next, there);
+    }
+    sum
+}
+
+/// ∫ of the exponential with these values at the ends of an interval.
+fn chord(width: f64, value: f64, there: f64) -> f64 {
+    let fall = (value / there).ln();
+    if fall.abs() < 1e-6 { width * value.max(there) } else { width * (value - there) / fall }
 }
 
 #[cfg(test)]

@@ -38,6 +38,13 @@ impl<'a> SingularFunction<'a> {
         breaks: &[f64],
         f: impl Fn(Position<'_>) -> f64 + Sync + 'b,
     ) -> Result<SingularFunction<'b>> {
-        SingularFunction::build(breaks, Box::new(f), self.sight)
+        let mut found = SingularFunction::build(breaks, Box::new(f), self.sight)?;
+        found.unit = self.unit;
+        Ok(found)
+    }
+
+    /// The smallest distance to a break at which the function is asked, in units of the breaks.
+    pub(crate) fn closest(&self) -> f64 {
+        1e-290 * self.unit.recip().max(1.0)
     }
 }

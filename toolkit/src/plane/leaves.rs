@@ -11,7 +11,8 @@ use super::simplex::Simplex;
 use crate::error::{Error, Result};
 use crate::numeric::scale::power_of_two;
 use crate::quadrature::Rule;
-use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 
 /// Entries (i, j) of a quadratic form in K functions, by three rules.
 pub(super) type Levels<const K: usize> = [[[f64; K]; K]; LEVELS];
@@ -28,6 +29,10 @@ const FEWEST: usize = LEVELS + 1;
 const MOST: usize = 44;
 /// Pieces into which one pair may fall apart.
 const PATIENCE: usize = 2_000_000;
+
+/// Why the work allowed is not enough.
+const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): triangles much thinner than they are long \
+     take as many pieces as they are longer than wide; a mesh with wider triangles has none";
 
 /// Barycentric coordinates (of corners 1 and 2) and weights of sum one.
 type Points = Vec<([f64; 2], f64)>;
@@ -65,11 +70,36 @@ pub(super) struct Leaves {
     kernel: InversePower,
     /// ln(1 / relative accuracy)
     digits: f64,
+    /// what is left of the evaluations allowed
+    left: Arc<AtomicU64>,
+    asked: f64,
 }
 
 impl Leaves {
     pub(super) fn new(s: f64, accuracy: f64) -> Self {
-        Self { power: 1.0 + s, kernel: InversePower::new(1.0 + s), digits: -accuracy.ln() }
+        let left = Arc::new(AtomicU64::new(u64::MAX));
+        Self {
+            power: 1.0 + s,
+            kernel: InversePower::new(1.0 + s),
+            digits: -accuracy.ln(),
+            left,
+            asked: accuracy,
+        }
+    }
+
+    /// The same with so many evaluations of the kernel at most, all pairs together.
+    pub(super) fn within(self, evaluations: u64) -> Self {
+        Self { left: Arc::new(AtomicU64::new(evaluations)), ..self }
+    }
+
+    fn spend(&self, count: u64) -> Result<()> {
+        let left = self.left.load(Ordering::Relaxed);
+        self.left.store(left.saturating_sub(count), Ordering::Relaxed);
+        if left > count {
+            Ok(())
+        } else {
+            Err(Error::out_of_reach("seminorm", self.asked, f64::INFINITY, NEEDLES))
+        }
     }
 
     /// Points in each direction for a piece of length ℓ at distance d.
@@ -105,7 +135,9 @@ impl Leaves {
             patience -= 1;
             if size.max(other) * ADMISSIBLE <= distance {
                 let counts = [self.count(size, distance), self.count(other, distance)];
-                *work += self.leaf(&a, &b, counts, distance, weight, &mut sum)?;
+                let count = self.leaf(&a, &b, counts, distance, weight, &mut sum)?;
+                self.spend(count)?;
+                *work += count;
             } else if size >= other {
                 open.extend(a.halves(edge).map(|half| (half, b, [0.5 * weight[0], weight[1]])));
             } else {

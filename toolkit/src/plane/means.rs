@@ -48,6 +48,11 @@ impl Means {
         Self { order, shape, leaves: Leaves::new(order.value(), accuracy) }
     }
 
+    /// The same with so many evaluations of the kernel at most.
+    pub(super) fn within(self, evaluations: u64) -> Self {
+        Self { leaves: self.leaves.within(evaluations), ..self }
+    }
+
     /// p + k, without cancellation.
     fn degree_plus(&self, k: usize) -> f64 {
         match self.shape {

@@ -21,6 +21,7 @@ mod kernel;
 mod leaves;
 mod means;
 mod norms;
+mod overlap;
 mod sector;
 mod simplex;
 mod sums;

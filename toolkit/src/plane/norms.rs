@@ -17,6 +17,8 @@ const FIRST: f64 = 0.4;
 /// By how much beyond the quotient of what is asked and reached, and at most.
 const SHARPER: f64 = 0.04;
 const LEAST_SHARPER: f64 = 1e-4;
+/// Evaluations of the kernel for one triangle by default.
+const PER_TRIANGLE: u64 = 1 << 26;
 /// What ends the accuracy of a sum over pairs.
 const LIMIT: &str = "finer rules and clusters no longer help: the rest is rounding";
 
@@ -108,14 +110,27 @@ impl PlaneFunction {
         scaled(extent.powf(order.complement()), root)
     }
 
+    /// Evaluations of the kernel for one sum: what was asked for, by default more for more triangles.
+    fn allowed(&self, tolerance: Tolerance) -> u64 {
+        let count = self.mesh().triangles().len() as u64;
+        match tolerance.work() {
+            Tolerance::WORK => Tolerance::WORK.max(count * PER_TRIANGLE),
+            work => work,
+        }
+    }
+
     /// |w|²_s of w over a unit on the polygon over its extent.
     fn squared(&self, order: Order, tolerance: Tolerance, unit: f64, extent: f64) -> Result<Estimate> {
         let sum = PairSum::new(self, unit, extent);
         let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);
         let (mut best, mut work) = (None::<Estimate>, Work::default());
+        let allowed = self.allowed(tolerance);
         for _ in 0..ATTEMPTS {
-            let means = Means::new(order, self.shape(), accuracy);
-            let found = sum.squared(&means, order.value(), accuracy)?;
+            let means = Means::new(order, self.shape(), accuracy).within(allowed);
+            let found = match sum.squared(&means, order.value(), accuracy) {
+                Err(Error::ToleranceNotMet { .. }) if best.is_some() => break,
+                other => other?,
+            };
             work += found.work;
             let is_better = best.is_none_or(|best| found.error < best.error);
             best = if is_better { Some(found) } else { best };

@@ -1,6 +1,7 @@
 //! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
 
 use super::geometry::{Point, twice_area};
+use super::overlap::overlapping;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
 use crate::numeric::memory::require_memory;
@@ -37,7 +38,7 @@ impl Triangles {
     /// # Errors
     /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
     /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more
-    /// than two triangles.
+    /// than two triangles, [`Error::Overlap`] for two triangles with inner points in common.
     pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
@@ -66,7 +67,12 @@ impl Triangles {
                 }
             }
         }
-        Ok(Self { nodes, triangles, areas })
+        let corners: Vec<[Point; 3]> =
+            triangles.iter().map(|triangle| triangle.map(|node| nodes[node])).collect();
+        match overlapping(&corners) {
+            Some(triangles) => Err(Error::Overlap { triangles }),
+            None => Ok(Self { nodes, triangles, areas }),
+        }
     }
 
     /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
