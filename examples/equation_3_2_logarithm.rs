@@ -16,8 +16,8 @@
 //!
 //! Test problem: u harmonic on the unit square, 0 on top, ∂u/∂n = 0 on the sides, g ≤ 0 and the pressure λ chosen on the edge,
 //! g λ = 0. `transition`: contact for x < a, λ = ℓ(a − x)^(−α), g = −δ ℓ(δ)^(−α), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0, and
-//! root mean squares over a = 5/12, 11/24. Others: such gaps, 11 equal ones, and those of a Cantor set
-//! (nodal cone).
+//! root mean squares over a = 5/12, 11/24. `transitions:11`: eleven equal gaps with such data at both ends. `cantor:0.25`: the
+//! gaps of a Cantor set of dimension 1/2, g = −δ^(5/4) ℓ(δ)^(−α), nodal cone only.
 //!
 //! `cargo run --release --example equation_3_2_logarithm -- --problem transition --alpha 0,0.6,1.5 --finest 16`
 

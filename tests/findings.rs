@@ -87,6 +87,5 @@ macro_rules! examples {
 examples! {
     // examples
     remark_3_face: "../examples/remark_3_face.rs",
-    section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
     // end of examples
 }
