@@ -27,7 +27,7 @@ use std::time::Instant;
 
 example! { seconds "Section 2, speed for accuracy", "|u − u^h|_a ≤ C h for u in H^(5/2−ε), whatever solves the discrete problem;  C h/100 of algebra changes nothing";
     /// squares along each side, coarsest mesh first
-    n: Vec<usize> = "8,16,32,64,128" in "[4, 2048]",
+    n: Vec<usize> = "8,16,32,64,128,256" in "[4, 2048]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
     cone: Cone = "nodal",
 }
