@@ -12,7 +12,8 @@
 //! ```
 //!
 //! q is measured: the increments of the left side over two halvings are like ℓ^(q−1), and q − 1 is their slope over ℓ in
-//! logarithms, its ± the difference between both halves of the meshes. Refuted if for α > 1/2 ‖u − u^h‖ / (h |ln h|^(1/2)) grows; loose if also q < 0.
+//! logarithms, its ± the difference between both halves of the meshes. Refuted if for α > 1/2 ‖u − u^h‖ / (h |ln h|^(1/2)) grows
+//! from the middle to the finest mesh; loose if also q < 0.
 //!
 //! Test problem: u harmonic on the unit square, 0 on top, ∂u/∂n = 0 on the sides, g ≤ 0 and the pressure λ chosen on the edge,
 //! g λ = 0. `transition`: contact for x < a, λ = ℓ(a − x)^(−α), g = −δ ℓ(δ)^(−α), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0, and
