@@ -68,7 +68,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         out.check("κ(x)").at_most(kappa, 1.0, "printed");
         out.check("random functions, over κ(x)").at_most(kappa.recip() * tried, 1.0, "best constant");
-        out.check("12 N² (κ² − best of N slopes)").near(missed, 1.0, 1e-3, "means of a line");
+        out.check("12 N² (κ² − best of N slopes)").near(missed, 1.0, 1e-3, "κ² less Σ kᵢ² N = 1/(12N²)");
         out.stronger("constant 0.5774").at_most(kappa, 0.5774, "1/√3");
         out.row(cells! { x => kappa, of_steps, tried, missed: missed.value });
     }
