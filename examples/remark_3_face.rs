@@ -1,122 +1,144 @@
 //! Remark 3: on a face in three dimensions the nodal consistency term is not bounded by both seminorms.
 //!
+//! T is the right isosceles triangle with legs 1, in contact but for a gap at each corner, the triangle there with legs r:
+//! σ = −1 in contact and 0 in the gaps; u = 0 in contact and −1 at the corners, linear in each gap. With ν = τ − 3/2 < 1/2
+//! and |v|²_ν = ∬ |v(x) − v(y)|² / |x − y|^(2+2ν) dx dy over T × T, compare the terms of one face,
+//!
+//! ```text
+//! nodal cone:     ∫ σ I u / (|σ|_ν |∇u|_ν),                I u = −1: the linear function with the values of u at the corners
+//! cone of means:  (1/|T|) ∫ σ ∫ u / (|σ|_ν |∇u|_ν).
+//! ```
+//!
+//! |σ|²_ν and |∇u|²_ν are integrals over pairs with one point near a gap: of the order r^(2−2ν) and r^(−2ν). The term of the
+//! nodal cone tends to |T|, so its quotient grows like r^(2ν−1); that of the means falls like r^(1+2ν). On a segment such a
+//! bound holds for every contact set (page `worst_contact_set`).
+//!
+//! Refuted if the nodal quotient does not grow with every halving of r, if its exponent is off 2ν − 1 by more than
+//! 0.01, or if the quotient of means is once above that of the largest gaps.
+//!
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 
-use example_frame::figures::{Axis, Chart, Series};
-use example_frame::{Column, Finding, Format, Headline, Result, Table, within};
-use experiments::EstimateExt;
-use experiments::proof::FaceGaps;
-use fractional_sobolev::{Estimate, Order, Tolerance};
-use signorini::rates::order_between;
-use std::process::ExitCode;
+use example_report::prelude::*;
+use fractional_sobolev::{Function, Mesh, Triangles, gauss_legendre};
 
-example_frame::options! {
-    /// The consistency term of both cones on one face with small gaps about its corners
-    pub struct Options {
-        /// Orders nu = tau - 3/2 in (0, 1/2)
-        #[arg(long, value_delimiter = ',', default_values = ["0.25", "0.4"], value_parser = within::<Order>("(0, 0.5)"))]
-        pub nu: Vec<Order>,
-        /// The gaps have legs from 1/4 down to 2 to the power of minus this minus one
-        #[arg(long, default_value_t = 14, value_parser = clap::value_parser!(u32).range(4..=40))]
-        pub halvings: u32,
-        /// Relative accuracy of the seminorms
-        #[arg(long, default_value = "1e-7")]
-        pub tolerance: Tolerance,
+example! { seconds "Remark 3, a face", "gaps of size r at the corners of a face:  ∫ σ I u / (|σ|_ν |∇u|_ν) grows like r^(2ν−1)";
+    /// orders ν = τ − 3/2
+    nu: Vec<Order> = "0.25,0.4" in "[0.1, 0.45]" slider "0.1 to 0.45",
+    /// the gaps have legs 1/4, 1/8, .. 2^(−halvings−1)
+    halvings: u32 = "14" in "[8, 40]" slider "8 to 20",
+}
+
+/// Triangles, σ on triangles, u at nodes: the triangle between the middles of the sides, and strips towards each corner that
+/// are halved again and again, the last triangle at the corner being the gap.
+fn face(halvings: u32) -> Result<(Triangles, Vec<f64>, Vec<f64>)> {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let middle = |a: [f64; 2], b: [f64; 2]| [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
+    let mut nodes: Vec<[f64; 2]> = (0..3).map(|k| middle(corners[k], corners[(k + 1) % 3])).collect();
+    let (mut triangles, mut sigma, mut u) = (vec![[0, 1, 2]], vec![-1.0], vec![0.0; 3]);
+    for (k, &corner) in corners.iter().enumerate() {
+        let (mut p, mut q) = (k, (k + 2) % 3);
+        for _ in 0..halvings {
+            let a = nodes.len();
+            nodes.extend([middle(corner, nodes[p]), middle(corner, nodes[q])]);
+            u.extend([0.0; 2]);
+            triangles.extend([[p, q, a], [q, a + 1, a]]);
+            sigma.extend([-1.0; 2]);
+            (p, q) = (a, a + 1);
+        }
+        triangles.push([nodes.len(), p, q]);
+        nodes.push(corner);
+        sigma.push(0.0);
+        u.push(-1.0);
     }
+    Ok((Triangles::new(nodes, triangles)?, sigma, u))
 }
 
-/// One order with its gaps, from the largest to the smallest.
-pub struct Rows(pub Order, pub Vec<FaceGaps>);
-
-impl Rows {
-    /// Exponents of the nodal quotient over the last halving, and over the one before.
-    fn exponents(&self) -> Option<[f64; 2]> {
-        let [.., a, b, c] = self.1.as_slice() else { return None };
-        let exponent =
-            |large: Estimate, small: Estimate| order_between((1.0, large.value), (0.5, small.value));
-        Some([exponent(b.nodal, c.nodal), exponent(a.nodal, b.nodal)])
+/// |σ|_ν from its definition: twice the integral of |x − y|^(−2−2ν) over x in a gap and y in contact, for the three gaps. Since
+/// Δ|z|^(−2ν) = 4ν² |z|^(−2−2ν), it is −1/(4ν²) Σ n·n' ∫∫ |x − y|^(−2ν) over the sides of both, n and n' their outer normals.
+fn of_gaps(nu: f64, r: f64) -> Result<f64> {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let towards =
+        |k: usize, j: usize| [0, 1].map(|i| corners[k][i] + r * (corners[j % 3][i] - corners[k][i]));
+    let contact: Vec<[f64; 2]> = (0..3).flat_map(|k| [towards(k, k + 2), towards(k, k + 1)]).collect(); // a hexagon
+    // Gauss points on elements shorter by 0.3 towards both ends of a side
+    let (mesh, rule) = (Mesh::graded(&[0.0, 1.0], 14, 0.3)?, gauss_legendre(5)?);
+    let points: Vec<(f64, f64)> = mesh
+        .nodes()
+        .windows(2)
+        .flat_map(|x| {
+            rule.iter().map(|(t, w)| (x[0] + t * (x[1] - x[0]), w * (x[1] - x[0]))).collect::<Vec<_>>()
+        })
+        .collect();
+    let mut sum = 0.0;
+    for k in 0..3 {
+        let gap = [corners[k], towards(k, k + 1), towards(k, k + 2)];
+        for (a, b) in (0..3).map(|i| (gap[i], gap[(i + 1) % 3])) {
+            for (c, d) in (0..6).map(|i| (contact[i], contact[(i + 1) % 6])) {
+                let (along, other) = ([b[0] - a[0], b[1] - a[1]], [d[0] - c[0], d[1] - c[1]]);
+                let cosine = along[0] * other[0] + along[1] * other[1]; // times both lengths, as the integral over (0, 1)²
+                let between = |s: f64, t: f64| {
+                    let z = [0, 1].map(|i| a[i] + s * along[i] - c[i] - t * other[i]);
+                    z[0].hypot(z[1]).powf(-2.0 * nu)
+                };
+                sum += cosine
+                    * if (a, b) == (d, c) {
+                        along[0].hypot(along[1]).powf(-2.0 * nu) / ((1.0 - 2.0 * nu) * (1.0 - nu)) // the common side
+                    } else {
+                        points
+                            .iter()
+                            .map(|(s, v)| v * points.iter().map(|(t, w)| w * between(*s, *t)).sum::<f64>())
+                            .sum()
+                    };
+            }
+        }
     }
+    Ok((-sum / (2.0 * nu * nu)).sqrt())
 }
 
-/// How far the last exponent may be from its limit.
-const LIMIT: f64 = 0.01;
-
-/// Both quotients for every order and every size of the gaps.
-pub fn compute(options: &Options) -> Result<Vec<Rows>> {
-    let rows = |&order: &Order| -> Result<Rows> {
-        let gaps = (1..=options.halvings).map(|k| FaceGaps::new(k, order, options.tolerance));
-        Ok(Rows(order, gaps.collect::<signorini::Result<_>>()?))
-    };
-    options.nu.iter().map(rows).collect()
-}
-
-/// What decides: the exponent of the nodal quotient, its growth, and the fall of the quotient of means.
-pub fn findings(rows: &[Rows]) -> Vec<Finding> {
-    let off = |rows: &Rows| {
-        let [last, before] = rows.exponents()?;
-        Some(((last - (2.0 * rows.0.value() - 1.0)).abs(), (last - before).abs()))
-    };
-    let worst = rows.iter().map(off).collect::<Option<Vec<_>>>();
-    let worst = worst.and_then(|all| all.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
-    let quotients = |pick: fn(&FaceGaps) -> Estimate, from_first: bool| {
-        let pairs = rows.iter().flat_map(move |rows| {
-            rows.1.windows(2).map(move |w| if from_first { (w[1], rows.1[0]) } else { (w[1], w[0]) })
-        });
-        pairs.filter_map(move |(small, large)| pick(&small).over(pick(&large)).ok()).collect::<Vec<_>>()
-    };
-    vec![
-        Finding::claim("exponent", "the nodal quotient grows like r^(2 nu - 1), to {value} in the exponent")
-            .number_or(worst, "too few gaps")
-            .at_most(LIMIT, "scaling")
-            .told(),
-        Finding::claim("nodal", "with every halving of the gaps it grows, by a factor {value} at least")
-            .smallest(quotients(|gaps| gaps.nodal, false))
-            .at_least(1.0, "no bound by both seminorms"),
-        Finding::claim("mean", "the quotient of the cone of means never passes that of the largest gaps")
-            .largest(quotients(|gaps| gaps.mean, true))
-            .at_most(1.0, "bounded on this family")
-            .told(),
-    ]
-}
-
-/// Both quotients over the size of the gaps.
-pub fn run(options: &Options) -> Result<Headline> {
-    let rows = compute(options)?;
-    let claim = "on a face, gaps about the corners make the nodal term as large as one likes";
-    let mut headline = Headline::new("Remark 3, a face", claim, table(&rows), findings(&rows));
-    headline.draw(&options.output, "remark_3_face", || Ok(draw(&rows)))?;
-    Ok(headline)
-}
-
-fn table(rows: &[Rows]) -> Table {
-    let digits = Format::Significant(7);
-    let columns = vec![
-        Column::new("nu", "nu", Format::Plain, ""),
-        Column::new("radius", "r", Format::Scientific(2), "legs of the gaps; the face has legs 1"),
-        Column::new("nodal", "nodal", digits, "integral of sigma Iu over both seminorms"),
-        Column::new("mean", "means", Format::Scientific(3), "integral of sigma times mean of u, over both"),
-    ];
-    Table::new(columns).with_rows(rows.iter().flat_map(|Rows(order, gaps)| {
-        let row = |gaps: &FaceGaps| {
-            let FaceGaps { radius, nodal, mean } = *gaps;
-            [order.value(), radius, nodal.value, mean.value]
-        };
-        gaps.iter().map(row).collect::<Vec<_>>()
-    }))
-}
-
-fn draw(rows: &[Rows]) -> Chart {
-    let (x, y) = (Axis::logarithmic("r, legs of the gaps"), Axis::logarithmic("term over both seminorms"));
-    rows.iter().fold(Chart::new("One face with gaps about its corners", x, y), |chart, Rows(order, gaps)| {
-        let points = |pick: fn(&FaceGaps) -> Estimate| {
-            gaps.iter().map(|gaps| (gaps.radius, pick(gaps).value)).collect::<Vec<_>>()
-        };
-        chart
-            .with(Series::line_and_points(format!("nodal, nu = {order}"), points(|gaps| gaps.nodal)))
-            .with(Series::dashed(format!("means, nu = {order}"), points(|gaps| gaps.mean)))
-    })
-}
-
-fn main() -> ExitCode {
-    example_frame::main(run)
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    for &nu in &options.nu {
+        let mut before: Vec<[Measured; 2]> = Vec::new();
+        for halvings in 1..=options.halvings {
+            let (mesh, sigma, u) = face(halvings)?;
+            let areas = mesh.areas();
+            let of_sigma: f64 = sigma.iter().zip(areas).map(|(s, area)| s * area).sum();
+            let mean = |t: &[usize; 3]| t.iter().map(|&node| u[node]).sum::<f64>() / 3.0;
+            let of_u: f64 = mesh.triangles().iter().zip(areas).map(|(t, area)| mean(t) * area).sum();
+            // Pairs of triangles: smooth integrals by Gauss rules after the singularity is divided out; their error.
+            let pressure = Measured::from(Function::on_triangles(&mesh, 0, &sigma)?.seminorm(nu, 1e-7)?);
+            let slope = Measured::from(Function::on_triangles(&mesh, 1, &u)?.seminorm(nu.plus_one(), 1e-7)?); // |∇u|_ν
+            let over = (pressure * slope).recip();
+            let r = 0.5f64.powi(halvings as i32 + 1);
+            let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
+            out.check("`of_gaps` over |σ|_ν").near(ratio, 1.0, 1e-3, "sides of gaps");
+            let (nodal, mean) = (over * -of_sigma, over * (of_sigma * of_u / areas.iter().sum::<f64>()));
+            if let Some([last, _]) = before.last() {
+                out.check("nodal: quotient over the one of 2r").at_least(nodal / *last, 1.0, "no bound");
+                out.check("means: quotient over the first").at_most(mean / before[0][1], 1.0, "bounded");
+            }
+            before.push([nodal, mean]);
+            out.row(cells! { nu, r => nodal, mean: mean.value, sigma: pressure.value, slope: slope.value });
+        }
+        // Exponent e between two sizes; e nears its limit like r^(2ν), which is taken out. Error: change from the size before.
+        let exponent = |k: usize| (before[k - 1][0] / before[k][0]).ln() / 2f64.ln();
+        let factor = 1.0 / (4f64.powf(nu.value()) - 1.0);
+        let limit = |k: usize| exponent(k) + (exponent(k) - exponent(k - 1)) * factor;
+        let last = limit(before.len() - 1);
+        let measured = Measured::new(last.value, last.error + (last - limit(before.len() - 2)).value.abs());
+        out.check("exponent of r, r → 0, less 2ν − 1").near(
+            measured - (2.0 * nu.value() - 1.0),
+            0.0,
+            0.01,
+            "scaling",
+        );
+    }
+    out.column("nodal", "nodal", "∫ σ I u over both seminorms");
+    out.column("mean", "means", "(1/|T|) ∫ σ ∫ u over both");
+    out.column("sigma", "|σ|", "seminorms of order ν");
+    out.column("slope", "|∇u|", "");
+    let axes = Axes::LogLog("r, legs of the gaps", "term over both seminorms");
+    out.plot("remark_3_face", "One face with gaps at its corners", axes)
+        .curve_by("nu", "r", "nodal")
+        .dashed_by("nu", "r", "mean");
+    Ok(())
 }

@@ -86,6 +86,5 @@ macro_rules! examples {
 
 examples! {
     // examples
-    remark_3_face: "../examples/remark_3_face.rs",
     // end of examples
 }

@@ -93,6 +93,7 @@ examples! {
     section_4_p0_projection: "../examples/section_4_p0_projection.rs",
     segment_constants: "../examples/segment_constants.rs",
     section_3_embedding_constants: "../examples/section_3_embedding_constants.rs",
+    remark_3_face: "../examples/remark_3_face.rs",
     lemma_6_1_on_triangles: "../examples/lemma_6_1_on_triangles.rs",
     extremes: "../examples/extremes.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
