@@ -183,6 +183,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         drawn.push((format!("{name}, {alpha}°"), fine.clone()));
     }
+    out.proof("contact on (0, ℓ), no transition near the end", "section_1_clamped_end");
     out.chart("section_1_clamped_end", chart(&drawn));
     Ok(())
 }
