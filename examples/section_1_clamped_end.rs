@@ -32,7 +32,7 @@ use std::f64::consts::{LN_10, PI};
 
 example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the clamped part, whatever the load";
     /// Poisson's ratios ν
-    poisson: Vec<f64> = "-0.5,0,0.25" in "(-1, 0.5)" slider "-0.5 to 0.4",
+    poisson: Vec<f64> = "-0.5,0.25" in "(-1, 0.5)" slider "-0.5 to 0.4",
     /// directions α of the traction in degrees: 90 pulls, -90 presses, 180 shears
     alpha: Vec<f64> = "90,-90,180" in "[-360, 360]" slider "-180 to 180",
     /// sectors of a ring, a multiple of 4; also solved with twice as many
