@@ -89,13 +89,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("second line, full norm, h = 0.99 h₁").at_most(short, 1.0, "printed");
         out.as_printed("second line, full norm, h = 1.01 h₂").at_most(long, 1.0, "for h ≤ 5.4");
         out.row(cells! { nu => tried_0: tried[0], mesh_0: on_mesh[0], best_0: constants[0],
-        tried_1: tried[1], mesh_1: on_mesh[1], best_1: constants[1], h1, h2 });
+        tried_1: tried[1], mesh_1: on_mesh[1], best_1: constants[1], h1 });
     }
     out.column("tried_0", "tried C₀", "largest quotient of the random functions");
     out.column("mesh_0", "mesh C₀", "of all piecewise linear slopes on the mesh");
-    out.column("h1", "h₁", "the second line holds for h ≤ h₁ and fails for h ≥ h₂");
-    let others =
-        [("best_0", "C₀"), ("tried_1", "tried C₁"), ("mesh_1", "mesh C₁"), ("best_1", "C₁"), ("h2", "h₂")];
+    out.column("h1", "h₁", "the second line holds for h ≤ h₁ and fails for h ≥ h₂ = 1/C₀");
+    let others = [("best_0", "C₀"), ("tried_1", "tried C₁"), ("mesh_1", "mesh C₁"), ("best_1", "C₁")];
     others.into_iter().for_each(|(name, title)| out.column(name, title, ""));
     let axes = Axes::Linear("ν, order", "constant");
     out.plot("lemma_6_1_local_estimate", "Lemma 6.1: the constant 1 and the best ones", axes)

@@ -53,7 +53,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             moment_on_mesh(nu, e[1], |x| x)? * moment_on_mesh(nu, 1.0 - e[1], one)?,
             moment_on_mesh(nu, e[2], one)? * moment_on_mesh(nu, 1.0 - e[2], |x| 1.0 - e[2] - x)?,
         ];
-        let mut apart = 0.0f64;
         for (found, definition) in found.iter().zip(definition) {
             let value = Measured::from(found.value);
             // Solve L v = m for the operator L of the seminorm by least squares; m − L v gives bounds on both sides.
@@ -66,7 +65,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 0.01,
                 "matrices",
             );
-            apart = apart.max((ratio.value - 1.0).abs() + ratio.error);
         }
         out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
@@ -88,7 +86,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             4.0,
             "limit 1/24",
         );
-        out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value, apart });
+        out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
     }
     out.proof("c in place of 1/2, for every E", "segment_constants");
     for (name, title, meaning) in [
@@ -98,7 +96,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ("kappa", "κ", "term, one gap"),
         ("contact", "e", "where κ is reached"),
         ("midpoint", "κ̄", "midpoint cone, every E"),
-        ("apart", "apart", "from the strong form, relative"),
     ] {
         out.column(name, title, meaning);
     }

@@ -86,6 +86,9 @@ impl Declared {
 
     /// Refuses a text that is not a value of this option.
     pub(crate) fn check(&self, text: &str) -> Result<()> {
+        if self.list && text.trim().is_empty() && !self.default.is_empty() {
+            return Err(Error::option(self.name, "no value"));
+        }
         (self.check)(text, self.range).map_err(|what| Error::option(self.name, &what))
     }
 

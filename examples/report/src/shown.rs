@@ -110,12 +110,15 @@ impl Outcome {
                 keep
             })
             .collect();
-        let widest =
-            |k: usize| checks.iter().map(|check| check.parts()[k].chars().count()).max().unwrap_or(0);
-        let (value, bound) = (widest(0), widest(1));
+        let widest = |k: usize, proved: bool| {
+            let of_kind = checks.iter().filter(|check| (check.decision() == Decision::ByProof) == proved);
+            of_kind.map(|check| check.parts()[k].chars().count()).max().unwrap_or(0)
+        };
+        // A proof has a page in place of bound and source.
+        let (value, bound, page) = (widest(0, false).max(widest(0, true)), widest(1, false), widest(1, true));
         let longest = checks.iter().map(|check| claim(check).chars().count()).max().unwrap_or(0);
         let beside = checks.iter().map(|check| source(check).chars().count()).max().unwrap_or(0).min(SOURCE);
-        let words = longest.min(width.saturating_sub(value + bound + beside + 9).max(30));
+        let words = longest.min(width.saturating_sub(value + (bound + beside).max(page) + 9).max(30));
         let mut text = String::new();
         for check in checks {
             let [number, relation] = check.parts();
