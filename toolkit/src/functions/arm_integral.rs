@@ -74,16 +74,15 @@ impl ArmIntegral {
         samples: &[(f64, f64)],
         mut density: impl FnMut(f64) -> Result<Density>,
     ) -> Result<ArmValue> {
-        let (rounding, last, is_settled) = (Cell::new(0.0), Cell::new(0.0), Cell::new(false));
-        let limit =
-            self.limit(depth, scale, tail, samples, [&rounding, &last], &is_settled, |t, weight| {
-                let density = density(t)?;
-                last.set(density.rounding);
-                rounding.set((weight * density.rounding).hypot(rounding.get()));
-                Ok(density.value)
-            })?;
+        let [rounding, last, settled] = [0.0, 0.0, 0.0].map(Cell::new);
+        let limit = self.limit(depth, scale, tail, samples, [&rounding, &last, &settled], |t, weight| {
+            let density = density(t)?;
+            last.set(density.rounding);
+            rounding.set((weight * density.rounding).hypot(rounding.get()));
+            Ok(density.value)
+        })?;
         let rounding = ROUNDING_SAFETY * rounding.get();
-        Ok(ArmValue { limit, rounding, is_settled: is_settled.get() })
+        Ok(ArmValue { limit, rounding, is_settled: settled.get() > 0.0 })
     }
 
     /// As [`ArmIntegral::integrate`], for a density that is told its weight; the rounding of the sum, and that
@@ -94,8 +93,7 @@ impl ArmIntegral {
         scale: f64,
         tail: Option<&DeepTail>,
         samples: &[(f64, f64)],
-        [rounding, of_last]: [&Cell<f64>; 2],
-        is_settled: &Cell<bool>,
+        [rounding, of_last, settled]: [&Cell<f64>; 3],
         mut density: impl FnMut(f64, f64) -> Result<f64>,
     ) -> Result<Limit> {
         let h = self.level.width;
@@ -114,7 +112,7 @@ impl ArmIntegral {
             // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small
             // that its squares are zero.
             if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole {
-                is_settled.set(true);
+                settled.set(1.0);
                 return Ok(Limit { value: sum, error: 1e-17 * whole });
             }
             let ratio = (cell / previous).abs();
@@ -139,7 +137,7 @@ impl ArmIntegral {
                 };
                 let error = rest.max(chords - rest);
                 if settles(error) {
-                    is_settled.set(true);
+                    settled.set(1.0);
                     // Where ln ℓ is convex, or concave, the rest lies between the two. A few chords may miss a layer.
                     let changed = (rest_before - cell.abs() - rest).abs();
                     let between = BETWEEN * (chords - rest).abs() + changed;
