@@ -19,7 +19,9 @@ fn every_hard_input_gets_digits() {
     let found = extremes::outcome(&extremes::Options::default()).unwrap();
     assert_eq!(found.status(), Status::True, "{}", found.text(false));
     let errors = found.numbers("error");
-    assert!(errors[..14].iter().all(|error| *error <= 1e-9) && errors[14..].iter().all(|error| error.is_nan()));
+    assert!(
+        errors[..14].iter().all(|error| *error <= 1e-9) && errors[14..].iter().all(|error| error.is_nan())
+    );
 }
 
 #[test]

@@ -48,7 +48,7 @@ const ROOMS: [(&str, &[&str]); 2] = [
     ),
 ];
 /// Crates in which arrows are not ranked: their files lie on no import circle.
-const OTHERS: [&str; 3] = ["examples/experiments/src", "examples/frame/src", "book/builder/src"];
+const OTHERS: [&str; 2] = ["examples/report/src", "book/builder/src"];
 /// Endings of the names of experiments: no public type of a library has one.
 const EXPERIMENTS: [&str; 4] = ["Study", "Row", "Case", "Profile"];
 /// Words of showing an outcome: none may be imported or named as a path in `src`.
@@ -57,7 +57,7 @@ const SHOWING: [&str; 9] = [
     "clap",
     "indicatif",
     "serde_json",
-    "example_frame",
+    "example_report",
     "report",
     "figures",
     "Headline",
@@ -367,7 +367,7 @@ fn no_type_of_an_experiment_stands_in_a_library() {
 fn no_name_is_exported_twice() {
     // Two files that export a type of one name: a reader of `use` lines cannot tell them apart.
     let mut places: BTreeMap<String, BTreeSet<PathBuf>> = BTreeMap::new();
-    for source in ROOMS.iter().map(|room| room.0).chain(["examples/experiments/src", "examples/frame/src"]) {
+    for source in ROOMS.iter().map(|room| room.0).chain(["examples/report/src"]) {
         let (modules, _) = house(source);
         let exported: BTreeSet<&String> =
             modules.values().flat_map(|module| module.exports.iter().map(|(name, _)| name)).collect();

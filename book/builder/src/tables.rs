@@ -1,6 +1,6 @@
 //! What is made from lists, between two lines of a file: the tables of the README, of `src/with_contact.md`
 //! and of the lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from
-//! `SUMMARY.md`; the examples in `tests/findings.rs` from their directory.
+//! `SUMMARY.md`; the examples in `tests/outcomes.rs` from their directory.
 
 use crate::data::names;
 use crate::error::{Error, Fault, Result, read, write};
@@ -12,8 +12,8 @@ use std::path::Path;
 const SUMMARY: &str = "book/src/SUMMARY.md";
 /// Every chapter as a documentation test.
 const CHAPTERS: &str = "src/book.rs";
-/// Every finding of every example.
-const FINDINGS: &str = "tests/findings.rs";
+/// Every check of every example.
+const OUTCOMES: &str = "tests/outcomes.rs";
 
 /// Lines of a file that are made from a list.
 struct Region {
@@ -47,8 +47,8 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     if repository.join(CHAPTERS).exists() {
         list(CHAPTERS, "// chapters", "// end of chapters", chapters(repository)?, SUMMARY);
     }
-    if repository.join(FINDINGS).exists() {
-        list(FINDINGS, "// examples", "// end of examples", programs(repository)?, "examples");
+    if repository.join(OUTCOMES).exists() {
+        list(OUTCOMES, "// examples", "// end of examples", programs(repository)?, "examples");
     }
     Ok(found)
 }
@@ -221,12 +221,12 @@ mod tests {
         put(LIST, LABELS);
         put("examples/ex.rs", "");
         put("examples/an.rs", "");
-        put("examples/frame/more.rs", "");
+        put("examples/report/more.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
         put("README.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
         put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
-        put(FINDINGS, "examples! {\n    // examples\n    // end of examples\n}\n");
+        put(OUTCOMES, "examples! {\n    // examples\n    // end of examples\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
         put("book/src/lemma_cards.md", &format!("{cards}<!-- end of labels -->\n"));
         directory
@@ -241,7 +241,7 @@ mod tests {
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
         let cards = "book/src/lemma_cards.md";
-        assert_eq!(stale_files(), ["README.md", "src/with_contact.md", cards, cards, CHAPTERS, FINDINGS]);
+        assert_eq!(stale_files(), ["README.md", "src/with_contact.md", cards, cards, CHAPTERS, OUTCOMES]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
@@ -255,12 +255,12 @@ mod tests {
         let lines = "    // chapters\n    readme: \"../../README.md\",\n    how: \"how.md\",\n    lemma: \"lemma.md\",\n    // end";
         assert!(text(CHAPTERS).contains(lines), "{}", text(CHAPTERS));
         let lines = "    an: \"../examples/an.rs\",\n    ex: \"../examples/ex.rs\",\n    // end";
-        assert!(text(FINDINGS).contains(lines), "{}", text(FINDINGS));
+        assert!(text(OUTCOMES).contains(lines), "{}", text(OUTCOMES));
         // A new example, a new chapter, another order: the lists are old again.
         write(&directory.path().join("examples/new.rs"), "").unwrap();
-        assert_eq!(stale_files(), [FINDINGS]);
+        assert_eq!(stale_files(), [OUTCOMES]);
         write(&directory.path().join(SUMMARY), "[So](lemma.md)\n[How](how.md)\n").unwrap();
-        assert_eq!(stale_files(), [CHAPTERS, FINDINGS]);
+        assert_eq!(stale_files(), [CHAPTERS, OUTCOMES]);
     }
 
     #[test]
@@ -270,7 +270,7 @@ mod tests {
         write(&directory.path().join(CHAPTERS), "chapters! {}\n").unwrap();
         let error = renew(&labels, directory.path()).unwrap_err().to_string();
         assert!(error.contains(CHAPTERS) && error.contains("// end of chapters"), "{error}");
-        for file in [CHAPTERS, FINDINGS] {
+        for file in [CHAPTERS, OUTCOMES] {
             std::fs::remove_file(directory.path().join(file)).unwrap();
         }
         renew(&labels, directory.path()).unwrap();

@@ -1,5 +1,0 @@
-//! Tables and figures that twins share.
-
-pub mod alternatives;
-pub mod ladder;
-pub mod numbers;
