@@ -107,14 +107,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for (k, &angle) in angles.iter().enumerate() {
             let (c, c_l2) = (Measured::from(best[k].constant), best[k].in_norm(ErrorNorm::L2)?.constant);
             let quadratics = of_quadratics(corners(angle), s)?;
-            let (claim, source) =
-                if s < 1.0 { ("s < 1", "halved triangles") } else { ("s = 1", "Kobayashi") };
+            let (claim, source) = if s < 1.0 {
+                ("upper bound, s below 1", "halved triangles")
+            } else {
+                ("upper bound, s = 1", "Kobayashi")
+            };
             let upper = if s < 1.0 {
                 best[k].upper.map(Measured::from)
             } else {
                 Some(kobayashi(corners(angle)).into())
             };
-            out.check(format!("{claim}: C over its upper bound")).at_most(
+            out.check(format!("C over its {claim}")).at_most(
                 upper.map_or(Measured::NONE, |upper| c / upper),
                 1.0,
                 source,
