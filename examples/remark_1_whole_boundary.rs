@@ -20,9 +20,10 @@
 //! u is harmonic, so f = u; the boundary carries the load g for which ∂u/∂n − g is zero on the rest of ∂Ω, where u < 0.
 //! u is in H^s for s < τ, at τ = 2 in H². Errors are root mean squares over a = 1/3 and 2/3: halving h exchanges them.
 //!
-//! Expected: the order min(τ − 1, 1). Refuted if an order, less what its fit may be off by (±), is below the printed
-//! exponent; if for τ = 2 error over bound grows, or for τ > 2 the increments of error/h do not fall; if the error differs
-//! from `by_definition` by 0.5 %; or if two solvers differ in J = ½ a(u, u) − l(u) for f = 4 cos πx + 4 cos πy, g = 0.
+//! Expected: the order min(τ − 1, 1). Refuted if for τ ≤ 2 the error over its printed bound grows on the last two meshes,
+//! or for τ > 2 the increments of error/h do not fall; if the error differs from `by_definition` by 0.5 %; or if two
+//! solvers differ in J = ½ a(u, u) − l(u) for f = 4 cos πx + 4 cos πy, g = 0. The theorems are loose if for τ < 2 the error
+//! over h^q does not grow either, q half way from the printed exponent to τ − 1.
 //!
 //! `cargo run --release --example remark_1_whole_boundary -- --meshes 9`
 
@@ -38,7 +39,7 @@ example! { seconds "Remark 1", "contact on ∂Ω:  ‖u − u^h‖ ≤ C h^(τ²
     /// regularities τ of the solution, 2 or at least 0.1 away from it
     tau: Vec<f64> = "1.75,2,2.25" in "[1.55, 2.45]",
     /// meshes of 2, 4, .. 2^meshes squares along each side
-    meshes: u32 = "8" in "[5, 10]" slider "5 to 8",
+    meshes: u32 = "7" in "[5, 10]" slider "5 to 8",
 }
 
 /// ‖u − u^h‖ on n × n squares, from G = a(·, ·) of all hat functions φᵢ and u: every triangle is cut into 48² equal ones,
@@ -174,12 +175,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (printed, optimal) = (order_between(*bound_b, *bound_a), (tau - 1.0).min(1.0));
             out.row(cells! { tau, cone: cone.to_string() => e_8: first.map(|e| e.0), definition: first.map(|e| e.1),
             finest: a.1, order, printed, optimal });
-            if tau < 2.0 {
-                out.check("τ < 2: order − printed exponent").at_least(order - printed, 0.0, "(3.1), (4.2)");
-                out.stronger("τ < 2: order − (τ − 1)").near(order - optimal, 0.0, 0.05, "regularity of u");
-            } else if tau == 2.0 {
+            if tau <= 2.0 {
                 let growth = a.1 / bound_a.1 / (b.1 / bound_b.1);
-                out.check("τ = 2: growth of error/bound").at_most(growth, 1.0, "(3.2), (4.3)");
+                out.check("τ ≤ 2: growth of error/bound").at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
+                if tau < 2.0 {
+                    let steeper = a.1 / b.1 * 2f64.powf(0.5 * (printed + optimal)); // growth of error/h^q
+                    out.stronger("τ < 2: growth of error/h^q").at_most(steeper, 1.0, "q half way to τ − 1");
+                }
             } else {
                 // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.
                 let [c, b, a] = [c, b, a].map(|(h, e)| e / h);

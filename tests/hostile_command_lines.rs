@@ -90,6 +90,8 @@ struct Described {
     choices: Vec<String>,
     is_list: bool,
     default: String,
+    /// Ends of the interval of a number, where it has one.
+    range: Option<[f64; 2]>,
 }
 
 fn described(name: &str) -> Vec<Described> {
@@ -102,6 +104,9 @@ fn described(name: &str) -> Vec<Described> {
         choices: option["choices"].as_array().into_iter().flatten().map(text).collect(),
         is_list: option["list"] == true,
         default: text(&option["default"]),
+        range: option["range"]
+            .as_array()
+            .map(|ends| [0, 1].map(|k| ends[k].as_f64().unwrap_or(f64::INFINITY))),
     };
     said["options"].as_array().unwrap().iter().map(of).collect()
 }
@@ -189,7 +194,10 @@ fn lines_of(option: &Described) -> Vec<Vec<String>> {
 fn outside(option: &Described) -> Vec<&'static str> {
     match option.kind.as_str() {
         _ if !option.is_list => Vec::new(),
-        "number" => vec!["-1e300", "1e300"],
+        "number" => {
+            let ends = option.range.map_or(vec![], |[low, high]| vec![("-1e301", low), ("1e301", high)]);
+            ends.into_iter().filter(|(_, end)| end.is_finite()).map(|(value, _)| value).collect()
+        }
         "integer" => vec!["18446744073709551615", "4294967296"],
         "order" => vec!["1.5"],
         _ => vec!["log:1e300", "power:1e300", "step:7"],

@@ -255,7 +255,10 @@ impl<T: OptionValue> OptionValue for Vec<T> {
     const KIND: &'static str = T::KIND;
     const LIST: bool = true;
     fn read(text: &str) -> std::result::Result<Self, String> {
-        text.split(',').filter(|part| !part.trim().is_empty()).map(T::read).collect()
+        if text.trim().is_empty() {
+            return Ok(Vec::new());
+        }
+        text.split(',').map(T::read).collect()
     }
     fn choices() -> Vec<String> {
         T::choices()
