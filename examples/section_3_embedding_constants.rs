@@ -62,7 +62,7 @@ fn ascent(mesh: &Mesh, form: &DMatrix<f64>, factor: &Cholesky<f64, Dyn>, q: f64)
                 }
             }
             let quotient = power.powf(1.0 / q) / u.dot(&(form * &u)).sqrt();
-            if !(quotient > last * (1.0 + 1e-10)) {
+            if quotient.is_nan() || quotient <= last * (1.0 + 1e-10) {
                 break;
             }
             (last, u) = (quotient, factor.solve(&load));

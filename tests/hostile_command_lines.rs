@@ -131,8 +131,7 @@ fn wrong(option: &Described) -> Vec<String> {
         );
     }
     // Nothing at all is a value where that is the default.
-    values
-        .retain(|value| !value.contains('\u{0}') && !(value.trim().is_empty() && option.default.is_empty()));
+    values.retain(|value| !(value.contains('\u{0}') || value.trim().is_empty() && option.default.is_empty()));
     values
 }
 

@@ -50,7 +50,7 @@ pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, 
 fn function(source: &str, name: &str) -> Option<String> {
     let lines: Vec<&str> = source.lines().collect();
     let is_head = |line: &str| {
-        let head = line.strip_prefix("pub ").unwrap_or(line);
+        let head = ["pub(crate) ", "pub "].iter().find_map(|open| line.strip_prefix(open)).unwrap_or(line);
         head.strip_prefix("fn ")
             .and_then(|rest| rest.strip_prefix(name))
             .is_some_and(|rest| rest.starts_with(['(', '<']))
