@@ -8,6 +8,8 @@
 //!
 //! `cargo run --release --example tour -- --out out`
 
+#![allow(clippy::duplicate_mod, reason = "twins share a file")]
+
 use example_report::prelude::*;
 use example_report::{Decision, Outcome, Role, Status};
 use signorini::cone::Cone;
