@@ -77,7 +77,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     ] {
         let data = name.parse::<StripData>()?.data(tau, 64 << options.finest, StripKind::Scalar.sides())?;
         let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 16)?;
-        // ∫ σ_N I^h u_N for every n: λ times the interpolant of g, node by node (midpoint cone: by means, (4.8)).
+        // ∫ σ_N I^h u_N = −Σⱼ λⱼ (I^h g)ⱼ ≥ 0 for every n, λⱼ the forces at the nodes (midpoint cone: by means, (4.8)).
         let terms = consistency_terms(&data, cone);
         let (mut by_interpolation, mut by_best, mut scaled, mut coarser) =
             (Vec::new(), Vec::new(), Vec::new(), None);

@@ -32,7 +32,8 @@ example! { seconds "Section 1, errors", "|u − I_h u|_ν ≈ C N^(−p), p = mi
 const NEAR: f64 = 0.2;
 
 /// lim N^(2−ν) |u − I_h u|_ν where the first element does not decide: per unit element the chain t(1 − t) has
-/// |·|²_ν = π (2π)^(2ν) ζ(4 − 2ν) / (Γ(1 + 2ν) sin πν π⁴); then ∫ (h² u''/2)² h^(1−2ν−...) over h = β x^(1−1/β) / N.
+/// |·|²_ν = π (2π)^(2ν) ζ(4 − 2ν) / (Γ(1 + 2ν) sin πν π⁴), times Σ (h² u''/2)² h^(1−2ν) over the elements,
+/// = ∫ (u''/2)² h^(4−2ν) dx with h = β x^(1−1/β) / N.
 pub fn limit(alpha: f64, nu: f64, beta: f64) -> f64 {
     let zeta: f64 = (1..100_000).rev().map(|k| f64::from(k).powf(2.0 * nu - 4.0)).sum();
     let chain =
@@ -55,7 +56,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let mesh = Mesh::algebraic(elements, beta, 1.0)?;
             let at_nodes: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(alpha)).collect();
             let interpolant = Function::linears(&mesh, &at_nodes)?;
-            // The double integral over all pairs of elements: Gauss rules, far pairs by clusters; error: change of rules.
+            // The double integral over all pairs of elements: touching pairs by Duffy's coordinates, the first element
+            // graded towards 0, far pairs by clusters, Gauss rules throughout; error: change of rules.
             let error = u.minus(&interpolant)?.seminorm(options.nu, 1e-6)?;
             let is_known = beta * first > smooth * (1.0 + NEAR);
             let scaled = Measured::from(error) * (elements as f64).powf(smooth);

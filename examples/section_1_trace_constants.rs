@@ -4,9 +4,12 @@
 //! |w(·, 0)|_(s−1/2) ≤ C(s) |w|_s,    1/2 < s < 1,    C(s)² = 4s² / ((2s − 1) D(s)),    D(s) = −π cot πs − ψ(2s) − γ,
 //! ```
 //!
-//! for w on the half-plane y > 0, seminorms as in (1.1), ψ = Γ'/Γ, γ Euler's constant. Among functions cos(kx) f(y) the
-//! quotient depends on f alone, and is computed a second time by finite elements in y. At a corner of angle ω, scaling
-//! leaves functions r^(s−1+iμ) f(φ), φ the angle: every frequency μ has its own best quotient.
+//! for w on the half-plane y > 0, |w|²_s = ∬ (w(x) − w(z))² / |x − z|^(2+2s) dx dz and, on the edge, (1.1) of order s − 1/2;
+//! ψ = Γ'/Γ, γ Euler's constant. Why one number: w = cos(kx) f(y) has the same best quotient for every k, by scaling.
+//!
+//! On a sector 0 < φ < ω, the trace taken on the side φ = 0, scaling leaves w = r^(s−1+iμ) f(φ), f(0) = 1: one form in f
+//! for every frequency μ, with the kernel ∫ cos μt / (2 cosh t − 2 cos(φ − φ'))^(1+s) dt. On the half-plane, with values even
+//! in x, f is even about 90°, and the quotient must be C(s)² for every μ: the second computation, by finite elements in φ.
 //!
 //! Refuted if finite elements and closed form differ by 1e-5, if (2s − 1) C(s) at s = 1/2 + 1e-7 is off its limit √3/π
 //! by 1e-5, or if a mode of a corner of 90° exceeds C(s)² (corners below 60° do exceed it).
@@ -24,15 +27,15 @@ example! { seconds "Section 1, traces", "|w|_(s−1/2) on the edge ≤ C(s) |w|_
     angle: f64 = "90" in "[10, 180]" slider "20 to 180",
 }
 
-/// Frequencies μ of the corner; those of the half-plane are the first three.
+/// Frequencies μ; the first three are tried on the half-plane too.
 const FREQUENCIES: [f64; 5] = [0.0, 1.0, 4.0, 16.0, 64.0];
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &s in &options.s {
         let found = Measured::from(trace_constant(Domain::HalfPlane, s, 1e-8)?.constant); // the closed form
         let square = found.squared();
-        // Squared quotients: finite elements of growing degree on a mesh graded to the edge, here in y, in φ at a
-        // corner; the largest eigenvalue; its error is the change with the degree.
+        // Best squared quotient of f: finite elements in φ, graded to the edge, the first with the power φ^(2s−1); the
+        // kernel by Gauss rules. Its error is the change with the elements.
         let quotient = |domain: Domain, mu: f64| Estimate::or_best(trace_quotient(domain, s, mu, 1e-5));
         for &mu in &FREQUENCIES[..3] {
             let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;

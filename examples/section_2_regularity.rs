@@ -4,7 +4,7 @@
 //! `section_2_singular_exponents`): a corner of the body, a change of conditions, or an end of contact. Which conditions
 //! meet at an end of the contact edge, contact closed C or open O, is taken from the contact set on a mesh cut toward it.
 //!
-//! Near the corner u = r^λ U(angle) and nothing else. The triangles whose middle is nearer to it than 2^(−k)/4 are cut, for
+//! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is nearer to it than 2^(−k)/4 are cut, for
 //! k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has the same mesh but for scale, 4 (then 8) elements along its radius,
 //! and
 //!
@@ -99,14 +99,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let setting = Parameters { angle: options.angle, ..Parameters::default() };
     let mut unseen = 0;
     for &problem in &options.problem {
-        // All corners and transitions of the solution, each with the first exponent that its signs admit.
+        // All corners and transitions of the solution, each with the smallest root λ of its wedge's characteristic equation
+        // (section_2_singular_exponents) whose U has u_N ≤ 0 on open and σ_N ≤ 0 on closed sides.
         let found = problem.regularity(&setting)?;
         let body = problem.problem_with(96, &setting)?;
         let squares = solution_regularity(&body, &body.solve(Cone::Nodal, Solver::ActiveSet)?)?.tau;
         unseen += usize::from((squares - found.tau).abs() > 1e-9);
         let corner = found.responsible();
         let named = corner.map(|c| format!("{} {:.0}°", c.wedge.sides(), c.wedge.angle().to_degrees()));
-        // The place of a transition on a straight edge is not a node: nothing is read there.
+        // Not read, and not tested: transitions on a straight edge, whose place is no node, and complex exponents.
         let readable = corner.filter(|c| {
             c.wedge.angle() != PI
                 && c.regularity.exponent.as_ref().is_some_and(|exponent| !exponent.is_complex())

@@ -8,6 +8,9 @@
 //! term of the midpoint cone ≤ κ̄ |σ|_ν |w|_ν for every E;      with |x − y| ≤ 1 in the kernel alone the constant is 1/2.
 //! ```
 //!
+//! The term is ∫ σ (I^h u_N) of (3.11), and −∫ (σ − π^h σ) u_N of (4.9) in the midpoint cone, π^h the mean over T. For the
+//! gap N = (e, 1), −u_N(1) = ‖w‖_L1, it is ∫ x σ · ‖w‖_L1 in both. For K an interval at an end is the worst E: sorting |σ| and |w| raises neither seminorm.
+//!
 //! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B, A,
 //! D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials,
 //! K ≤ c = ν / (2 (4^ν − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
@@ -55,7 +58,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ];
         for (found, definition) in found.iter().zip(definition) {
             let value = Measured::from(found.value);
-            // Solve L v = m for the operator L of the seminorm by least squares; m − L v gives bounds on both sides.
+            // Strong form: A v = m with the integral operator A of the seminorm and its potential k of the zone. For every v,
+            // with r = m − A v, ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ½ ∫ r²/k, M the moment; v by least squares of r.
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");

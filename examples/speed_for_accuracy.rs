@@ -1,7 +1,8 @@
 //! Speed for accuracy: what a digit costs, for every numerical function of the toolkit.
 //!
 //! Each function takes a relative tolerance ε and returns a value v with a stated error e. Beside it stands the value
-//! v* found another way: a closed form, ball arithmetic (printed digits), a dense matrix, a sum of modes. Then
+//! v* found another way: a closed form, ball arithmetic of another program (printed digits), or, for the product with a
+//! Gram matrix, its dense entries in closed form (its stated error is ε, and it counts no work). Then
 //!
 //! ```text
 //! error = |v − v*| / |v*| ≤ ε,     |v − v*| ≤ e,     and a looser tolerance does no more work.
@@ -36,13 +37,13 @@ fn power(name: &'static str, a: f64, nu: f64) -> Result<Case> {
     Ok((name, exact, Box::new(move |tolerance| u.seminorm(nu, tolerance))))
 }
 
-/// γ of mean zero on (0, θ), beside ball arithmetic.
+/// γ = sup ‖u‖₀/|u|_ν of mean zero on (0, θ), beside ball arithmetic.
 fn zone(name: &'static str, nu: f64, theta: f64, exact: f64) -> Case {
     let found = move |tolerance| Ok(gamma(nu, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant);
     (name, exact, Box::new(found))
 }
 
-/// Best constants of interpolation (Lemma 6.1), beside ball arithmetic.
+/// sup ‖u − I u‖₀ / |u'|_ν and sup ‖(u − I u)'‖₀ / |u'|_ν on (0, 1) (Lemma 6.1), beside ball arithmetic.
 fn interpolation(name: &'static str, nu: f64, norm: ErrorNorm, exact: f64) -> Case {
     let found = move |tolerance| {
         interpolation_constant(Domain::Interval(1.0), norm, nu, tolerance).map(|found| found.constant)
