@@ -6,6 +6,9 @@ use crate::{Error, Outcome, Parameters, Report, Result};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
 
 /// Parses the command line, runs the example and prints its outcome.
 pub fn main<P: Parameters>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
@@ -58,7 +61,10 @@ impl Asked {
         let directory = self.out.as_deref().map(writable_directory).transpose()?;
         let mut report = Report::of::<P>();
         report.draws = directory.is_some();
-        run(&options, &mut report)?;
+        let clock = Clock::start();
+        let ended = run(&options, &mut report);
+        drop(clock);
+        ended?;
         let mut outcome = report.close();
         if let Some(check) = &self.fault {
             outcome.plant(check)?;
@@ -76,6 +82,39 @@ impl Asked {
         // A closed pipe (`| head`) is the reader's choice, not a failure.
         let _ = std::io::stdout().write_all(text.as_bytes());
         Ok(outcome)
+    }
+}
+
+/// Counts the seconds of a run on a terminal, from its third second until it is dropped.
+struct Clock(Option<Sender<()>>, Option<JoinHandle<()>>);
+
+impl Clock {
+    fn start() -> Self {
+        if !std::io::stderr().is_terminal() {
+            return Self(None, None);
+        }
+        let (end, ended) = channel();
+        let count = move || {
+            let mut seconds = 0;
+            while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
+                seconds += 1;
+                if seconds > 2 {
+                    eprint!("\r{seconds}s");
+                }
+            }
+            if seconds > 2 {
+                eprint!("\r\u{1b}[K");
+            }
+        };
+        Self(Some(end), Some(std::thread::spawn(count)))
+    }
+}
+
+impl Drop for Clock {
+    fn drop(&mut self) {
+        drop(self.0.take());
+        // A clock that failed has nothing left to show.
+        self.1.take().map(JoinHandle::join).transpose().ok();
     }
 }
 
