@@ -11,7 +11,7 @@
 #![allow(clippy::duplicate_mod, reason = "twins share a file")]
 
 use example_report::prelude::*;
-use example_report::{Decision, Outcome, Role, Status};
+use example_report::{Decision, Outcome, Role, Verdict};
 use signorini::cone::Cone;
 
 /// The examples are loaded here.
@@ -46,8 +46,8 @@ fn line(out: &mut Report, step: &str, says: impl Into<String>, computed: String,
     let repaired =
         found.checks().iter().any(|c| c.role() == Role::NotSharp && c.decision() == Decision::Holds);
     let status = match found.status() {
-        Status::FalseAsPrinted if repaired => "not sharp [a]".to_owned(),
-        Status::FalseAsPrinted => "loose [b]".to_owned(),
+        Verdict::FalseAsPrinted if repaired => "not sharp [a]".to_owned(),
+        Verdict::FalseAsPrinted => "loose [b]".to_owned(),
         other => other.word().to_owned(),
     };
     out.row(cells! { step, says: says.into() => computed, so_it_is: status });
@@ -73,7 +73,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out,
             if cone == Cone::Nodal { "1" } else { "" },
             says,
-            format!("{touching} of {of} touch; solvers: {apart:.0e}"),
+            format!("{touching} of {of} touch; to {apart:.0e}"),
             &found,
         );
     }

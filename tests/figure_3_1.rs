@@ -4,7 +4,7 @@
 #[path = "../examples/figure_3_1.rs"]
 mod example;
 
-use example_report::Status;
+use example_report::Verdict;
 use signorini::strip::StripKind;
 
 /// Orders against τ − 1 on levels 2^3 ... 2^12, five positions; on elastic strips the scatter is larger.
@@ -17,7 +17,7 @@ fn errors_of_both_cones_lie_on_the_optimal_line() {
         let options = example::Options { tau, kind, ..example::Options::default() };
         let found = example::outcome(&options).unwrap();
         // Every order is nearer to τ − 1 than what it may be off by.
-        assert_eq!(found.status(), Status::Loose, "{}", found.text(false));
+        assert_eq!(found.status(), Verdict::Loose, "{}", found.text(false));
         for cone in ["nodal", "midpoint"] {
             for (order, optimal) in found.numbers(cone).into_iter().zip(found.numbers("optimal")) {
                 let wide = if kind == StripKind::Scalar { ORDER } else { 1.5 * ORDER };

@@ -3,7 +3,7 @@
 
 #![allow(clippy::duplicate_mod, reason = "twins and the tour share files, and every example is loaded")]
 
-use example_report::{Decision, Outcome, Role, Status};
+use example_report::{Decision, Outcome, Role, Verdict};
 use std::collections::BTreeSet;
 
 /// Lines and columns of a terminal.
@@ -13,14 +13,14 @@ const SCREEN: (usize, usize) = (40, 100);
 fn follows(role: Role, decision: Decision, outcome: &Outcome) -> bool {
     let status = outcome.status();
     match (role, decision) {
-        (Role::Claim, Decision::Fails) => outcome.exit_code() == 1 && status == Status::Fails,
-        (Role::Claim, Decision::Undecided) => outcome.exit_code() == 1 && status == Status::Undecided,
-        (Role::AsPrinted, Decision::Fails) => outcome.exit_code() == 0 && status == Status::FalseAsPrinted,
+        (Role::Claim, Decision::Fails) => outcome.exit_code() == 1 && status == Verdict::Fails,
+        (Role::Claim, Decision::Undecided) => outcome.exit_code() == 1 && status == Verdict::Undecided,
+        (Role::AsPrinted, Decision::Fails) => outcome.exit_code() == 0 && status == Verdict::FalseAsPrinted,
         (Role::NotSharp, Decision::Holds) => {
-            outcome.exit_code() == 0 && matches!(status, Status::NotSharp | Status::FalseAsPrinted)
+            outcome.exit_code() == 0 && matches!(status, Verdict::NotSharp | Verdict::FalseAsPrinted)
         }
         (Role::Stronger, Decision::Holds) => {
-            outcome.exit_code() == 0 && !matches!(status, Status::True | Status::Open)
+            outcome.exit_code() == 0 && !matches!(status, Verdict::True | Verdict::Open)
         }
         _ => outcome.exit_code() == 0,
     }
@@ -32,7 +32,7 @@ fn every_check_turns(outcome: &Outcome) {
     assert!(text.lines().count() <= SCREEN.0, "{} lines:\n{text}", text.lines().count());
     let wide = text.lines().filter(|line| line.chars().count() > SCREEN.1).collect::<Vec<_>>();
     assert!(wide.is_empty(), "wider than a terminal: {wide:?}");
-    let keys: BTreeSet<String> = outcome.checks().iter().map(example_report::Check::key).collect();
+    let keys: BTreeSet<String> = outcome.checks().iter().map(example_report::Checked::key).collect();
     assert_eq!(keys.len(), outcome.checks().len(), "two checks with one key:\n{text}");
     for (at, check) in outcome.checks().iter().enumerate() {
         let label = format!("{} / {}: {}", outcome.label(), check.key(), check.comparison());

@@ -8,7 +8,7 @@ mod errors;
 #[path = "../examples/section_1_polygon_norms.rs"]
 mod polygons;
 
-use example_report::Status;
+use example_report::Verdict;
 use fractional_sobolev::{Order, closed_forms};
 use std::f64::consts::PI;
 
@@ -20,7 +20,7 @@ fn orders_and_limits_are_those_of_graded_meshes() {
         let nu = Order::new(nu).unwrap();
         let options = errors::Options { alpha, nu, beta: beta.to_vec(), elements: vec![300, 10_000, 20_000] };
         let found = errors::outcome(&options).unwrap();
-        assert_eq!(found.status(), Status::True, "{alpha} {nu}: {}", found.text(false));
+        assert_eq!(found.status(), Verdict::True, "{alpha} {nu}: {}", found.text(false));
     }
 }
 
@@ -36,7 +36,7 @@ fn the_limit_in_the_order_one_is_that_of_derivatives() {
 #[test]
 fn squares_corners_and_circles_have_their_closed_forms() {
     let found = polygons::outcome(&polygons::Options::default()).unwrap();
-    assert!(found.status() == Status::True && found.checks().len() == 4, "{}", found.text(false));
+    assert!(found.status() == Verdict::True && found.checks().len() == 4, "{}", found.text(false));
 }
 
 #[test]
@@ -44,7 +44,7 @@ fn other_orders_have_the_circle_and_duality_alone() {
     for nu in [0.2, 0.8] {
         let nu = Order::new(nu).unwrap();
         let found = polygons::outcome(&polygons::Options { nu, n: vec![4, 8] }).unwrap();
-        assert!(found.status() == Status::True && found.checks().len() == 2, "{}", found.text(false));
+        assert!(found.status() == Verdict::True && found.checks().len() == 2, "{}", found.text(false));
     }
 }
 

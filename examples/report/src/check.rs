@@ -74,7 +74,7 @@ enum Relation {
 
 /// A sentence with the comparison that decided it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Check {
+pub struct Checked {
     pub(crate) claim: String,
     pub(crate) role: Role,
     value: Measured,
@@ -86,7 +86,7 @@ pub struct Check {
     pub(crate) cases: usize,
 }
 
-impl Check {
+impl Checked {
     /// The sentence in letters, digits and hyphens: by this name a page quotes it.
     pub fn key(&self) -> String {
         slug(&self.claim)
@@ -248,13 +248,13 @@ impl Check {
 /// A sentence that waits for its comparison.
 #[must_use = "a sentence without a comparison decides nothing"]
 pub struct Claim<'a> {
-    checks: &'a mut Vec<Check>,
+    checks: &'a mut Vec<Checked>,
     claim: String,
     role: Role,
 }
 
 impl<'a> Claim<'a> {
-    pub(crate) fn new(checks: &'a mut Vec<Check>, claim: String, role: Role) -> Self {
+    pub(crate) fn new(checks: &'a mut Vec<Checked>, claim: String, role: Role) -> Self {
         Self { checks, claim, role }
     }
 
@@ -286,7 +286,7 @@ impl<'a> Claim<'a> {
 
     /// True by the proof on that page of the book.
     pub(crate) fn by_proof(self, page: &str) {
-        let check = Check {
+        let check = Checked {
             claim: self.claim,
             role: self.role,
             value: Measured::NONE,
@@ -300,7 +300,7 @@ impl<'a> Claim<'a> {
     }
 
     fn compared(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
-        let mut check = Check {
+        let mut check = Checked {
             claim: self.claim,
             role: self.role,
             value,
@@ -361,7 +361,7 @@ pub(crate) const GREEK: [(char, &str); 15] = [
 mod tests {
     use super::*;
 
-    fn decided(report: impl FnOnce(Claim<'_>)) -> Check {
+    fn decided(report: impl FnOnce(Claim<'_>)) -> Checked {
         let mut checks = Vec::new();
         report(Claim::new(&mut checks, "γ ≤ 1 at ν = 1/2".to_owned(), Role::Claim));
         checks.remove(0)

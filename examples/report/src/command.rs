@@ -2,7 +2,7 @@
 
 use crate::files::{require_writable, write_whole};
 use crate::options::{command, describe};
-use crate::{Error, Outcome, Parameters, Report, Result};
+use crate::{Declarations, Error, Outcome, Report, Result};
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -11,7 +11,7 @@ use std::thread::JoinHandle;
 use std::time::Duration;
 
 /// Parses the command line, runs the example and prints its outcome.
-pub fn main<P: Parameters>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
+pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
     let matches = match command::<P>().try_get_matches() {
         Ok(matches) => matches,
         Err(error) => return usage(&error),
@@ -48,7 +48,7 @@ struct Asked {
 }
 
 impl Asked {
-    fn answer<P: Parameters>(
+    fn answer<P: Declarations>(
         &self,
         text: &dyn Fn(&str) -> String,
         run: fn(&P, &mut Report) -> Result<()>,

@@ -22,7 +22,7 @@
 //! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps the case that
 //! is worst: failed before undecided before held, and of equals the one nearest to its bound.
 //!
-//! **Status** of a statement, from its checks alone: *fails* or *undecided* where a check does (exit code 1), else
+//! **Verdict** of a statement, from its checks alone: *fails* or *undecided* where a check does (exit code 1), else
 //! *false as printed*, *not sharp*, *loose*, *true*; *open* where no number was compared.
 
 mod cell;
@@ -41,14 +41,14 @@ mod report;
 mod shown;
 
 pub use cell::{Cell, Cells};
-pub use check::{Check, Claim, Decision, Role};
+pub use check::{Checked, Claim, Decision, Role};
 pub use command::main;
 pub use eigen::largest_eigenvalue;
 pub use error::{Error, Result};
 pub use expression::Expression;
 pub use measured::{Measured, largest, smallest};
-pub use options::{Declared, OptionValue, Parameters};
-pub use outcome::{Outcome, Status};
+pub use options::{Declarations, Declared, OptionValue};
+pub use outcome::{Outcome, Verdict};
 pub use plot::{Axes, Plot};
 pub use report::Report;
 
@@ -91,7 +91,7 @@ macro_rules! example {
             $($(#[doc = $help])+ pub $field: $kind,)*
         }
 
-        impl $crate::Parameters for Options {
+        impl $crate::Declarations for Options {
             const LABEL: &'static str = $label;
             const STATEMENT: &'static str = $statement;
             const COST: &'static str = stringify!($cost);
@@ -115,7 +115,7 @@ macro_rules! example {
 
         impl Default for Options {
             fn default() -> Self {
-                $crate::Parameters::of_defaults()
+                $crate::Declarations::of_defaults()
             }
         }
 

@@ -11,7 +11,7 @@ use signorini::singular::SideConditions;
 use signorini::strip::{Reference, StripKind};
 
 /// Options of an example; made by [`crate::example!`].
-pub trait Parameters: Sized {
+pub trait Declarations: Sized {
     /// The paper's label.
     const LABEL: &'static str;
     /// The statement, in one or two lines.
@@ -142,13 +142,13 @@ impl Declared {
 }
 
 /// `--describe`: what may be asked, so that a page can offer fields and sliders.
-pub(crate) fn describe<P: Parameters>() -> Value {
+pub(crate) fn describe<P: Declarations>() -> Value {
     let options: Vec<Value> = P::declared().iter().filter_map(Declared::json).collect();
     json!({"about": format!("{}: {}", P::LABEL, P::STATEMENT), "cost": P::COST, "options": options})
 }
 
 /// The command line of an example.
-pub(crate) fn command<P: Parameters>() -> Command {
+pub(crate) fn command<P: Declarations>() -> Command {
     let name = std::env::args().next().unwrap_or_default();
     let name = std::path::Path::new(&name)
         .file_stem()

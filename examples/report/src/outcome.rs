@@ -1,7 +1,7 @@
 //! What an example found: rows, checks, status; as JSON for the book.
 
 use crate::cell::{Cells, column};
-use crate::check::{Check, Decision, GREEK, Role};
+use crate::check::{Checked, Decision, GREEK, Role};
 use crate::report::Picture;
 use crate::{Error, Result};
 use serde_json::{Map, Value, json};
@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 /// What the checks say of the statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
+pub enum Verdict {
     /// Every check holds.
     True,
     /// True, and a stronger statement is true too.
@@ -26,45 +26,45 @@ pub enum Status {
     Fails,
 }
 
-impl Status {
+impl Verdict {
     /// The word for it.
     pub fn word(self) -> &'static str {
         match self {
-            Status::True => "true",
-            Status::Loose => "loose",
-            Status::NotSharp => "not sharp",
-            Status::FalseAsPrinted => "false as printed",
-            Status::Open => "open",
-            Status::Undecided => "undecided",
-            Status::Fails => "fails",
+            Verdict::True => "true",
+            Verdict::Loose => "loose",
+            Verdict::NotSharp => "not sharp",
+            Verdict::FalseAsPrinted => "false as printed",
+            Verdict::Open => "open",
+            Verdict::Undecided => "undecided",
+            Verdict::Fails => "fails",
         }
     }
 
     /// The status that these checks give.
-    pub fn of(checks: &[Check]) -> Self {
+    pub fn of(checks: &[Checked]) -> Self {
         let has = |role: Role, decision: Decision| {
             checks.iter().any(|c| c.role() == role && c.decision() == decision)
         };
         if has(Role::Claim, Decision::Fails) {
-            Status::Fails
+            Verdict::Fails
         } else if has(Role::Claim, Decision::Undecided) {
-            Status::Undecided
+            Verdict::Undecided
         } else if !has(Role::Claim, Decision::Holds) {
-            Status::Open
+            Verdict::Open
         } else if has(Role::AsPrinted, Decision::Fails) {
-            Status::FalseAsPrinted
+            Verdict::FalseAsPrinted
         } else if has(Role::NotSharp, Decision::Holds) {
-            Status::NotSharp
+            Verdict::NotSharp
         } else if has(Role::Stronger, Decision::Holds) {
-            Status::Loose
+            Verdict::Loose
         } else {
-            Status::True
+            Verdict::True
         }
     }
 
     /// Whether every claim holds.
     pub fn is_confirmed(self) -> bool {
-        !matches!(self, Status::Fails | Status::Undecided | Status::Open)
+        !matches!(self, Verdict::Fails | Verdict::Undecided | Verdict::Open)
     }
 }
 
@@ -74,7 +74,7 @@ pub struct Outcome {
     pub(crate) label: String,
     pub(crate) statement: String,
     pub(crate) rows: Vec<Cells>,
-    pub(crate) checks: Vec<Check>,
+    pub(crate) checks: Vec<Checked>,
     pub(crate) notes: Vec<(String, f64)>,
     pub(crate) columns: Vec<(&'static str, &'static str, &'static str)>,
     pub(crate) pictures: Vec<Picture>,
@@ -90,23 +90,23 @@ impl Outcome {
     }
 
     /// What the checks say.
-    pub fn status(&self) -> Status {
-        Status::of(&self.checks)
+    pub fn status(&self) -> Verdict {
+        Verdict::of(&self.checks)
     }
 
     /// All checks, in the order in which they were first reported.
-    pub fn checks(&self) -> &[Check] {
+    pub fn checks(&self) -> &[Checked] {
         &self.checks
     }
 
     /// The check of this key.
-    pub fn check(&self, key: &str) -> Option<&Check> {
+    pub fn check(&self, key: &str) -> Option<&Checked> {
         self.checks.iter().find(|check| check.key() == key)
     }
 
     /// The outcome with one check replaced: what tests plant.
     #[must_use]
-    pub fn with_check(&self, at: usize, check: Check) -> Self {
+    pub fn with_check(&self, at: usize, check: Checked) -> Self {
         let mut changed = self.clone();
         changed.checks[at] = check;
         changed
@@ -117,7 +117,7 @@ impl Outcome {
     /// # Errors
     /// [`Error::Option`] where no check has this key.
     pub(crate) fn plant(&mut self, key: &str) -> Result<()> {
-        let known: Vec<String> = self.checks.iter().map(Check::key).collect();
+        let known: Vec<String> = self.checks.iter().map(Checked::key).collect();
         let check = self.checks.iter_mut().find(|check| check.key() == key);
         let check = check.ok_or_else(|| Error::option("fault", &format!("one of {}", known.join(", "))))?;
         *check = check.moved(Decision::Fails);
@@ -235,7 +235,7 @@ impl Outcome {
             }
             Value::Object(object)
         };
-        let lines = self.rows.iter().map(row).chain(self.checks.iter().map(Check::json));
+        let lines = self.rows.iter().map(row).chain(self.checks.iter().map(Checked::json));
         lines.map(|line| format!("{line}\n")).collect()
     }
 
@@ -255,7 +255,7 @@ impl Outcome {
             "measured": self.measured(),
             "verdict": self.status().word(),
             "confirmed": self.status().is_confirmed(),
-            "findings": self.checks.iter().map(Check::json).collect::<Vec<_>>(),
+            "findings": self.checks.iter().map(Checked::json).collect::<Vec<_>>(),
             "values": values,
             "columns": columns,
             "rows": rows,
@@ -269,6 +269,6 @@ impl Outcome {
             .checks
             .iter()
             .filter(|check| check.decision() != Decision::ByProof && check.role() != Role::Observed);
-        told.map(Check::words).collect::<Vec<_>>().join("; ")
+        told.map(Checked::words).collect::<Vec<_>>().join("; ")
     }
 }

@@ -1,12 +1,12 @@
 //! What the loop of an example reports.
 
 use crate::cell::{Cell, Cells};
-use crate::check::{Check, Claim, Role};
+use crate::check::{Checked, Claim, Role};
 use crate::figures::body::{body_svg, body_values, edge_chart};
 use crate::figures::{BodyPicture, Chart};
 use crate::outcome::Outcome;
 use crate::plot::{Axes, Plot};
-use crate::{Measured, Parameters, Result};
+use crate::{Declarations, Measured, Result};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::rates::ConvergenceOrder;
 use std::time::Instant;
@@ -25,7 +25,7 @@ pub struct Report {
     label: &'static str,
     statement: &'static str,
     rows: Vec<Cells>,
-    checks: Vec<Check>,
+    checks: Vec<Checked>,
     notes: Vec<(String, f64)>,
     columns: Vec<(&'static str, &'static str, &'static str)>,
     pictures: Vec<Picture>,
@@ -36,7 +36,7 @@ pub struct Report {
 
 impl Report {
     /// An empty report under the label of an example.
-    pub fn of<P: Parameters>() -> Self {
+    pub fn of<P: Declarations>() -> Self {
         Self {
             label: P::LABEL,
             statement: P::STATEMENT,

@@ -1,8 +1,8 @@
 //! The outcome on a terminal: one screen of at most 100 columns.
 
 use crate::Outcome;
-use crate::check::{Check, Decision, Role};
-use crate::outcome::Status;
+use crate::check::{Checked, Decision, Role};
+use crate::outcome::Verdict;
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write as _;
 
@@ -37,7 +37,7 @@ impl Outcome {
         let mut last = format!("  status: {}", painted(status.word(), colour, in_colour));
         let failing =
             self.checks.iter().find(|c| c.role() == Role::AsPrinted && c.decision() == Decision::Fails);
-        if let Some(check) = failing.filter(|_| status == Status::FalseAsPrinted) {
+        if let Some(check) = failing.filter(|_| status == Verdict::FalseAsPrinted) {
             let _ = write!(last, ", true {}", check.source());
         }
         if let [.., path] = self.saved.as_slice() {
@@ -96,11 +96,12 @@ impl Outcome {
     }
 
     fn checks_text(&self, width: usize, in_colour: bool) -> String {
-        let is_plain = |check: &Check| check.decision() <= Decision::Holds && check.role() != Role::AsPrinted;
+        let is_plain =
+            |check: &Checked| check.decision() <= Decision::Holds && check.role() != Role::AsPrinted;
         let few = self.checks.len() <= CHECKS;
         let mut shown = 0;
         let mut hidden = 0;
-        let checks: Vec<&Check> = self
+        let checks: Vec<&Checked> = self
             .checks
             .iter()
             .filter(|check| {
@@ -149,13 +150,13 @@ impl Outcome {
 }
 
 /// The sentence.
-fn claim(check: &Check) -> String {
+fn claim(check: &Checked) -> String {
     let failed = check.role() == Role::AsPrinted && check.decision() == Decision::Fails;
     format!("{}{}", if failed { "as printed: " } else { "" }, check.claim())
 }
 
 /// Where the bound comes from, and of how many cases the worst is shown.
-fn source(check: &Check) -> String {
+fn source(check: &Checked) -> String {
     let cases = if check.cases > 1 { format!("worst of {}", check.cases) } else { String::new() };
     let parts = [check.source().to_owned(), cases];
     parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
@@ -165,7 +166,7 @@ const GREEN: u8 = 32;
 const RED: u8 = 31;
 const YELLOW: u8 = 33;
 
-fn mark_colour(check: &Check) -> u8 {
+fn mark_colour(check: &Checked) -> u8 {
     match (check.decision(), check.role()) {
         (Decision::ByProof | Decision::Holds, _) => GREEN,
         (Decision::Fails, Role::Claim) => RED,
@@ -194,7 +195,7 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
     lines
 }
 
-impl std::fmt::Display for Status {
+impl std::fmt::Display for Verdict {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.word())
     }
