@@ -56,7 +56,7 @@ impl Cell {
     /// As few characters as identify it: for keys.
     pub(crate) fn short(&self) -> String {
         match self {
-            Cell::Text(words) | Cell::Named(words, _) => crate::check::slug(words),
+            Cell::Text(words) | Cell::Named(words, _) => crate::words::slug(words),
             other => shortest(other.number().value),
         }
     }
@@ -116,6 +116,11 @@ impl Cells {
     /// All cells with their names.
     pub(crate) fn all(&self) -> impl Iterator<Item = &(&'static str, Cell)> {
         self.about.iter().chain(&self.found)
+    }
+
+    /// The number under that name; NaN where there is none.
+    pub(crate) fn number(&self, name: &str) -> f64 {
+        self.get(name).map_or(f64::NAN, |cell| cell.number().value)
     }
 
     /// The cell of that name.

@@ -2,6 +2,7 @@
 
 use crate::Measured;
 use crate::cell::{bound_text, measured_text};
+use crate::words::slug;
 use serde_json::{Value, json};
 
 /// What a comparison says.
@@ -322,40 +323,6 @@ impl<'a> Claim<'a> {
         }
     }
 }
-
-/// Letters, digits and hyphens; letters that a keyboard lacks by name.
-pub(crate) fn slug(words: &str) -> String {
-    let mut text = String::new();
-    for c in words.chars() {
-        let name = GREEK.iter().find(|(letter, _)| *letter == c).map(|(_, name)| *name);
-        match name {
-            Some(name) => text.push_str(name),
-            None if c.is_ascii_alphanumeric() || c == '.' => text.push(c.to_ascii_lowercase()),
-            None if !text.ends_with('-') => text.push('-'),
-            None => {}
-        }
-    }
-    text.trim_matches(['-', '.']).to_owned()
-}
-
-/// Greek letters with their names.
-pub(crate) const GREEK: [(char, &str); 15] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ε', "epsilon"),
-    ('θ', "theta"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ν', "nu"),
-    ('π', "pi"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('φ', "phi"),
-    ('ω', "omega"),
-];
 
 #[cfg(test)]
 mod tests {

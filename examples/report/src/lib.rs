@@ -39,6 +39,7 @@ mod outcome;
 mod plot;
 mod report;
 mod shown;
+mod words;
 
 pub use cell::{Cell, Cells};
 pub use check::{Checked, Claim, Decision, Role};

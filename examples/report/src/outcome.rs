@@ -1,8 +1,9 @@
 //! What an example found: rows, checks, status; as JSON for the book.
 
 use crate::cell::{Cells, column};
-use crate::check::{Checked, Decision, GREEK, Role};
-use crate::report::Picture;
+use crate::check::{Checked, Decision, Role};
+use crate::plot::Picture;
+use crate::words::GREEK;
 use crate::{Error, Result};
 use serde_json::{Map, Value, json};
 use std::path::{Path, PathBuf};
@@ -157,7 +158,7 @@ impl Outcome {
 
     /// The numbers of a column, in the order of the rows; NaN where a row has none.
     pub fn numbers(&self, name: &str) -> Vec<f64> {
-        self.rows.iter().map(|row| crate::report::number_of(row, name)).collect()
+        self.rows.iter().map(|row| row.number(name)).collect()
     }
 
     /// The title of a column.

@@ -2,7 +2,14 @@
 
 use crate::cell::Cells;
 use crate::figures::{Axis, Chart, Series};
-use crate::report::number_of;
+
+/// A picture before it is written.
+#[derive(Debug, Clone)]
+pub(crate) enum Picture {
+    Plot(Plot),
+    Chart(String, Chart),
+    Svg(String, String),
+}
 
 /// The two axes, with their labels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,7 +147,7 @@ fn curves(
 ) -> Vec<(String, Vec<(f64, f64)>)> {
     let mut curves: Vec<(String, Vec<(f64, f64)>)> = Vec::new();
     for row in rows {
-        let point = (number_of(row, x), number_of(row, y));
+        let point = (row.number(x), row.number(y));
         if !(point.0.is_finite() && point.1.is_finite()) {
             continue;
         }

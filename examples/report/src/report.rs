@@ -1,23 +1,15 @@
 //! What the loop of an example reports.
 
-use crate::cell::{Cell, Cells};
+use crate::cell::Cells;
 use crate::check::{Checked, Claim, Role};
 use crate::figures::body::{body_svg, body_values, edge_chart};
 use crate::figures::{BodyPicture, Chart};
 use crate::outcome::Outcome;
-use crate::plot::{Axes, Plot};
+use crate::plot::{Axes, Picture, Plot};
 use crate::{Declarations, Measured, Result};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::rates::ConvergenceOrder;
 use std::time::Instant;
-
-/// A picture before it is written.
-#[derive(Debug, Clone)]
-pub(crate) enum Picture {
-    Plot(Plot),
-    Chart(String, Chart),
-    Svg(String, String),
-}
 
 /// Collects rows, checks and pictures.
 #[derive(Debug)]
@@ -214,9 +206,4 @@ impl Report {
             seconds: self.started.elapsed().as_secs_f64(),
         }
     }
-}
-
-/// Rows as a plot sees them.
-pub(crate) fn number_of(row: &Cells, name: &str) -> f64 {
-    row.get(name).map_or(f64::NAN, |cell: &Cell| cell.number().value)
 }
