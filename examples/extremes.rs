@@ -153,7 +153,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         let answer = match ask() {
             Err(Refusal::Toolkit(refusal)) => {
                 out.check("refused, and the error names what is wrong").holds(is_named(&refusal), "its kind");
-                refusal.to_string().chars().take(38).collect()
+                refusal.to_string().chars().take(30).collect()
             }
             other => {
                 out.check("refused, and the error names what is wrong").holds(false, "its kind");

@@ -109,7 +109,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             _ => format!("{:.4} at θ = 1e-6", at(&found, "gamma.nu0.75.theta1e-6")),
         };
         let step = if k == 0 { "4" } else { "" };
-        line(out, step, format!("case 2 costs γ ≤ {says}, ν = {nu} (Lemma 5.2)"), computed, &found);
+        line(out, step, format!("case 2: γ ≤ {says}, ν = {nu} (Lemma 5.2)"), computed, &found);
     }
     let found = lemma_6_1::outcome(&lemma_6_1::Options::default())?;
     let [value, slope] = ["first-line", "second-line-seminorm"].map(|key| at(&found, key));

@@ -133,7 +133,7 @@ impl Law {
     /// use fractional_sobolev::{Order, law};
     /// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
     /// let order = Order::half_plus(-1e-5)?;
-    /// let limit = law(order, 0.0, 1e-8)?.factor()?.value.powi(2) * order.one_minus_twice();
+    /// let limit = law(order, 0.0, 1e-8)?.factor()?.value.powi(2) * (-2.0 * order.offset());
     /// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
