@@ -65,7 +65,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
         let apart = at(&found, "two-solvers-change-of-j");
         let says = if cone == Cone::Nodal {
-            "one discrete solution: a block, (2.9)"
+            "a block, two solvers: one solution (2.9)"
         } else {
             "  the same for means, (4.1)"
         };
@@ -73,7 +73,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out,
             if cone == Cone::Nodal { "1" } else { "" },
             says,
-            format!("{touching} of {of} touch; to {apart:.0e}"),
+            format!("{touching} of {of} touch ({apart:.0e})"),
             &found,
         );
     }
