@@ -136,7 +136,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         "relative, against the value found another way; ms: milliseconds, tolerance asked",
     );
     let plot = out.plot(
-        "speed_for_accuracy",
+        "speed_for_accuracy_seconds",
         "What a digit costs",
         Axes::LogLog("milliseconds", "true relative error"),
     );

@@ -177,8 +177,8 @@ impl Outcome {
         })
     }
 
-    /// Titles, and the cells of every row as texts.
-    pub(crate) fn table(&self) -> (Vec<[String; 2]>, Vec<Vec<String>>) {
+    /// Titles with meanings and names, and the cells of every row as texts.
+    pub(crate) fn table(&self) -> (Vec<[String; 3]>, Vec<Vec<String>>) {
         let mut names: Vec<&'static str> = Vec::new();
         for (name, _) in self.rows.iter().flat_map(Cells::all) {
             if !names.contains(name) {
@@ -195,9 +195,9 @@ impl Outcome {
                 self.columns.iter().find(|(known, ..)| *known == name).map_or("", |(.., meaning)| meaning);
             for (k, texts) in column(&cells).into_iter().enumerate() {
                 titles.push(if k == 0 {
-                    [self.title(name), meaning.to_owned()]
+                    [self.title(name), meaning.to_owned(), name.to_owned()]
                 } else {
-                    ["±".to_owned(), String::new()]
+                    ["±".to_owned(), String::new(), format!("{name}_error")]
                 });
                 rows.iter_mut().zip(texts).for_each(|(row, text)| row.push(text));
             }
@@ -248,7 +248,7 @@ impl Outcome {
         let (titles, rows) = self.table();
         let columns: Vec<Value> = titles
             .iter()
-            .map(|[title, meaning]| json!({"key": title, "title": title, "meaning": meaning}))
+            .map(|[title, meaning, key]| json!({"key": key, "title": title, "meaning": meaning}))
             .collect();
         json!({
             "label": self.label,

@@ -59,7 +59,7 @@ impl Outcome {
         let (titles, rows) = self.table();
         let mut table = Table::new();
         table.load_preset(presets::NOTHING);
-        table.set_header(titles.iter().map(|[title, _]| title));
+        table.set_header(titles.iter().map(|[title, ..]| title));
         let is_number = |text: &str| {
             text.is_empty()
                 || text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c)) && !text.contains(' ')
@@ -86,9 +86,9 @@ impl Outcome {
         for line in table.to_string().lines() {
             let _ = writeln!(text, "  {}", line.trim_end());
         }
-        let explained = titles.iter().filter(|[_, meaning]| !meaning.is_empty());
+        let explained = titles.iter().filter(|[_, meaning, _]| !meaning.is_empty());
         let explained: Vec<String> =
-            explained.map(|[title, meaning]| format!("{title}: {meaning}")).collect();
+            explained.map(|[title, meaning, _]| format!("{title}: {meaning}")).collect();
         for line in wrapped(&explained.join("; "), width - 2).iter().filter(|line| !line.is_empty()) {
             let _ = writeln!(text, "  {line}");
         }
