@@ -146,9 +146,10 @@ fn chart(medium: Medium) -> Result<Chart> {
     let mut chart = Chart::new("Singular exponents", x, y);
     for sides in SideConditions::ALL {
         let mut points = Vec::new();
-        for degrees in (20..=360).step_by(4) {
-            let first = Wedge::new(f64::from(degrees).to_radians(), sides, medium)?.first_singular()?;
-            points.extend(first.map(|exponent| (f64::from(degrees), exponent.re.value)));
+        // Off the round angles, at some of which the first exponent belongs to a polynomial by accident (D-N at 60°).
+        for degrees in (0..170).map(|k| 20.5 + 2.0 * f64::from(k)) {
+            let first = Wedge::new(degrees.to_radians(), sides, medium)?.first_singular()?;
+            points.extend(first.map(|exponent| (degrees, exponent.re.value)));
         }
         chart = chart.with(Series::line(sides.to_string(), points));
     }

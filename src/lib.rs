@@ -27,4 +27,3 @@ pub mod strip;
 mod text;
 
 pub use error::{Error, Result, ToolkitError};
-pub use text::read_pairs;

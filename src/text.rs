@@ -28,23 +28,6 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     })
 }
 
-/// The rows of a text file of two finite numbers per line, between blanks or commas, each with its line, from 1; `#`
-/// begins a comment.
-///
-/// ```
-/// let file = std::env::temp_dir().join(format!("pairs-{}", std::process::id()));
-/// std::fs::write(&file, "# x, u\n0 1\n0.5, 2\n").unwrap();
-/// assert_eq!(signorini::read_pairs(&file)?, [(2, [0.0, 1.0]), (3, [0.5, 2.0])]);
-/// # std::fs::remove_file(file).unwrap();
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
-/// # Errors
-/// [`Error::File`] when it cannot be read, and with the line that is anything else.
-pub fn read_pairs(path: &Path) -> Result<Vec<(usize, [f64; 2])>> {
-    pairs(&read_text(path)?, "samples").map_err(|fault| Error::file(path, fault))
-}
-
 /// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
 /// passed over. Each pair with its line, from 1.
 ///

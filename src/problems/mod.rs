@@ -11,7 +11,6 @@
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`DirichletEnd`] | a body clamped up to the end of its contact edge, on polar rings | `dirichlet_end` |
 //! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors against it | `known` |
-//! | [`PiecewiseLinearLoad`] | bodies with loads that every mesh integrates exactly, solution unknown | `piecewise_linear_load` |
 //!
 //! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with defaults, data.
 //! List of all, help texts, reading, writing and errors follow from it.
@@ -22,7 +21,6 @@ mod dirichlet_end;
 mod gap_data;
 mod known;
 mod named;
-mod piecewise_linear_load;
 mod pressure;
 mod registry;
 mod regularity;
@@ -35,7 +33,6 @@ pub use corners::{CornerSingularity, SolutionRegularity, solution_regularity};
 pub use dirichlet_end::DirichletEnd;
 pub use known::{EdgeDatum, KnownSolution};
 pub use named::NamedProblem;
-pub use piecewise_linear_load::PiecewiseLinearLoad;
 pub use strip_data::StripData;
 pub use test_problem::{Parameters, TestProblem};
 pub use transition_powers::TransitionPowers;

@@ -56,7 +56,8 @@ impl Cell {
     /// As few characters as identify it: for keys.
     pub(crate) fn short(&self) -> String {
         match self {
-            Cell::Text(words) | Cell::Named(words, _) => crate::words::slug(words),
+            // A hyphen stands for every sign: the minus of an exponent is spelled out.
+            Cell::Text(words) | Cell::Named(words, _) => crate::words::slug(&words.replace("^-", "^minus")),
             other => shortest(other.number().value),
         }
     }

@@ -1,6 +1,6 @@
 //! Charts of rows.
 
-use crate::cell::Cells;
+use crate::cell::{Cell, Cells};
 use crate::figures::{Axis, Chart, Series};
 
 /// A picture before it is written.
@@ -151,7 +151,10 @@ fn curves(
         if !(point.0.is_finite() && point.1.is_finite()) {
             continue;
         }
-        let which = by.and_then(|by| Some(format!(", {} = {}", title(by), row.get(by)?.short())));
+        let which = by.and_then(|by| match row.get(by)? {
+            Cell::Text(words) => Some(format!(", {words}")),
+            other => Some(format!(", {} = {}", title(by), other.short())),
+        });
         let name = title(y) + &which.unwrap_or_default();
         match curves.iter_mut().find(|(known, _)| *known == name) {
             Some((_, points)) => points.push(point),

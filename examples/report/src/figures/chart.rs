@@ -1,7 +1,7 @@
 //! A chart before it is drawn: title, axes, series, bands; and the frame in which it is drawn.
 
 use super::scale::Scale;
-use super::series::{Axis, Series};
+use super::series::{Axis, Mark, Series};
 use super::{Colour, PALETTE};
 
 pub(super) const WIDTH: f64 = 640.0;
@@ -43,9 +43,13 @@ impl Chart {
         Self { title: title.into(), x, y, series: Vec::new(), bands: Vec::new(), asymptotes: Vec::new() }
     }
 
-    /// Adds a series; it takes the next colour of the palette unless it brings its own.
+    /// Adds a series; it takes the next colour of the palette unless it brings its own. Where the colours come round
+    /// again a line has markers.
     #[must_use]
-    pub fn with(mut self, series: Series) -> Self {
+    pub fn with(mut self, mut series: Series) -> Self {
+        if self.series.len() >= PALETTE.len() && series.mark == Mark::Line {
+            series.mark = Mark::LineAndPoints;
+        }
         let colour = series.colour.unwrap_or(PALETTE[self.series.len() % PALETTE.len()]);
         self.series.push(series.colour(colour));
         self
