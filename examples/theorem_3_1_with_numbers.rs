@@ -23,7 +23,6 @@
 
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
-use nalgebra::DMatrix;
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Settings, Start};
 use signorini::fem::Lame;
@@ -47,19 +46,9 @@ example! { seconds "Theorems 3.1, 4.1 with numbers", "‖u − u^h‖ ≤ E h^(�
 /// (0, 1), M holds ∫ φᵢ φⱼ of the hat functions, A the seminorm's form. Elements fall by halves towards both ends.
 fn by_definition(nu: Order) -> Result<f64> {
     let mesh = Mesh::graded(&[0.0, 1.0], 24, 0.7)?;
-    let (h, n) = (mesh.lengths(), mesh.len());
-    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
-    for k in 0..n {
-        let mut block = mass.view_mut((k, k), (2, 2));
-        block += DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
-    }
-    let mean = mass.row_sum(); // ∫ φᵢ
-    let mut free = DMatrix::identity(n + 1, n + 1); // columns φᵢ − (∫ φᵢ/∫ φ_pivot) φ_pivot: a basis of mean zero
-    let pivot = mean.transpose().imax();
-    free.set_row(pivot, &(-&mean / mean[pivot]));
-    let free = free.remove_column(pivot);
+    let free = mean_zero_basis(&mesh, 0.0..1.0); // columns span { w : ∫ w = 0 }
     let form = free.transpose() * Gram::new(&mesh, nu, 1e-8)?.to_dense()? * &free;
-    Ok(largest_eigenvalue(&(free.transpose() * mass * &free), &form)?.sqrt())
+    Ok(largest_eigenvalue(&(free.transpose() * mass_matrix(&mesh) * &free), &form)?.sqrt())
 }
 
 /// A number with its error added: what stands in an upper bound.

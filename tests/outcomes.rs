@@ -84,7 +84,6 @@ examples! {
     remark_1_whole_boundary: "../examples/remark_1_whole_boundary.rs",
     remark_2_dual_norm_counterexample: "../examples/remark_2_dual_norm_counterexample.rs",
     remark_3_face: "../examples/remark_3_face.rs",
-    remark_4_saturation: "../examples/remark_4_saturation.rs",
     remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
     remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
