@@ -86,7 +86,6 @@ examples! {
     remark_3_face: "../examples/remark_3_face.rs",
     remark_5_log_counterexample: "../examples/remark_5_log_counterexample.rs",
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
-    remark_7_rearrangement: "../examples/remark_7_rearrangement.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
     section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
