@@ -4,7 +4,7 @@
 //! zero on E, or for u that vanishes on E; |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: for an interval
 //! E = (a, a + θ), γ(E) is at most a constant times γ((0, θ)), which Lemma 5.2 bounds. Theorem: γ(E) ≤ γ((0, θ)) for every E.
 //!
-//! Proof (page `remark_7_zone_location`): v* is v with its values sorted. So ‖v*‖₀ = ‖v‖₀, the mean of v* over (0, θ) is the
+//! Proof (page `remark_7_rearrangement`): v* is v with its values sorted. So ‖v*‖₀ = ‖v‖₀, the mean of v* over (0, θ) is the
 //! largest that v has over any set of measure θ, and |v*|_ν ≤ |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting
 //! lowers Σ (f_i − f_j)² over |i − j| ≤ k, for every k.
 //!
