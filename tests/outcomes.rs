@@ -95,7 +95,6 @@ examples! {
     section_1_polygon_norms: "../examples/section_1_polygon_norms.rs",
     section_1_trace_constants: "../examples/section_1_trace_constants.rs",
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
-    section_2_multigrid: "../examples/section_2_multigrid.rs",
     section_2_own_body: "../examples/section_2_own_body.rs",
     section_2_regularity: "../examples/section_2_regularity.rs",
     section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
