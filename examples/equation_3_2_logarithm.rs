@@ -111,12 +111,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     out.observe("q for α = 0, not in H²").at_least(q, 0.0, "|ln h|^(q/2)");
                 }
                 if problem.moves() {
-                    out.observe("q − (1 − 2α), transition").near(
-                        q - (1.0 - 2.0 * alpha),
-                        0.0,
-                        0.2,
-                        "sum over the cells",
-                    );
+                    let off = q - (1.0 - 2.0 * alpha);
+                    out.observe("q − (1 − 2α), transition").near(off, 0.0, 0.2, "sum over the cells");
                     if cone == Cone::Nodal {
                         let points: Vec<(f64, f64)> =
                             points.iter().map(|(h, e)| (*h, e / h / (points[0].1 / points[0].0))).collect();

@@ -122,11 +122,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 1.0,
                 source,
             );
-            out.check("quotient of quadratics, over C").at_most(
-                c.recip() * quadratics,
-                1.0,
-                "3 × 3 matrices",
-            );
+            let quotient = c.recip() * quadratics;
+            out.check("quotient of quadratics, over C").at_most(quotient, 1.0, "3 × 3 matrices");
             if s == 1.0 && angle == 90.0 {
                 out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška and Aziz");
             }

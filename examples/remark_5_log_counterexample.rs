@@ -86,12 +86,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
             printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
             out.check("q over γ of the zone").at_most(quotient / gamma, 1.0, "γ is the supremum");
-            out.check("q by its definition, over q").near(
-                quotient.recip() * definition,
-                1.0,
-                3e-3,
-                "midpoint rules",
-            );
+            let ratio = quotient.recip() * definition;
+            out.check("q by its definition, over q").near(ratio, 1.0, 3e-3, "midpoint rules");
             if let Some((printed, repaired)) = printed.zip(repaired) {
                 out.check("|w| ≤ |u|/n: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
                 out.as_printed("‖w‖ ≤ 1/n: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");

@@ -84,11 +84,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (inner, outer) =
                 (Measured::from(on_sector(polygon.radii[0])?), Measured::from(on_sector(polygon.radii[1])?));
             out.check("inner sector over polygon").at_most(inner / norm, 1.0, "a part has a part");
-            out.check("polygon over outer sector").at_most(
-                Measured::from(norm) / outer,
-                1.0,
-                "a part has a part",
-            );
+            let ratio = Measured::from(norm) / outer;
+            out.check("polygon over outer sector").at_most(ratio, 1.0, "a part has a part");
             let share = (-(inner / norm) + 1.0) / gap;
             out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "R^(a+1−s), R < e r");
             out.row(cells! { polygon: polygon.name, gap => norm, inner: inner.value, apart: apart.value });

@@ -63,12 +63,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
-            out.check("`moment_on_mesh` over K, κ, κ̄").near(
-                value.recip() * definition,
-                1.0,
-                0.01,
-                "matrices",
-            );
+            let quotient = value.recip() * definition;
+            out.check("`moment_on_mesh` over K, κ, κ̄").near(quotient, 1.0, 0.01, "matrices");
         }
         out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
@@ -77,19 +73,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if nu == Order::HALF {
             // K(1/2) in closed form: Wiener and Hopf, a series over the roots of tan z = z
             let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9)?.closed_form()?.value;
-            out.observe("ν = 1/2: K, over closed form").near(
-                product / (exact * exact),
-                1.0,
-                1e-8,
-                "roots of tan z = z",
-            );
+            let quotient = product / (exact * exact);
+            out.observe("ν = 1/2: K, over closed form").near(quotient, 1.0, 1e-8, "roots of tan z = z");
         }
         let left = 0.5 - nu.offset(); // 1 − ν
-        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(
-            (product * (24.0 / left) - 1.0) / left,
-            4.0,
-            "limit 1/24",
-        );
+        let quotient = (product * (24.0 / left) - 1.0) / left;
+        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
         out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
     }
     out.proof("c in place of 1/2, for every E", "segment_constants");

@@ -116,11 +116,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                         1.0,
                         "(3.1), (3.2), (4.2), (4.3)",
                     );
-                    out.stronger("error over E h^(τ−1)").at_most(
-                        measured / (e * scale),
-                        1.0,
-                        "E from constants and norms",
-                    );
+                    let ratio = measured / (e * scale);
+                    out.stronger("error over E h^(τ−1)").at_most(ratio, 1.0, "E from constants and norms");
                     points.push((h, error, e * scale));
                     coarse = Some(u);
                 }
