@@ -61,7 +61,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let found =
             block::outcome(&block::Options { n: vec![8, 16, 32], cone: vec![cone], ..Default::default() })?;
-        let touching = at(&found, &format!("touching.cone{cone}.n32"));
+        let touching = at(&found, &format!("touching.bodyblock.cone{cone}.n32"));
         let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
         let apart = at(&found, "two-solvers-change-of-j");
         let says = if cone == Cone::Nodal {

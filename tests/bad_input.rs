@@ -25,7 +25,7 @@ fn is_refused(name: &str, arguments: &[&str]) {
 
 #[test]
 fn contact_examples_refuse_what_has_no_mesh_cone_or_solver() {
-    for name in ["section_2_elastic_contact", "section_2_scalar_contact"] {
+    for name in ["section_2_elastic_contact"] {
         for arguments in [
             ["--n", "0"],
             ["--n", "-3"],

@@ -283,7 +283,7 @@ fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
         ("lemma_6_2_global_estimate", "--elements=4294967296"),
         ("lemma_6_2_global_estimate", "--elements=1000000000000"),
         ("section_2_elastic_contact", "--n=16384"),
-        ("section_2_scalar_contact", "--n=18446744073709551615"),
+        ("section_2_elastic_contact", "--n=18446744073709551615"),
         ("equation_3_2_logarithm", "--finest=19"),
         ("worst_contact_set", "--depth=25"),
         ("section_2_speed_for_accuracy", "--side=65536"),

@@ -97,7 +97,6 @@ examples! {
     section_2_elastic_contact: "../examples/section_2_elastic_contact.rs",
     section_2_own_body: "../examples/section_2_own_body.rs",
     section_2_regularity: "../examples/section_2_regularity.rs",
-    section_2_scalar_contact: "../examples/section_2_scalar_contact.rs",
     section_2_singular_exponents: "../examples/section_2_singular_exponents.rs",
     section_2_speed_for_accuracy: "../examples/section_2_speed_for_accuracy.rs",
     section_2_strip: "../examples/section_2_strip.rs",
