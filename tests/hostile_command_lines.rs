@@ -218,7 +218,7 @@ fn a_later_value_of_a_list_is_refused_before_the_first_is_computed() {
     }
     lines.extend([
         ("section_1_trace_constants".to_owned(), vec!["--s=0.8,0.5".to_owned()]),
-        ("section_1_closures_in_the_plane".to_owned(), vec!["--gap=0.5,-1".to_owned()]),
+        ("section_1_norms_in_the_plane".to_owned(), vec!["--gap=0.5,-1".to_owned()]),
         ("theorem_3_1_with_numbers".to_owned(), vec!["--tau=1.75,1.4".to_owned()]),
     ]);
     let late = |(name, line): &(String, Vec<String>)| {

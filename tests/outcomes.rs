@@ -88,7 +88,6 @@ examples! {
     remark_6_point_condition: "../examples/remark_6_point_condition.rs",
     remark_7_zone_location: "../examples/remark_7_zone_location.rs",
     section_1_clamped_end: "../examples/section_1_clamped_end.rs",
-    section_1_closures_in_the_plane: "../examples/section_1_closures_in_the_plane.rs",
     section_1_field_errors: "../examples/section_1_field_errors.rs",
     section_1_fractional_norms: "../examples/section_1_fractional_norms.rs",
     section_1_norms_in_the_plane: "../examples/section_1_norms_in_the_plane.rs",
