@@ -21,7 +21,7 @@
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Gram, Mesh, Moment, moment};
+use fractional_sobolev::{Gram, Mesh};
 use nalgebra::DVector;
 use signorini::proof::{consistency_constant, midpoint_bound, product_bound, product_constant};
 
@@ -70,12 +70,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
         out.check("K over c").at_most(product / c, 1.0, "potentials");
         out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
-        if nu == Order::HALF {
-            // K(1/2) in closed form: Wiener and Hopf, a series over the roots of tan z = z
-            let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9)?.closed_form()?.value;
-            let quotient = product / (exact * exact);
-            out.observe("ν = 1/2: K, over closed form").near(quotient, 1.0, 1e-8, "roots of tan z = z");
-        }
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (product * (24.0 / left) - 1.0) / left;
         out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
@@ -103,17 +97,5 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     .curve("nu", "product")
     .curve("nu", "midpoint")
     .curve("nu", "kappa");
-    if let Some(&nu) = options.nu.get(options.nu.len() / 3).filter(|_| out.draws()) {
-        // The pair for which κ is attained: u_N' on the gap at the left end, σ_N on the rest.
-        let gap = 1.0 - consistency_constant(nu, 1e-3)?.contact;
-        let sigma = moment(nu, 0.0..gap, Moment::FromFreeEnd, 1e-3)?.extremal()?;
-        let slope = moment(nu, gap..1.0, Moment::Mass, 1e-3)?.extremal()?;
-        let points =
-            |f: &dyn Fn(f64) -> f64| (0..=400).map(|k| f64::from(k) / 400.0).map(|x| (x, f(x))).collect();
-        let axes = Axes::Linear("place on the segment", "seminorms 1");
-        out.plot("segment_constants_pair", &format!("The worst pair, ν = {nu}, gap {gap:.3}"), axes)
-            .line("σ_N", points(&|x| -sigma.value(&[x])))
-            .line("u_N'", points(&|x| slope.value(&[x])));
-    }
     Ok(())
 }
