@@ -148,12 +148,9 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         let ratio = found / law;
         out.check("ν = 1/2: γ over its law, θ from 1e-20 to 1e-290").near(ratio, 1.0, 2e-3, "both to 1e-3");
     }
-    out.plot(
-        "extremes_zone",
-        "Poincaré constant of order 1/2",
-        Axes::LogLinear("θ, length of the zone", "γ"),
-    )
-    .line("computed", curve)
-    .dashed_line("law as θ → 0", dashed);
+    let axes = Axes::LogLinear("θ, length of the zone", "γ");
+    out.plot("extremes_zone", "Poincaré constant of order 1/2", axes)
+        .line("computed", curve)
+        .dashed_line("law as θ → 0", dashed);
     Ok(())
 }

@@ -78,11 +78,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("other functions: quotient over α").at_least(others, 1.0 - 1e-3, "α is the infimum");
         }
     }
-    out.plot(
-        "lemma_5_1_peetre_tartar",
-        "Peetre-Tartar constants",
-        Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma"),
-    )
-    .curve_by("nu", "theta", "alpha");
+    let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma");
+    out.plot("lemma_5_1_peetre_tartar", "Peetre-Tartar constants", axes).curve_by("nu", "theta", "alpha");
     Ok(())
 }

@@ -109,13 +109,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "L^(−1/2)");
         }
     }
-    out.plot(
-        "lemma_5_2_exact_law",
-        "The law at one half between its two bounds",
-        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law"),
-    )
-    .curve("log", "above")
-    .points("log", "off")
-    .curve("log", "below");
+    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");
+    out.plot("lemma_5_2_exact_law", "The law at one half between its two bounds", axes)
+        .curve("log", "above")
+        .points("log", "off")
+        .curve("log", "below");
     Ok(())
 }

@@ -108,12 +108,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     let best = logs.iter().zip(&constants).map(|(&log, gamma)| (log, gamma.value)).collect();
-    out.plot(
-        "remark_5_log_counterexample",
-        "Remark 5: quotients of truncated logarithms",
-        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function"),
-    )
-    .curve_by("alpha", "log", "quotient")
-    .dashed_line("γ of the zone", best);
+    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function");
+    out.plot("remark_5_log_counterexample", "Remark 5: quotients of truncated logarithms", axes)
+        .curve_by("alpha", "log", "quotient")
+        .dashed_line("γ of the zone", best);
     Ok(())
 }

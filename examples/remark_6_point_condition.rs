@@ -65,12 +65,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check(claim).near(scaled, 1.0, delta, "1 as ν → 1/2, to 2ν − 1");
         }
     }
-    out.plot(
-        "remark_6_point_condition",
-        "Functions vanishing at a point",
-        Axes::LinearLog("ν, order", "γ₀, Poincaré constant"),
-    )
-    .curve("nu", "end")
-    .curve("nu", "inside");
+    let axes = Axes::LinearLog("ν, order", "γ₀, Poincaré constant");
+    out.plot("remark_6_point_condition", "Functions vanishing at a point", axes)
+        .curve("nu", "end")
+        .curve("nu", "inside");
     Ok(())
 }

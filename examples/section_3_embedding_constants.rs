@@ -130,13 +130,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.column(name, title, meaning);
     }
     let law = options.q.iter().map(|q| (*q, (0.75 / (PI * PI * 1f64.exp()) * q).sqrt())).collect();
-    out.plot(
-        "section_3_embedding_constants",
-        "C(q) of H^ν(0, 1) in L^q(0, 1)",
-        Axes::LogLog("q, exponent", "C(q)"),
-    )
-    .curve_by("nu", "q", "upper")
-    .curve_by("nu", "q", "lower")
-    .dashed_line("0.1672 √q", law);
+    let axes = Axes::LogLog("q, exponent", "C(q)");
+    out.plot("section_3_embedding_constants", "C(q) of H^ν(0, 1) in L^q(0, 1)", axes)
+        .curve_by("nu", "q", "upper")
+        .curve_by("nu", "q", "lower")
+        .dashed_line("0.1672 √q", law);
     Ok(())
 }

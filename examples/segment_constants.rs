@@ -87,15 +87,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.column(name, title, meaning);
     }
     let half = options.nu.iter().map(|nu| (nu.value(), 0.5)).collect();
-    out.plot(
-        "segment_constants",
-        "Bounds of the term of one segment",
-        Axes::Linear("ν = τ − 3/2", "constant"),
-    )
-    .dashed_line("1/2", half)
-    .curve("nu", "c")
-    .curve("nu", "product")
-    .curve("nu", "midpoint")
-    .curve("nu", "kappa");
+    let axes = Axes::Linear("ν = τ − 3/2", "constant");
+    out.plot("segment_constants", "Bounds of the term of one segment", axes)
+        .dashed_line("1/2", half)
+        .curve("nu", "c")
+        .curve("nu", "product")
+        .curve("nu", "midpoint")
+        .curve("nu", "kappa");
     Ok(())
 }

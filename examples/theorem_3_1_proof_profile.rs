@@ -220,11 +220,8 @@ pub fn profile(
             false => out.check(name).at_most(value, 1.0 + 1e-8, "left ≤ right"),
         }
     }
-    let plot = out.plot(
-        picture,
-        &format!("From the integral to the bound, τ = {tau}"),
-        Axes::LogLog("h", "sum over the segments"),
-    );
+    let axes = Axes::LogLog("h", "sum over the segments");
+    let plot = out.plot(picture, &format!("From the integral to the bound, τ = {tau}"), axes);
     for (k, step) in steps.into_iter().enumerate() {
         plot.line(step, rows.iter().map(|(h, sums)| (*h, sums[k])).collect());
     }

@@ -150,15 +150,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let printed = h.powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
     let ratios = |theta: f64| one_gap_ratio(Cone::Nodal, nu, theta, 1e-3).map_or(f64::NAN, |w| w.value);
     let gaps = if out.draws() { line(&|theta| ratios(theta) * h.powf(2.0 * tau - 2.0)) } else { Vec::new() };
-    out.plot(
-        "theta_balance",
-        &format!("One segment, h = {h:.2e}, τ = {tau}"),
-        Axes::LogLog("θ", "∫ σ I^h u over both norms"),
-    )
-    .line("first case (3.9)", line(&|theta| first(h, theta)))
-    .line("second case (3.14)", line(&|theta| second(h, theta)))
-    .line("truth, zone θ without pressure", gaps)
-    .dashed_line("first case, sharp", line(&|theta| sharpened(h, theta)))
-    .dashed_line("printed θ", vec![(printed, 0.3 * best), (printed, first(h, 0.5))]);
+    let axes = Axes::LogLog("θ", "∫ σ I^h u over both norms");
+    out.plot("theta_balance", &format!("One segment, h = {h:.2e}, τ = {tau}"), axes)
+        .line("first case (3.9)", line(&|theta| first(h, theta)))
+        .line("second case (3.14)", line(&|theta| second(h, theta)))
+        .line("truth, zone θ without pressure", gaps)
+        .dashed_line("first case, sharp", line(&|theta| sharpened(h, theta)))
+        .dashed_line("printed θ", vec![(printed, 0.3 * best), (printed, first(h, 0.5))]);
     Ok(())
 }
