@@ -35,6 +35,9 @@ fn errors_of_contact_solutions_fall_whatever_the_road() {
     let options = contact_speed::Options { n: vec![8, 16, 32, 64], ..Default::default() };
     let found = contact_speed::outcome(&options).unwrap();
     assert_eq!(found.status(), Verdict::True, "{}", found.text(false));
-    let errors = found.numbers("error");
-    assert!(errors.iter().all(|&error| error > 0.0) && errors[0] > errors[errors.len() - 1]);
+    // of the problem with known solution; the others have none
+    let errors: Vec<f64> = found.numbers("error").into_iter().filter(|error| error.is_finite()).collect();
+    assert!(
+        errors.len() > 16 && errors.iter().all(|&error| error > 0.0) && errors[0] > errors[errors.len() - 1]
+    );
 }
