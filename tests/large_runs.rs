@@ -1,10 +1,11 @@
 //! What large runs of `book/large.toml` kept is what the library computes: their small sizes, anew.
 
-#[path = "../examples/theorem_3_1_rates.rs"]
+#[path = "../examples/theorem_3_1_problems.rs"]
 #[allow(dead_code, reason = "only `outcome` is used here")]
 mod rates;
 
 use serde_json::Value;
+use signorini::cone::Cone;
 use signorini::problems::{NamedProblem, TestProblem};
 
 fn kept(run: &str) -> Value {
@@ -18,7 +19,7 @@ fn kept(run: &str) -> Value {
 fn orders_of_corners_are_those_that_were_kept() {
     let kept = kept("theorem_3_1_rates_corners");
     let (tau, problem) = (vec![1.6, 1.75, 1.9], vec![NamedProblem::Mesh(TestProblem::Corner)]);
-    let computed = rates::outcome(&rates::Options { tau, problem, finest: 13 }).unwrap();
+    let computed = rates::outcome(&rates::Options { tau, problem, cone: Cone::Nodal, finest: 13 }).unwrap();
     for tau in ["1.6", "1.75", "1.9"] {
         let key = format!("order.problemcorner.tau{tau}");
         let [kept, error] =

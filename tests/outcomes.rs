@@ -104,6 +104,7 @@ examples! {
     segment_constants: "../examples/segment_constants.rs",
     speed_for_accuracy: "../examples/speed_for_accuracy.rs",
     theorem_3_1_proof_profile: "../examples/theorem_3_1_proof_profile.rs",
+    theorem_3_1_problems: "../examples/theorem_3_1_problems.rs",
     theorem_3_1_rates: "../examples/theorem_3_1_rates.rs",
     theorem_3_1_with_numbers: "../examples/theorem_3_1_with_numbers.rs",
     theorem_3_1_without_c: "../examples/theorem_3_1_without_c.rs",

@@ -1,7 +1,7 @@
 //! Theorem 3.1: errors and consistency terms of the nodal cone are of the optimal order, above the printed one.
 
 #[allow(dead_code, reason = "only `outcome` is used here")]
-#[path = "../examples/theorem_3_1_rates.rs"]
+#[path = "../examples/theorem_3_1_problems.rs"]
 mod example;
 mod theorem_rates;
 
@@ -26,8 +26,8 @@ fn smooth_transitions_have_order_one() {
 #[test]
 fn corners_have_the_order_of_their_opening() {
     let problem = vec![NamedProblem::Mesh(TestProblem::Corner)];
-    let found =
-        example::outcome(&example::Options { tau: vec![1.6, 1.75, 1.9], problem, finest: 13 }).unwrap();
+    let (tau, cone) = (vec![1.6, 1.75, 1.9], Cone::Nodal);
+    let found = example::outcome(&example::Options { tau, problem, cone, finest: 13 }).unwrap();
     theorem_rates::corners(|key| found.value(key));
 }
 

@@ -3,6 +3,7 @@
 use crate::{Error, Result};
 use fractional_sobolev::Mesh;
 use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
 use std::ops::Range;
 
 /// The mass matrix ∫ φᵢ φⱼ of the hat functions of a mesh: h/6 (2 1; 1 2) on an element of length h.
@@ -30,6 +31,38 @@ pub fn mean_zero_basis(mesh: &Mesh, zone: Range<f64>) -> DMatrix<f64> {
     basis.remove_column(pivot)
 }
 
+/// The matrix of v ↦ |V|₁², V the discrete harmonic function of the five-point stencil on n × n squares of the unit square with
+/// edge values v, V = 0 on the side opposite and natural sides. The wave cos kπx has the energy S_k Σ cos² (end nodes by
+/// half), S_k = sinh η coth nη, cosh η = 2 − cos(kπ/n): the stencil, row by row.
+pub fn harmonic_energy(n: usize) -> DMatrix<f64> {
+    let half = |i: usize| if i == 0 || i == n { 0.5 } else { 1.0 };
+    let angle = |k: usize| k as f64 * PI / n as f64;
+    let waves = DMatrix::from_fn(n + 1, n + 1, |k, i| half(i) * (angle(k) * i as f64).cos());
+    let symbol = DVector::from_fn(n + 1, |k, _| match (2.0 - angle(k).cos()).acosh() {
+        0.0 => 1.0 / (n * n) as f64,
+        eta => 2.0 * half(k) / n as f64 * eta.sinh() / (n as f64 * eta).tanh(),
+    });
+    waves.tr_mul(&(DMatrix::from_diagonal(&symbol) * &waves))
+}
+
+/// The minimiser of ½ v·A v − b·v among the v with B v ≤ 0: v = A⁻¹ (b − Bᵀ q), q ≥ 0 by 20 000 projected Gauss-Seidel sweeps.
+///
+/// # Errors
+/// [`Error::Option`] where A is singular.
+pub fn constrained_minimiser(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    below: &DMatrix<f64>,
+) -> Result<DVector<f64>> {
+    let inverse = a.clone().try_inverse().ok_or_else(|| Error::Option("a singular system".to_owned()))?;
+    let (d, free) = (below * &inverse * below.transpose(), below * &inverse * b);
+    let mut q = DVector::<f64>::zeros(free.len());
+    for s in (0..free.len()).cycle().take(20_000 * free.len()) {
+        q[s] = (q[s] + (free[s] - d.column(s).dot(&q)) / d[(s, s)]).max(0.0);
+    }
+    Ok(inverse * (b - below.tr_mul(&q)))
+}
+
 /// The largest λ with M u = λ A u for a vector u ≠ 0, M symmetric and A symmetric positive definite: that of
 /// L⁻¹ M L⁻ᵀ, A = L Lᵀ. Its root is the best constant in uᵀMu ≤ λ uᵀAu. O(n³); rounding ε κ(A) relatively.
 ///
@@ -55,6 +88,17 @@ mod tests {
         let basis = mean_zero_basis(&mesh, 0.0..0.5);
         let means = DVector::from(vec![0.125, 0.25, 0.125, 0.0]).transpose() * &basis;
         assert!(basis.shape() == (4, 3) && means.amax() < 1e-15);
+    }
+
+    #[test]
+    fn a_constant_has_the_energy_of_its_slope_and_an_obstacle_stops_it() {
+        let a = harmonic_energy(8);
+        let one = DVector::from_element(9, 1.0);
+        assert!((one.dot(&(&a * &one)) - 1.0).abs() < 1e-14);
+        let v = constrained_minimiser(&a, &(&a * &one), &DMatrix::identity(9, 9)).unwrap();
+        assert!(v.amax() < 1e-12);
+        let v = constrained_minimiser(&a, &(&a * -&one), &DMatrix::identity(9, 9)).unwrap();
+        assert!((v + one).amax() < 1e-12);
     }
 
     #[test]
