@@ -65,6 +65,7 @@ macro_rules! examples {
 
 examples! {
     // examples
+    bound_from_the_data: "../examples/bound_from_the_data.rs",
     contact_costs_nothing: "../examples/contact_costs_nothing.rs",
     equation_3_2_logarithm: "../examples/equation_3_2_logarithm.rs",
     equation_6_2_mean: "../examples/equation_6_2_mean.rs",
@@ -74,6 +75,7 @@ examples! {
     figure_3_2_alternative: "../examples/figure_3_2_alternative.rs",
     figure_4_1_alternative: "../examples/figure_4_1_alternative.rs",
     introduction_rates: "../examples/introduction_rates.rs",
+    finite_contact_set: "../examples/finite_contact_set.rs",
     lemma_5_1_peetre_tartar: "../examples/lemma_5_1_peetre_tartar.rs",
     lemma_5_2_exact_law: "../examples/lemma_5_2_exact_law.rs",
     lemma_5_2_induction: "../examples/lemma_5_2_induction.rs",

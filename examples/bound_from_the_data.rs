@@ -1,0 +1,99 @@
+//! A bound from the data alone: the error of Signorini's problem below C h ‖f‖, C a number.
+//!
+//! −Δu = f on the unit square, u = 0 on three sides, u ≤ 0, ∂u/∂n ≤ 0, u ∂u/∂n = 0 on the bottom; u^h by linear elements on
+//! n × n squares cut by a diagonal, h = 1/n, u^h ≤ 0 at the nodes of the bottom. For every f in L² and every contact set
+//!
+//! ```text
+//! ‖∇(u − u^h)‖ ≤ C h ‖f‖,     C² = A² + (π/2) coth π,   A = 0.4929..: 1/A + tan(1/A) = 0,   C = 1.349
+//! ```
+//!
+//! since |u|₂² = Σ ‖∂ᵢ∂ⱼ u‖² ≤ ‖f‖² and ‖∇(u − u^h)‖² ≤ ‖∇(u − I u)‖² + 2 ∫ σ_N I u ≤ A² h² |u|₂² + 2 (1/4) h² |σ_N|_½ |u'|_½ on
+//! segments, and |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x, u_y on the square of side h above each segment. No number of the right side is unknown.
+//!
+//! f = 6 (1 − 2x), its own interpolant; ‖f‖ = √12. Error: against u on `reference` squares, nested, whose own error is bounded
+//! by that of the finest coarse mesh times their ratio of h. |u|₂: second differences of u^h over h², one value per node.
+//! Refuted if an error is above C h ‖f‖, if |u|₂ on the finest mesh exceeds ‖f‖ or is 2 % below it, or if the error leaves h by 0.1.
+use example_report::prelude::*;
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, Solver};
+use signorini::fem::{Field, Form};
+use signorini::mesh::{Hierarchy, Part, SideParts, Triangulation, unit_square};
+use std::f64::consts::PI;
+
+example! { seconds "A bound from the data", "‖∇(u − u^h)‖ ≤ C h ‖f‖, C = 1.349, for every f and every contact set";
+    /// meshes of 8 × 8 squares halved that often; the last one is the reference
+    meshes: usize = "6" in "[6, 8]",
+}
+
+/// −Δu = 6 (1 − 2x): the load is affine, so that its interpolant is exact.
+fn problem(mesh: Triangulation) -> Result<ContactProblem> {
+    let load = Field::Scalar(&|[x, _]| 6.0 * (1.0 - 2.0 * x)).sample(mesh.nodes())?;
+    Ok(ContactProblem::new(mesh, Form::LAPLACE, &load)?)
+}
+
+/// |u|₂ by differences: u_xx, u_yy at inner nodes from three values each, u_xy at middles of squares from four.
+pub(crate) fn second_seminorm(mesh: &Triangulation, u: &[f64], n: usize) -> f64 {
+    let mut grid = vec![0.0; (n + 1) * (n + 1)]; // refinement has its own order of nodes
+    let number = |t: f64| (t * n as f64).round() as usize;
+    mesh.nodes().iter().zip(u).for_each(|([x, y], u)| grid[number(*y) * (n + 1) + number(*x)] = *u);
+    let at = |i: usize, j: usize| grid[j * (n + 1) + i];
+    let mut sum = 0.0;
+    for (i, j) in (0..n).flat_map(|i| (0..n).map(move |j| (i, j))) {
+        sum += 2.0 * (at(i + 1, j + 1) - at(i, j + 1) - at(i + 1, j) + at(i, j)).powi(2);
+        if i > 0 && j > 0 {
+            sum += (at(i + 1, j) - 2.0 * at(i, j) + at(i - 1, j)).powi(2);
+            sum += (at(i, j + 1) - 2.0 * at(i, j) + at(i, j - 1)).powi(2);
+        }
+    }
+    sum.sqrt() * n as f64 // squares of differences over h⁴, times h²
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("error", "error", "‖∇(u − u^h)‖, u on the reference mesh");
+    out.column("seminorm", "|u|₂", "from differences of u^h");
+    out.column("bound", "C h ‖f‖", "the theorem");
+    out.column("interpolation", "A h ‖f‖/error", "what is lost without contact");
+    out.column("over_error", "bound/error", "what all steps lose together");
+    let mut t = 2.0_f64; // t = 1/A by Newton's method: t cos t + sin t = 0
+    for _ in 0..20 {
+        t -= (t * t.cos() + t.sin()) / (2.0 * t.cos() - t * t.sin());
+    }
+    let interpolation = 1.0 / t;
+    let (constant, f) = ((interpolation.powi(2) + 0.5 * PI / PI.tanh()).sqrt(), 12f64.sqrt());
+    out.note("C", constant);
+    let bottom_is_contact = SideParts {
+        bottom: Part::Contact,
+        right: Part::Dirichlet,
+        top: Part::Dirichlet,
+        left: Part::Dirichlet,
+    };
+    let levels = options.meshes;
+    let hierarchy = Hierarchy::refined(unit_square(8, bottom_is_contact)?, levels)?;
+    let mut solved = Vec::new();
+    for mesh in hierarchy.levels() {
+        let problem = problem(mesh.clone())?;
+        let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement; // exact to rounding
+        solved.push((problem, u));
+    }
+    let Some((fine, exact)) = solved.last() else { return Ok(()) };
+    for (k, (problem, u)) in solved.iter().enumerate().take(levels - 1) {
+        let n = 8usize << k;
+        let h = 1.0 / n as f64;
+        let distance = fine.nested_energy_error(&hierarchy, (k, u), (levels, exact))?;
+        let error = Measured::new(distance, distance * n as f64 / (8usize << levels) as f64);
+        let (bound, seminorm) = (constant * h * f, second_seminorm(problem.mesh(), u, n));
+        let over_error = (error.recip() * bound).value;
+        out.row(cells! { h => seminorm, error, bound, interpolation: (error.recip() * (interpolation * h * f)).value, over_error });
+        out.check("error over C h ‖f‖").at_most(error / bound, 1.0, "C by proof");
+    }
+    let finest = second_seminorm(fine.mesh(), exact, 8 << levels) / f;
+    out.note("seminorm_over_f", finest);
+    out.check("|u|₂/‖f‖ on the reference mesh").at_most(finest, 1.0, "|u|₂ ≤ ‖f‖");
+    out.check("the same from below").at_least(finest, 0.98, "equality for continuous ∇u");
+    let order = out.order("h", "error");
+    out.check("order of the error").near(order, 1.0, 0.1, "(3.1), τ = 2");
+    out.plot("bound_from_the_data", "Error and bound", Axes::LogLog("h", "‖∇(u − u^h)‖"))
+        .curve("h", "error")
+        .dashed("h", "bound");
+    Ok(())
+}

@@ -1,0 +1,210 @@
+//! When is the contact set finite? The square of a stress and a slope is analytic across the contact edge.
+//!
+//! Homogeneous isotropic body (Lamé's λ, μ) above a straight contact edge on y = 0, no friction, body force and gap analytic
+//! near it. c = 2μ(λ + μ)/(λ + 2μ), u_N = −u_y, σ_N = σ_yy; for −Δu = f: c = 1, u_N = u, σ_N = ∂u/∂n. On the edge
+//!
+//! ```text
+//! F = σ_N + i c u_N' is the trace of a function holomorphic above the edge, and σ_N u_N' = 0 there. So F² is real, hence
+//! analytic across the edge:  F² = σ_N² in contact,  −(c u_N')² in gaps;  ends of contact are zeros of F², so isolated.
+//! ```
+//!
+//! Linear elements on n × n squares cut by a diagonal, nodal cone. Samples: in contact (nodal force/h)² at the nodes, in gaps
+//! −c² ((uᵢ₊₁ − uᵢ)/h)² at the middle of segments, at distances 4h .. `window` from an end of contact. P/Q, degrees 4 and 2, is
+//! fitted to them: its zero predicts the end, √|slope| there is the stress intensity K (σ_N ≈ −K √r); beside it K by least
+//! squares, p ≈ K √r + K₃ r^(3/2), r from the end on the mesh. Control: |F|² has a corner at the end; no such P/Q fits it.
+//!
+//! Bodies: block, f = (0, −cos πx); membrane, f = cos 2πx + 3/10, left end of its gap (where h resolves the gap); u in closed
+//! form, contact on x < 3/10, F² = 9/4 (3/10 − x). Refuted if the zero on the coarsest mesh is h/8 off that of the finest one
+//! (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than window/4 (closed form: any pole is rounding
+//! of its fit), if |F|² is fitted within ten times of F², or if Im F² of the triangles at the edge falls slower than h^0.7.
+use example_report::prelude::*;
+use nalgebra::{DMatrix, DVector};
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Solver};
+use signorini::fem::{Lame, gradients, stresses};
+use signorini::problems::{KnownSolution, TestProblem};
+
+example! { seconds "When the contact set is finite", "F² = (σ_N + i c u_N')² is analytic on the contact edge; ends of contact are its zeros";
+    /// meshes of n × n squares, the coarsest first
+    n: Vec<usize> = "64,128,256" in "[32, 2048]",
+    /// samples of F² at distances 4/n .. window from the end of contact
+    window: f64 = "0.15" in "[0.1, 0.3]" slider "0.1 to 0.25",
+}
+
+/// P/Q with P of degree 4 and Q of degree 2 in t = (x − x₀)/w; coefficients from low to high.
+pub(crate) struct Rational([f64; 5], [f64; 3]);
+
+impl Rational {
+    /// min Σ ((P − F² Q)/Q_before)² over unit vectors of coefficients: a smallest singular vector, eight times.
+    pub(crate) fn fit(points: &[(f64, f64)]) -> Result<Self> {
+        let mut q = vec![1.0; points.len()];
+        let mut v = DVector::zeros(8);
+        for _ in 0..8 {
+            let row = |i: usize, j: usize| {
+                let (t, f) = points[i];
+                (if j < 5 { t.powi(j as i32) } else { -f * t.powi(j as i32 - 5) }) / q[i]
+            };
+            let right = DMatrix::from_fn(points.len(), 8, row).svd(false, true).v_t;
+            v = right.ok_or_else(|| Error::Option("no singular vectors".into()))?.row(7).transpose();
+            q = points.iter().map(|(t, _)| (v[5] + t * (v[6] + t * v[7])).abs()).collect();
+        }
+        Ok(Self([v[0], v[1], v[2], v[3], v[4]], [v[5], v[6], v[7]]))
+    }
+
+    fn at(&self, t: f64) -> f64 {
+        let horner = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
+        horner(&self.0) / horner(&self.1)
+    }
+
+    /// The zero nearest to 0 by bisection on the first interval with a change of sign.
+    pub(crate) fn zero(&self) -> f64 {
+        let changes = |k: &i32| self.at(0.01 * f64::from(*k)) * self.at(0.01 * f64::from(*k + 1)) <= 0.0;
+        let Some(k) = (-50..50).filter(changes).min_by_key(|k| (2 * k + 1).abs()) else { return f64::NAN };
+        let (mut a, mut b) = (0.01 * f64::from(k), 0.01 * f64::from(k + 1));
+        for _ in 0..60 {
+            let middle = 0.5 * (a + b);
+            if self.at(a) * self.at(middle) <= 0.0 { b = middle } else { a = middle }
+        }
+        0.5 * (a + b)
+    }
+
+    /// Distance of the nearest pole from [−1, 1].
+    pub(crate) fn pole(&self) -> f64 {
+        let [c, b, a] = self.1;
+        let (middle, root) = (-0.5 * b / a, 0.25 * (b / a).powi(2) - c / a);
+        let outside = |x: f64| (x.abs() - 1.0).max(0.0);
+        match root < 0.0 {
+            true => outside(middle).hypot((-root).sqrt()),
+            false => outside(middle - root.sqrt()).min(outside(middle + root.sqrt())),
+        }
+    }
+
+    /// Root of the mean of squares of the misfit, over that of the samples.
+    pub(crate) fn misfit(&self, points: &[(f64, f64)]) -> f64 {
+        let sum = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|p| of(p).powi(2)).sum::<f64>();
+        (sum(&|(t, f)| self.at(*t) - f) / sum(&|(_, f)| *f)).sqrt()
+    }
+}
+
+/// (x, F²) along the edge, from left to right.
+pub(crate) fn samples(u: &ContactSolution, c: f64) -> Vec<(f64, f64)> {
+    let (h, active) = (1.0 / (u.pressure.len() - 1) as f64, |i: usize| u.pressure[i] > 0.0);
+    let mut points = Vec::new();
+    for i in 0..u.pressure.len() - 1 {
+        let x = i as f64 * h;
+        if active(i) {
+            points.push((x, u.pressure[i].powi(2)));
+        }
+        if !(active(i) && active(i + 1)) {
+            let slope = (u.normal_displacement[i + 1] - u.normal_displacement[i]) / h;
+            points.push((x + 0.5 * h, -(c * slope).powi(2)));
+        }
+    }
+    points
+}
+
+/// Σ |Im F²| / Σ |F²| over the triangles with a side on the edge, F from the derivatives of u^h there.
+fn imaginary(problem: &ContactProblem, u: &ContactSolution, c: f64) -> Result<f64> {
+    let (mesh, elastic) = (problem.mesh(), problem.form().components() == 2);
+    let normal: Vec<f64> =
+        u.displacement.iter().skip(usize::from(elastic)).step_by(1 + usize::from(elastic)).copied().collect();
+    let slopes = gradients(mesh, &normal)?; // of u, of u_y
+    let stress: Vec<f64> = match elastic {
+        true => stresses(mesh, problem.form(), &u.displacement)?.iter().map(|s| s.yy).collect(),
+        false => slopes.iter().map(|g| -g[1]).collect(),
+    };
+    let bottom = |t: &usize| mesh.corners(*t).iter().filter(|p| p[1] == 0.0).count() == 2;
+    let parts = (0..slopes.len()).filter(bottom).map(|t| (stress[t], c * slopes[t][0]));
+    let [im, all] = parts.fold([0.0; 2], |[a, b], (s, d)| [a + 2.0 * (s * d).abs(), b + s * s + d * d]);
+    Ok(im / all)
+}
+
+/// K of K √r + K₃ r^(3/2), least squares to (r, pressure): normal equations by Cramer's rule.
+fn intensity(pressed: &[(f64, f64)]) -> f64 {
+    let sum = |of: fn(f64, f64) -> f64| pressed.iter().map(|&(r, p)| of(r, p)).sum::<f64>();
+    let [a, b, d] = [sum(|r, _| r), sum(|r, _| r * r), sum(|r, _| r * r * r)];
+    let [e, g] = [sum(|r, p| p * r.sqrt()), sum(|r, p| p * r.powf(1.5))];
+    (d * e - b * g) / (a * d - b * b)
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("mesh", "mesh", "its end of contact, the middle of a segment");
+    out.column("zero", "zero of F²", "predicted end of contact");
+    out.column("pole", "pole", "distance of the nearest pole of P/Q from the samples");
+    out.column("K_fit", "K, fit", "from the pressure");
+    out.column("misfit", "misfit", "of P/Q to F², relative");
+    out.column("corner", "|F|²", "misfit of the control");
+    out.column("imaginary", "Im F²", "Σ |Im F²|/Σ |F²| over the triangles at the edge");
+    let lame = Lame::new(1.0, 1.0)?;
+    let elastic = 2.0 * lame.mu() * (lame.lambda() + lame.mu()) / (lame.lambda() + 2.0 * lame.mu());
+    let closed = KnownSolution::one_transition(Some(lame));
+    for (body, c, test) in [
+        ("block", elastic, Some(TestProblem::Block)),
+        ("membrane", 1.0, Some(TestProblem::Membrane)),
+        ("closed form", elastic, None),
+    ] {
+        let mut found = Vec::new();
+        for &n in &options.n {
+            let (problem, h) =
+                (test.map_or_else(|| closed.problem(n), |test| test.problem(n))?, 1.0 / n as f64);
+            // Active set: exact to rounding. Multigrid: twelve digits.
+            let solver = if n <= 256 { Solver::ActiveSet } else { Solver::Multigrid };
+            let u = problem.solve(Cone::Nodal, solver)?;
+            let active = |i: usize| u.pressure[i] > 0.0;
+            let ends = (1..n - 1).filter(|&i| active(i) != active(i + 1)).map(|i| (i as f64 + 0.5) * h);
+            let (ends, width) = (ends.collect::<Vec<_>>(), options.window);
+            let Some(&end) = ends.first() else { continue };
+            let used = |x: f64| (x - end).abs() <= width && ends.iter().all(|end| (x - end).abs() >= 4.0 * h);
+            let inside = |x: f64| used(x) && x >= 2.0 * h && x <= 1.0 - 2.0 * h;
+            let all = samples(&u, c);
+            let points = all.iter().filter(|p| inside(p.0)).map(|p| ((p.0 - end) / width, p.1));
+            let points: Vec<(f64, f64)> = points.collect();
+            if points.len() < 10 {
+                continue; // fewer than unknown coefficients, or hardly more
+            }
+            let fit = Rational::fit(&points)?;
+            let (t, step) = (fit.zero(), 1e-4);
+            let (zero, slope) =
+                (end + width * t, (fit.at(t + step) - fit.at(t - step)) / (2.0 * step * width));
+            let pressed = points.iter().filter(|p| p.1 > 0.0).map(|p| (-width * p.0, p.1.sqrt()));
+            let k_fit = intensity(&pressed.collect::<Vec<_>>());
+            let absolute: Vec<(f64, f64)> = points.iter().map(|p| (p.0, p.1.abs())).collect();
+            let (misfit, corner) = (fit.misfit(&points), Rational::fit(&absolute)?.misfit(&absolute));
+            let (pole, k) = (width * fit.pole(), slope.abs().sqrt());
+            out.row(cells! { body, n => mesh: end, zero, pole, K: k, K_fit: k_fit, misfit, corner,
+            imaginary: imaginary(&problem, &u, c)? });
+            if test.is_some() {
+                out.check("distance of a pole over the window").at_least(
+                    pole / width,
+                    0.25,
+                    "F² is analytic",
+                );
+            }
+            if n >= 256 {
+                out.check("n ≥ 256: misfit of |F|² over F²").at_least(
+                    corner / misfit,
+                    10.0,
+                    "|F|² has a corner",
+                );
+            }
+            if out.draws() && test.is_some() {
+                let curve = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0);
+                let curve = curve.map(|t| (end + width * t, fit.at(t))).collect();
+                let (name, title) =
+                    (format!("finite_contact_set_{body}_{n}"), format!("F² on the edge, {body}"));
+                let plot = out.plot(&name, &title, Axes::Linear("x", "F²"));
+                plot.line("from u^h", all).dashed_line("P/Q", curve);
+            }
+            found.push((h, end, zero, k));
+        }
+        let [(h, mesh, zero, k), .., last] = found[..] else { continue };
+        let (exact, k_exact) = if test.is_some() { (last.2, last.3) } else { (0.3, 1.5) };
+        let off = |x: f64| (x - exact).abs() / h;
+        out.check("coarsest mesh: |zero − end|/h").at_most(off(zero), 0.125, "zero, finest mesh; 3/10");
+        out.observe("coarsest mesh: |its own end − end|/h").at_most(off(mesh), 0.5, "a segment");
+        out.check("coarsest mesh: K, relative").near(k / k_exact, 1.0, 0.03, "finest mesh; 3/2");
+        let order = -out.exponent("n", "imaginary").value; // between the two finest meshes
+        out.check("order of Im F² on triangles").at_least(order, 0.7, "Im F² = 0");
+    }
+    Ok(())
+}
