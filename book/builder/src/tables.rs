@@ -1,6 +1,6 @@
 //! What is made from lists, between two lines of a file: the tables of the README, of `src/with_contact.md`
 //! and of the lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from
-//! `SUMMARY.md`; the examples in `tests/outcomes.rs` from their directory.
+//! `SUMMARY.md`; the examples in `tests/interface/outcomes.rs` from their directory.
 
 use crate::data::names;
 use crate::error::{Error, Fault, Result, read, write};
@@ -13,7 +13,7 @@ const SUMMARY: &str = "book/src/SUMMARY.md";
 /// Every chapter as a documentation test.
 const CHAPTERS: &str = "src/book.rs";
 /// Every check of every example.
-const OUTCOMES: &str = "tests/outcomes.rs";
+const OUTCOMES: &str = "tests/interface/outcomes.rs";
 
 /// Lines of a file that are made from a list.
 struct Region {

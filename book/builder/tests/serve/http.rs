@@ -65,7 +65,7 @@ impl Book {
             "    // chapters\n    readme: \"../../README.md\",\n    first: \"first.md\",\n    // end of chapters\n",
         );
         write(
-            "tests/outcomes.rs",
+            "tests/interface/outcomes.rs",
             "    // examples\n    planted: \"../examples/planted.rs\",\n    // end of examples\n",
         );
         write("examples/planted.rs", "fn main() {}\n");

@@ -1,0 +1,9 @@
+//! Attacks, which `cargo test` leaves out: `cargo test --release --test attacks`.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod command_lines;
+mod contact;
+mod meshes;
+mod text;

@@ -1,0 +1,15 @@
+//! Beyond the paper: best and explicit constants, orders, rearrangement, accuracy and extreme input.
+
+#[path = "../common/segment_sets.rs"]
+mod segment_sets;
+
+mod accuracy;
+mod contact_costs_nothing;
+mod explicit_bound;
+mod explicit_constants;
+mod extremes;
+mod orders;
+mod rearrangement;
+mod segment_constants;
+mod tour;
+mod worst_contact_set;

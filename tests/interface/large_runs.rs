@@ -1,0 +1,29 @@
+//! What large runs of `book/large.toml` kept is what the library computes: their small sizes, anew.
+
+#[path = "../../examples/theorem_3_1_rates.rs"]
+#[allow(dead_code, reason = "only `outcome` is used here")]
+mod rates;
+
+use serde_json::Value;
+use signorini::problems::{NamedProblem, TestProblem};
+
+fn kept(run: &str) -> Value {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/generated/large/values.json");
+    let all: Value = serde_json::from_str(&std::fs::read_to_string(path).unwrap()).unwrap();
+    all[run].clone()
+}
+
+/// An order from h ≥ 1/128 and the one that was kept are those of one corner.
+#[test]
+fn orders_of_corners_are_those_that_were_kept() {
+    let kept = kept("theorem_3_1_rates_corners");
+    let (tau, problem) = (vec![1.6, 1.75, 1.9], vec![NamedProblem::Mesh(TestProblem::Corner)]);
+    let computed = rates::outcome(&rates::Options { tau, problem, finest: 13 }).unwrap();
+    for tau in ["1.6", "1.75", "1.9"] {
+        let key = format!("order.problemcorner.tau{tau}");
+        let [kept, error] =
+            [key.clone(), format!("{key}.error")].map(|key| kept["values"][key].as_f64().unwrap());
+        let (found, wide) = (computed.value(&key).unwrap(), computed.value(&format!("{key}.error")).unwrap());
+        assert!((found - kept).abs() < error + wide, "{tau}: {found} +- {wide}, kept {kept} +- {error}");
+    }
+}

@@ -1,0 +1,8 @@
+//! The rooms of the libraries, the table of labels, every example at its default size, options, files.
+
+mod bad_input;
+mod every_label;
+mod files;
+mod large_runs;
+mod outcomes;
+mod rooms;
