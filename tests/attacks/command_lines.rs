@@ -8,11 +8,12 @@
 //! takes as many, `SIGNORINI_SEED=7` other ones.
 
 use crate::common::SplitMix;
+use crate::program::{names, program};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Read;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::path::Path;
+use std::process::{Child, Stdio};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
@@ -32,25 +33,9 @@ struct Answer {
     is_stopped: bool,
 }
 
-fn binary(name: &str) -> PathBuf {
-    let tests = std::env::current_exe().unwrap();
-    let found = tests.parent().and_then(Path::parent).unwrap().join("examples").join(name);
-    assert!(found.exists(), "{} is not built: cargo build --examples in this profile", found.display());
-    found
-}
-
-fn names() -> Vec<String> {
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let files = std::fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().file_name());
-    let mut names: Vec<String> =
-        files.filter_map(|name| Some(name.to_str()?.strip_suffix(".rs")?.to_owned())).collect();
-    names.sort();
-    names
-}
-
 /// Runs a line, for so long at most.
 fn ask(name: &str, line: &[String], patience: Duration) -> Answer {
-    let mut command = Command::new(binary(name));
+    let mut command = program(name);
     command.args(line).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     let reader = |pipe: Box<dyn Read + Send>| {

@@ -11,5 +11,4 @@ mod extremes;
 mod orders;
 mod rearrangement;
 mod segment_constants;
-mod tour;
 mod worst_contact_set;

@@ -1,21 +1,10 @@
 //! Bad input through the examples: one clear line on stderr, exit code 2, nothing on stdout.
 
-use std::path::PathBuf;
-use std::process::Command;
-
-/// `cargo test` builds the examples beside the tests: target/PROFILE/deps/this-test,
-/// target/PROFILE/examples/NAME.
-fn example(name: &str) -> PathBuf {
-    let test = std::env::current_exe().unwrap();
-    let profile = test.parent().and_then(|deps| deps.parent()).unwrap();
-    profile.join("examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX))
-}
+use crate::program::program;
 
 #[track_caller]
 fn is_refused(name: &str, arguments: &[&str]) {
-    let output = Command::new(example(name)).args(arguments).output();
-    let output =
-        output.unwrap_or_else(|error| panic!("{name}: {error}; `cargo test` builds the examples first"));
+    let output = program(name).args(arguments).output().unwrap();
     let error = String::from_utf8_lossy(&output.stderr);
     let shown = format!("{name} {arguments:?}: {:?} {error}", output.status.code());
     assert_eq!(output.status.code(), Some(2), "{shown}");
@@ -81,6 +70,6 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
 
 #[test]
 fn help_is_not_an_error() {
-    let output = Command::new(example("tour")).arg("--help").output().unwrap();
+    let output = program("tour").arg("--help").output().unwrap();
     assert!(output.status.success() && String::from_utf8_lossy(&output.stdout).contains("--tau"));
 }

@@ -1,6 +1,7 @@
 //! Files and processes: places that cannot be written, a full disk, directories in place of files, two
 //! processes in one directory. Nothing half-written is ever read as whole.
 
+use crate::program::program;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
@@ -10,10 +11,7 @@ use std::time::{Duration, Instant};
 const QUICK: &str = "equation_6_2_mean";
 
 fn command(name: &str, arguments: &[&str]) -> Command {
-    let test = std::env::current_exe().unwrap();
-    let profile = test.parent().and_then(Path::parent).unwrap();
-    let mut command =
-        Command::new(profile.join("examples").join(format!("{name}{}", std::env::consts::EXE_SUFFIX)));
+    let mut command = program(name);
     command.args(arguments).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
     command
 }
