@@ -4,6 +4,7 @@ mod band;
 mod circulant;
 pub(super) mod cluster;
 pub(super) mod dense;
+mod eigenvalues;
 mod hierarchical;
 mod operator;
 mod six_step;
@@ -15,6 +16,7 @@ mod tridiagonal;
 pub(crate) use dense::{
     gram_constants, gram_linears, gram_zero_outside, mass_linears, require_constants_finite,
 };
+pub(crate) use eigenvalues::extreme_eigenvalues;
 pub(crate) use operator::GramOperator;
 pub(crate) use solve::solve;
 pub(crate) use spectral::Spectral;
