@@ -1,19 +1,8 @@
 //! Contact costs nothing in the limit: errors beside those of interpolation and of the best approximation.
 
-#[allow(dead_code)]
-#[path = "../../examples/contact_costs_nothing.rs"]
-mod example;
-
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::problems::KnownSolution;
-
-#[test]
-fn the_limit_is_that_of_interpolation() {
-    // Fewer meshes leave changes too large to decide.
-    let found = example::outcome(&example::Options { finest: 13, cone: Cone::Nodal }).unwrap();
-    assert_eq!(found.exit_code(), 0, "{}", found.text(false));
-}
 
 /// The theorem on triangulations, without a strip: the squared error less that of interpolation, over h², falls.
 #[test]

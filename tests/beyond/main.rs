@@ -1,9 +1,11 @@
 //! Beyond the paper: best and explicit constants, orders, rearrangement, accuracy and extreme input.
 
+/// Sizes of random searches: the few that decide here, or as many as the target `attacks` takes.
+pub const MANY: bool = false;
+
 #[path = "../common/segment_sets.rs"]
 mod segment_sets;
 
-mod accuracy;
 mod contact_costs_nothing;
 mod explicit_bound;
 mod explicit_constants;

@@ -1,7 +1,7 @@
 //! Orders of convergence of discrete solutions whose order is known: the uncertainty of [`ConvergenceOrder`] contains it in
 //! at least 95 of 100 runs as a reader may choose them, 5 to 10 levels of strips up to 2^13 cells and of corners.
 //!
-//! `ORDER_RUNS=500 cargo test --release --test orders -- --nocapture` for more than the few runs of every day, and for a
+//! `ORDER_RUNS=500 cargo test --release --test attacks orders -- --nocapture` for more than the few runs of every day, and for a
 //! list of those that are not contained.
 
 use signorini::cone::Cone;
@@ -13,7 +13,7 @@ use signorini::rates::{ConvergenceOrder, order_between};
 use signorini::strip::{Reference, StripKind, StripProblem};
 
 /// Runs unless `ORDER_RUNS` asks for more.
-const RUNS: usize = 40;
+const RUNS: usize = if crate::MANY { 100 } else { 20 };
 /// One run in so many is a corner.
 const CORNERS: usize = 10;
 /// Share of the runs that contain the true order.

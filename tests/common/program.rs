@@ -1,7 +1,9 @@
 //! Examples as programs, which `cargo test` builds before the tests.
 
+use serde_json::Value;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The program: tests are target/PROFILE/deps/TEST, programs target/PROFILE/examples/NAME.
 pub fn program(name: &str) -> Command {
@@ -22,4 +24,17 @@ pub fn names() -> Vec<String> {
         sources.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
     names.sort();
     names
+}
+
+/// What a run prints and its outcome (`--values`): `verdict`, `values` by key, `findings`.
+#[allow(dead_code, reason = "each target uses a part")]
+pub fn outcome(name: &str, arguments: &[&str]) -> (Output, Value) {
+    static RUNS: AtomicUsize = AtomicUsize::new(0);
+    let run = RUNS.fetch_add(1, Ordering::Relaxed);
+    let file = std::env::temp_dir().join(format!("signorini-{name}-{}-{run}.json", std::process::id()));
+    let output = program(name).args(arguments).arg("--values").arg(&file).output().unwrap();
+    let text = std::fs::read_to_string(&file)
+        .unwrap_or_else(|_| panic!("{name} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr)));
+    std::fs::remove_file(&file).unwrap();
+    (output, serde_json::from_str(&text).unwrap())
 }

@@ -1,11 +1,7 @@
 //! What large runs of `book/large.toml` kept is what the library computes: their small sizes, anew.
 
-#[path = "../../examples/theorem_3_1_rates.rs"]
-#[allow(dead_code, reason = "only `outcome` is used here")]
-mod rates;
-
+use crate::program::outcome;
 use serde_json::Value;
-use signorini::problems::{NamedProblem, TestProblem};
 
 fn kept(run: &str) -> Value {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/book/generated/large/values.json");
@@ -17,13 +13,12 @@ fn kept(run: &str) -> Value {
 #[test]
 fn orders_of_corners_are_those_that_were_kept() {
     let kept = kept("theorem_3_1_rates_corners");
-    let (tau, problem) = (vec![1.6, 1.75, 1.9], vec![NamedProblem::Mesh(TestProblem::Corner)]);
-    let computed = rates::outcome(&rates::Options { tau, problem, finest: 13 }).unwrap();
+    let (_, computed) =
+        outcome("theorem_3_1_rates", &["--problem=corner", "--tau=1.6,1.75,1.9", "--finest=13"]);
     for tau in ["1.6", "1.75", "1.9"] {
         let key = format!("order.problemcorner.tau{tau}");
-        let [kept, error] =
-            [key.clone(), format!("{key}.error")].map(|key| kept["values"][key].as_f64().unwrap());
-        let (found, wide) = (computed.value(&key).unwrap(), computed.value(&format!("{key}.error")).unwrap());
-        assert!((found - kept).abs() < error + wide, "{tau}: {found} +- {wide}, kept {kept} +- {error}");
+        let [[kept, error], [found, wide]] = [&kept, &computed]
+            .map(|run| [key.clone(), format!("{key}.error")].map(|key| run["values"][key].as_f64().unwrap()));
+        assert!((found - kept).abs() < error + wide, "{tau}: {found} ± {wide}, kept {kept} ± {error}");
     }
 }

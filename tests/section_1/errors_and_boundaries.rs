@@ -34,12 +34,6 @@ fn the_limit_in_the_order_one_is_that_of_derivatives() {
 }
 
 #[test]
-fn squares_corners_and_circles_have_their_closed_forms() {
-    let found = polygons::outcome(&polygons::Options::default()).unwrap();
-    assert!(found.status() == Verdict::True && found.checks().len() == 4, "{}", found.text(false));
-}
-
-#[test]
 fn other_orders_have_the_circle_and_duality_alone() {
     for nu in [0.2, 0.8] {
         let nu = Order::new(nu).unwrap();

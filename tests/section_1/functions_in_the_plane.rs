@@ -44,10 +44,12 @@ fn off(found: Estimate, exact: f64) -> f64 {
 }
 
 #[test]
-fn two_roads_agree_up_to_the_limit_of_finiteness() {
+fn two_computations_agree_up_to_the_limit_of_finiteness() {
     let mut worst = 0.0f64;
-    for (points, angle) in polygons() {
-        for (gap, s) in [(1.2, 0.3), (1e-2, 0.7), (1e-3, 0.6), (1e-6, 0.4)] {
+    let cases = [(1.2, 0.3), (1e-2, 0.7), (1e-3, 0.6), (1e-6, 0.4)];
+    for (number, (points, angle)) in polygons().into_iter().enumerate() {
+        // Two of the four for each polygon, and all four where there is time.
+        for (gap, s) in cases.into_iter().skip(number % 2).step_by(if crate::MANY { 1 } else { 2 }) {
             let (a, b) = (gap + s - 1.0, PI / angle);
             let star = Triangles::star(&points).unwrap();
             let other = Star::new(&points).squared(a, b, s).sqrt();
@@ -145,7 +147,7 @@ fn norms_of_order_one_and_more_take_the_gradient() {
 #[test]
 fn estimates_are_honest() {
     let mut random = SplitMix::new(77);
-    let (mut worst, mut loose, cases) = (0.0f64, 0, 16);
+    let (mut worst, mut loose, cases) = (0.0f64, 0, if crate::MANY { 16 } else { 6 });
     for case in 0..cases {
         let parts = 1 + random.below(3);
         let step = random.between(0.5, 1.2);

@@ -41,7 +41,7 @@ fn half_plane(s: f64) -> f64 {
 }
 
 #[test]
-fn nine_orders_have_five_digits_by_two_roads() {
+fn nine_orders_have_five_digits_by_two_computations() {
     for (s, exact) in CONSTANTS {
         let constant = trace_constant(Domain::HalfPlane, s, 1e-8).unwrap().constant;
         let error = (constant.value - exact).abs();

@@ -203,9 +203,9 @@ fn judged(solution: &ContactSolution, case: &str) {
 }
 
 #[test]
-fn three_hundred_random_scenes_are_solved_and_judged() {
+fn random_problems_are_solved_and_their_residuals_are_small() {
     let mut unresolved = 0;
-    for seed in 0..300 {
+    for seed in 0..if crate::MANY { 300 } else { 80 } {
         let problem = Draft::random(seed).problem(1.0, 0.0, [0.0; 2], 1.0);
         for cone in Cone::ALL {
             let case = format!("scene {seed}, {cone}");
@@ -245,7 +245,7 @@ fn answers_do_not_depend_on_place_size_or_units() {
         (1.0, 0.0, [0.0; 2], 1e-150),
         (1.0, 0.0, [0.0; 2], 1e150),
     ];
-    for seed in 0..300 {
+    for seed in 0..if crate::MANY { 300 } else { 80 } {
         let draft = Draft::random(seed);
         for cone in Cone::ALL {
             let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
@@ -267,9 +267,9 @@ fn answers_do_not_depend_on_place_size_or_units() {
 }
 
 #[test]
-fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
+fn midpoint_cone_leaves_every_cycle_under_rough_loads() {
     let mut steps = Vec::new();
-    for seed in 0..200 {
+    for seed in 0..if crate::MANY { 200 } else { 50 } {
         let mut random = Random::new(1000 + seed);
         let mesh = TestProblem::Block.mesh(24).unwrap();
         let load: Vec<f64> = (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
@@ -281,7 +281,7 @@ fn midpoint_cone_leaves_every_cycle_in_two_hundred_rough_loads() {
         steps.push(solution.work.iterations);
     }
     steps.sort_unstable();
-    assert!(steps[100] <= 12, "median number of steps {}", steps[100]);
+    assert!(steps[steps.len() / 2] <= 12, "median of {steps:?}");
 }
 
 #[test]

@@ -1,5 +1,8 @@
 //! Section 2: bodies, contact on meshes and on strips, singular exponents, multigrid; Remark 1.
 
+/// Sizes of random searches: the few that decide here, or as many as the target `attacks` takes.
+pub const MANY: bool = false;
+
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../common/reference_squares.rs"]

@@ -6,12 +6,9 @@ mod proof_cases;
 mod reference_squares;
 #[path = "../common/rough_slopes.rs"]
 mod rough_slopes;
-#[path = "../common/theorem_rates.rs"]
-mod theorem_rates;
 
 mod falk;
 mod figure_4_1;
 mod midpoint_cone;
 mod projection;
-mod theorem_4_1;
 mod theorem_4_1_proof;

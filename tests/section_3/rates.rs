@@ -1,5 +1,6 @@
-//! What Theorems 3.1 and 4.1 promise, for one cone: orders of error and consistency term, with bounds from both sides.
+//! Theorems 3.1 and 4.1, both cones: orders of error and consistency term, with bounds from both sides.
 
+use crate::program::outcome;
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
@@ -48,13 +49,9 @@ fn slope(points: &[(f64, f64)]) -> f64 {
     product / finer.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
 }
 
-fn check(
-    kind: StripKind,
-    levels: (u32, u32),
-    cone: Cone,
-    data: impl Fn(f64, usize) -> Result<Vec<EdgeData>>,
-) {
-    for tau in [1.55, 1.65, 1.75, 1.85, 1.95] {
+fn check(kind: StripKind, levels: (u32, u32), data: impl Fn(f64, usize) -> Result<Vec<EdgeData>>) {
+    let taus = [1.55, 1.65, 1.75, 1.85, 1.95];
+    for (cone, tau) in Cone::ALL.into_iter().flat_map(|cone| taus.map(|tau| (cone, tau))) {
         let (error, term) = orders(kind, &data(tau, 16 << levels.1).unwrap(), levels, cone);
         let name = format!("{kind} {cone} tau {tau}: error {error}, term {term}");
         assert!((error.order - (tau - 1.0)).abs() < ORDER && (term - (tau - 1.0)).abs() < TERM, "{name}");
@@ -63,27 +60,31 @@ fn check(
     }
 }
 
-pub fn single_transitions(cone: Cone) {
+#[test]
+fn single_transitions_have_order_tau_minus_one() {
     let place = |k: u32| 0.381966 + f64::from(k) / 56.0;
-    check(StripKind::Scalar, (3, 12), cone, |tau, cells| {
+    check(StripKind::Scalar, (3, 12), |tau, cells| {
         (0..7).map(|k| TransitionPowers::of_regularity(tau).data(place(k), cells)).collect()
     });
-    check(StripKind::Elastic, (3, 12), cone, |tau, cells| {
+    check(StripKind::Elastic, (3, 12), |tau, cells| {
         let data =
             |k| StripData::Transition { position: place(k) }.data(tau, cells, LateralCondition::Periodic);
         (0..7).map(data).collect()
     });
 }
 
-pub fn many_transitions(cone: Cone) {
-    check(StripKind::Scalar, (6, 14), cone, |tau, cells| {
+#[test]
+fn many_transitions_have_order_tau_minus_one() {
+    check(StripKind::Scalar, (6, 14), |tau, cells| {
         Ok(vec![StripData::Transitions { gaps: 11 }.data(tau, cells, LateralCondition::Natural)?])
     });
 }
 
 /// Beyond τ = 2 the error has order one, to which it creeps up, and the root of the term the order τ − 1.
-pub fn smooth_transitions(cone: Cone) {
-    for tau in [2.1, 2.25, 2.4] {
+#[test]
+fn smooth_transitions_have_order_one() {
+    let taus = [2.1, 2.25, 2.4];
+    for (cone, tau) in Cone::ALL.into_iter().flat_map(|cone| taus.map(|tau| (cone, tau))) {
         let place =
             |k: u32| TransitionPowers::of_regularity(tau).data(0.381966 + f64::from(k) / 56.0, 16 << 12);
         let data = (0..7).map(place).collect::<Result<Vec<_>>>().unwrap();
@@ -93,11 +94,15 @@ pub fn smooth_transitions(cone: Cone) {
     }
 }
 
-/// Orders of corners by their row in an outcome: three terms of a series for the error, h from 1/2 to 1/128.
-pub fn corners(value: impl Fn(&str) -> Option<f64>) {
-    for tau in ["1.6", "1.75", "1.9"] {
-        let found = value(&format!("order.problemcorner.tau{tau}")).unwrap();
-        assert!((found - (tau.parse::<f64>().unwrap() - 1.0)).abs() < 0.05, "{tau}: {found}");
+/// Corners on triangulations: three terms of a series for the error, h from 1/2 to 1/128.
+#[test]
+fn corners_have_the_order_of_their_opening() {
+    for name in ["theorem_3_1_rates", "theorem_4_1_rates"] {
+        let (_, found) = outcome(name, &["--problem=corner", "--tau=1.6,1.75,1.9", "--finest=13"]);
+        for tau in [1.6, 1.75, 1.9] {
+            let order = found["values"][format!("order.problemcorner.tau{tau}")].as_f64().unwrap();
+            assert!((order - (tau - 1.0)).abs() < 0.05, "{name} {tau}: {order}");
+        }
     }
 }
 
@@ -105,12 +110,15 @@ pub fn corners(value: impl Fn(&str) -> Option<f64>) {
 /// numbers.
 const SUM: f64 = 1e-12;
 
-pub fn terms_by_two_roads(cone: Cone) {
+#[test]
+fn the_consistency_term_is_that_of_two_computations() {
     let cells = 1 << 10;
     let scene = StripData::Transitions { gaps: 3 }.data(1.75, cells, LateralCondition::Natural).unwrap();
     let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
     let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
-    for (segments, term) in consistency_terms(&scene, cone) {
+    let terms =
+        Cone::ALL.map(|cone| consistency_terms(&scene, cone).into_iter().map(move |term| (cone, term)));
+    for (cone, (segments, term)) in terms.into_iter().flatten() {
         let h = 1.0 / segments as f64;
         let sum: f64 = (0..segments)
             .map(|k| Interval { start: k as f64 * h, end: (k + 1) as f64 * h })
