@@ -1,18 +1,9 @@
-//! A seeded attack on norms and constants in one dimension. Every answer is right to its own error, or there
-//! is a reason why there is none; the references are formulas of the test (`attack/references.rs`).
-//!
-//! `SIGNORINI_ATTACK=10 cargo test --release --test attack_numbers -- --nocapture` takes ten times the cases,
-//! `SIGNORINI_SEED=7` other ones.
+//! Norms and constants in one dimension on inputs near every limit. Every answer lies within its own error of a
+//! formula of the test (`hard/references.rs`), or there is a reason why there is none.
 
-#[path = "attack/mod.rs"]
-mod attack;
-#[allow(dead_code)]
-mod common;
-#[path = "attack/references.rs"]
-mod references;
-
-use attack::{Count, cases, seeded};
-use common::SplitMix;
+use crate::common::SplitMix;
+use crate::hard::references;
+use crate::hard::{Count, cases, seeded};
 use fractional_sobolev::{
     Constraint, Error, Function, Mesh, Order, Rule, Tolerance, closed_forms, gamma, gauss_legendre,
 };
@@ -81,7 +72,7 @@ fn closed_forms_of_powers_and_logarithms() {
             ROUNDING,
         );
     }
-    count.close("closed forms of powers", 5000, 0.0);
+    count.close("closed forms of powers", cases(5000), 0.0);
     let mut count = Count::default();
     for i in 0..cases(4500) {
         let distance = decades(&mut random, -7.0, -0.31);
@@ -94,7 +85,7 @@ fn closed_forms_of_powers_and_logarithms() {
             ROUNDING,
         );
     }
-    count.close("closed forms of powers of the logarithm", 4500, 0.0);
+    count.close("closed forms of powers of the logarithm", cases(4500), 0.0);
 }
 
 /// Up to five elements: of lengths 1e-300 ... 1, tiny ones beside long ones, or all of one size.
@@ -157,7 +148,7 @@ fn piecewise_linears_on_lengths_of_300_decades() {
         let case = || format!("linears {values:?} on {lengths:?}, {order:?}, {tolerance}");
         linears.judge(case, &u.seminorm(order, tolerance), exact, ROUNDING);
     }
-    linears.close("piecewise linears", 4000, 0.01);
+    linears.close("piecewise linears", cases(4000), 0.01);
 }
 
 #[test]
@@ -175,7 +166,7 @@ fn piecewise_constants_on_lengths_of_300_decades() {
         let case = || format!("constants {values:?} on {lengths:?}, {order:?}, {tolerance}");
         constants.judge(case, &u.seminorm(order, tolerance), exact, ROUNDING);
     }
-    constants.close("piecewise constants", 2000, 0.01);
+    constants.close("piecewise constants", cases(2000), 0.01);
 }
 
 #[test]
@@ -199,13 +190,13 @@ fn closures_of_powers() {
             ROUNDING,
         );
     }
-    count.close("closures of powers", 600, 0.7);
+    count.close("closures of powers", cases(600), 0.7);
 }
 
 #[test]
 fn closures_of_powers_of_the_logarithm() {
     let (mut random, mut count) = (seeded(7), Count::default());
-    for i in 0..cases(20) {
+    for i in 0..cases(100) {
         let distance = decades(&mut random, -7.0, -0.31);
         let alpha = if i % 2 == 0 { 0.5 - distance } else { decades(&mut random, -5.0, -0.31) };
         let tolerance = Tolerance::new(decades(&mut random, -3.0, -1.5)).unwrap();
@@ -220,7 +211,7 @@ fn closures_of_powers_of_the_logarithm() {
         let found = u.seminorm(Order::HALF, tolerance);
         count.judge(|| format!("|ln x|^{alpha:e}, {tolerance}"), &found, exact, ROUNDING);
     }
-    count.close("closures of powers of the logarithm", 20, 0.9);
+    count.close("closures of powers of the logarithm", cases(100), 0.9);
 }
 
 /// |ln x|^α over e^{unit}, right below 1e-300.
@@ -239,7 +230,7 @@ fn log_power(alpha: f64, unit: f64) -> Function<'static> {
 #[test]
 fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
     let (mut random, mut count) = (seeded(9), Count::default());
-    for _ in 0..cases(16) {
+    for _ in 0..cases(80) {
         let alpha = decades(&mut random, -7.0, 2.301);
         let order = match random.below(3) {
             0 => Order::half_plus(-decades(&mut random, -6.0, -0.4)),
@@ -255,13 +246,13 @@ fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
         let found = log_power(alpha, references::log_unit(alpha, order)).seminorm(order, tolerance);
         count.judge(|| format!("|ln x|^{alpha:e}, {order:?}, {tolerance}"), &found, exact, REFERENCE);
     }
-    count.close("powers of the logarithm below one half", 8, 0.25);
+    count.close("powers of the logarithm below one half", cases(8), 0.25);
 }
 
 #[test]
 fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
     let (mut random, mut infinite, mut refused) = (seeded(10), 0, 0);
-    for i in 0..cases(80) {
+    for i in 0..cases(240) {
         let (alpha, order) = if i % 2 == 0 {
             (0.5 + decades(&mut random, -7.0, 2.3), Order::HALF)
         } else {
@@ -282,7 +273,7 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
 fn cosines_up_to_ten_thousand_half_waves() {
     let (mut random, rule) = (seeded(4), gauss_legendre(16).unwrap());
     let mut closures = Count::default();
-    for _ in 0..cases(20) {
+    for _ in 0..cases(60) {
         let k = decades(&mut random, 0.0, 4.0) as u32;
         let order = order(&mut random);
         let tolerance = Tolerance::new(decades(&mut random, -4.0, -1.5)).unwrap();
@@ -294,7 +285,7 @@ fn cosines_up_to_ten_thousand_half_waves() {
         let case = || format!("cos {k}πx on {parts} parts, {order:?}, {tolerance}");
         closures.judge(case, &u.seminorm(order, tolerance), exact, ARGUMENT);
     }
-    closures.close("closures of cosines", 20, 0.8);
+    closures.close("closures of cosines", cases(60), 0.8);
 }
 
 #[test]
@@ -311,7 +302,7 @@ fn cosines_in_pieces() {
         let case = || format!("cos {k}πx of degree 10, {order:?}, {tolerance}");
         pieces.judge(case, &u.seminorm(order, tolerance), exact, ARGUMENT);
     }
-    pieces.close("cosines in pieces", 600, 0.3);
+    pieces.close("cosines in pieces", cases(600), 0.3);
 }
 
 #[test]
@@ -340,5 +331,5 @@ fn poincare_constants_between_bounds_known_by_hand() {
         }
     }
     println!("Poincaré constants: {} tried, {answered} answered, {refused} refused", answered + refused);
-    assert!(answered >= 90, "{answered} answered, {refused} refused");
+    assert!(10 * answered >= 9 * cases(100), "{answered} answered, {refused} refused");
 }

@@ -1,24 +1,16 @@
 //! Structure on scales from 1e-250 to 1e250: layers at ends and beside other terms, short intervals beside long
 //! ones, kinks and steps that were not declared, lengths and sizes at random. Every answer lies within its own
 //! error of a closed form, every refusal carries a value that encloses it, and no finite norm is said to be infinite.
-//!
-//! `SIGNORINI_ATTACK=60 cargo test --release --test scales -- --nocapture` takes sixty times the cases.
 
-#[allow(dead_code)]
-#[path = "attack/mod.rs"]
-mod attack;
-#[allow(dead_code)]
-mod common;
-
-use attack::{cases, seeded};
-use common::SplitMix;
+use crate::common::SplitMix;
+use crate::hard::{cases, seeded};
 use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Position, Result};
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 use std::time::Instant;
 
-/// Cases of each family by default.
-const CASES: usize = 24;
+/// Cases of each family.
+const CASES: usize = 240;
 /// Rounding of the references, and of a closure that multiplies by a length and a size.
 const ROUNDING: f64 = 1e-13;
 /// Half of the stated errors are no larger than this many times the true ones, or rounding.
@@ -87,7 +79,7 @@ impl Layers {
 fn layers() -> &'static [Layers] {
     static ALL: OnceLock<Vec<Layers>> = OnceLock::new();
     ALL.get_or_init(|| {
-        let text = include_str!("reference/layers_reference.json");
+        let text = include_str!("../reference/layers_reference.json");
         let all: serde_json::Value = serde_json::from_str(text).unwrap();
         let number = |v: &serde_json::Value| v.as_f64().unwrap();
         let list = |v: &serde_json::Value| v.as_array().unwrap().iter().map(number).collect::<Vec<_>>();

@@ -1,14 +1,16 @@
 //! What the attacks share: how many cases, and what became of them.
 
+pub mod references;
+
 use crate::common::SplitMix;
 use fractional_sobolev::{Error, Estimate, Result};
 
-/// `SIGNORINI_ATTACK=10` takes ten times as many cases.
+/// The share of the target; `SIGNORINI_ATTACK=10` takes ten times as many cases.
 pub fn cases(default: usize) -> usize {
     let factor = std::env::var("SIGNORINI_ATTACK").map_or(1.0, |text| {
         text.parse().unwrap_or_else(|_| panic!("SIGNORINI_ATTACK = {text} is not a number"))
     });
-    (default as f64 * factor).ceil() as usize
+    (crate::SHARE * default as f64 * factor).ceil() as usize
 }
 
 /// Of the family; `SIGNORINI_SEED=7` takes other cases.

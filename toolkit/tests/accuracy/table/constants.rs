@@ -7,9 +7,9 @@ use fractional_sobolev::{
     interpolation_constant, law, moment, projection_constant,
 };
 
-const GAMMA: &str = include_str!("../reference/gamma_reference.json");
-const LIMITS: &str = include_str!("../reference/limits_reference.json");
-const ELEMENTS: &str = include_str!("../reference/interpolation_reference.json");
+const GAMMA: &str = include_str!("../../reference/gamma_reference.json");
+const LIMITS: &str = include_str!("../../reference/limits_reference.json");
+const ELEMENTS: &str = include_str!("../../reference/interpolation_reference.json");
 
 /// All of them.
 pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {

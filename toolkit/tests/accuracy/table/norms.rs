@@ -7,7 +7,7 @@ use fractional_sobolev::{
     DualOf, Estimate, Function, Gram, Mesh, Order, Result, Tolerance, Work, closed_forms,
 };
 
-const REFERENCE: &str = include_str!("../reference/closed_forms.json");
+const REFERENCE: &str = include_str!("../../reference/closed_forms.json");
 
 /// All of them.
 pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {

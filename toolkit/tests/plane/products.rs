@@ -1,8 +1,6 @@
 //! Section 1 in the plane: fast products on uniform grids against sums over all pairs of triangles.
 
-#[allow(dead_code)]
-mod common;
-use common::SplitMix;
+use crate::common::SplitMix;
 use fractional_sobolev::{Error, Function, Gram, Order, Tolerance, Triangles, closed_forms};
 
 /// Asked of entries, and what a form may be off by.

@@ -236,7 +236,7 @@ fn the_list_of_public_items_is_up_to_date() {
     let new: Vec<&String> = lines.iter().filter(|line| !kept.lines().any(|k| k == *line)).collect();
     assert!(
         gone.is_empty() && new.is_empty(),
-        "gone or changed: {gone:#?}\nnew: {new:#?}\nif meant: SIGNORINI_WRITE_API=1 cargo test -p fractional-sobolev --test documented, and a \
+        "gone or changed: {gone:#?}\nnew: {new:#?}\nif meant: SIGNORINI_WRITE_API=1 cargo test -p fractional-sobolev --test interface documented, and a \
          line in CHANGELOG.md"
     );
 }

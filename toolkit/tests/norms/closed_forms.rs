@@ -7,7 +7,7 @@ use serde_json::Value;
 const CLOSED_FORM_TOLERANCE: f64 = 1e-12;
 
 fn references() -> Vec<Value> {
-    serde_json::from_str(include_str!("reference/closed_forms.json")).unwrap()
+    serde_json::from_str(include_str!("../reference/closed_forms.json")).unwrap()
 }
 
 fn number(row: &Value, key: &str) -> f64 {
@@ -196,7 +196,7 @@ fn very_slow_logarithms_agree_with_their_closed_form() {
 
 #[test]
 fn a_logarithm_on_both_sides_of_a_break_agrees_with_its_extrapolation() {
-    // |ln |x|/4|^0.25 on (−1, 2): arms of different length meet at 0; the second road extrapolates from 1e-300.
+    // |ln |x|/4|^0.25 on (−1, 2): arms of different length meet at 0; the second method extrapolates from 1e-300.
     let value = |log: f64| (4f64.ln() - log).powf(0.25);
     let breaks = [-1.0, 0.0, 2.0];
     let log_of = |at: Position| (if at.anchor() == 1 { at.offset() } else { at.x() }).abs().ln();

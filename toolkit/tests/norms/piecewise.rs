@@ -1,8 +1,8 @@
-//! Section 1, (1.1): norms of piecewise polynomials, each value by two roads.
+//! Section 1, (1.1): norms of piecewise polynomials, each value by two methods.
 
 use fractional_sobolev::{Error, Function, Gram, Mesh, Order, Tolerance, closed_forms};
 
-/// Both roads are exact to rounding; sums of up to 1e5 terms of one sign.
+/// Both methods are exact to rounding; sums of up to 1e5 terms of one sign.
 const ROUNDING_TOLERANCE: f64 = 1e-12;
 
 fn orders() -> Vec<Order> {

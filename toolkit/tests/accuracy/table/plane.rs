@@ -5,7 +5,7 @@ use super::{Family, ask, draw, number, order, order_of, rows};
 use fractional_sobolev::{Estimate, Function, Gram, Result, Triangles, Work, closed_forms};
 use serde_json::Value;
 
-const REFERENCE: &str = include_str!("../reference/plane_reference.json");
+const REFERENCE: &str = include_str!("../../reference/plane_reference.json");
 
 /// All of them.
 pub(super) fn families(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {

@@ -1,9 +1,8 @@
 //! Dual norms of rough loads: enclosures by partial sums of the spectral series, square waves in closed form,
 //! and other partitions of the same function.
 
-#[allow(dead_code)]
-mod common;
-use common::SplitMix;
+use crate::common::SplitMix;
+use crate::hard::cases;
 use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
 
@@ -116,10 +115,10 @@ fn encloses([low, high]: [f64; 2], found: Estimate) -> bool {
 }
 
 #[test]
-fn spectral_sums_are_enclosed_and_a_spoiled_value_is_not() {
+fn spectral_sums_are_enclosed_and_a_wrong_value_is_not() {
     let mut random = SplitMix::new(5);
     let (mut sharp, mut heard) = (0, 0);
-    for case in 0..120 {
+    for case in 0..cases(300) {
         let pieces = Pieces::random(&mut random);
         let nu = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98][random.below(7)];
         for (of, zero) in [(DualOf::Interpolation, false), (DualOf::InterpolationZero, true)] {
@@ -135,7 +134,7 @@ fn spectral_sums_are_enclosed_and_a_spoiled_value_is_not() {
             }
         }
     }
-    assert!(sharp == 240 && heard > 200, "{heard} of {sharp} spoiled values are heard");
+    assert!(6 * heard > 5 * sharp, "{heard} of {sharp} spoiled values are heard");
 }
 
 /// The square wave of N elements, ±1 in turn: 4/π Σ_{odd j} sin(jNπx)/j, so that its squared norm is 8/π²
@@ -220,7 +219,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
 #[test]
 fn the_norm_of_1_1_agrees_with_graded_meshes() {
     let mut random = SplitMix::new(11);
-    for case in 0..12 {
+    for case in 0..cases(100) {
         let mut pieces = Pieces::random(&mut random);
         pieces.lengths.truncate(3);
         pieces.values.truncate(3);
@@ -240,7 +239,7 @@ fn the_norm_of_1_1_agrees_with_graded_meshes() {
 fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
     let mut random = SplitMix::new(13);
     let (mut asked, mut heard) = (0, 0);
-    for case in 0..100 {
+    for case in 0..cases(300) {
         let pieces = Pieces::random(&mut random);
         let nu = [0.25, 0.4, 0.5, 0.7, 0.9][case % 5];
         let find = |t| Estimate::or_best(pieces.function().norm(-order(nu), tolerance(t)));
@@ -253,7 +252,7 @@ fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
             heard += usize::from((found.value * 1.001 - fine.value).abs() > found.error + fine.error);
         }
     }
-    assert!(asked == 300 && heard > 200, "{heard} of {asked} spoiled values are heard");
+    assert!(3 * heard > 2 * asked, "{heard} of {asked} spoiled values are heard");
 }
 
 #[test]
@@ -281,12 +280,12 @@ fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
-/// fewer elements, compared with one β, is the other road.
+/// fewer elements, compared with one β, is the other method.
 #[test]
 fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
     let mut random = SplitMix::new(23);
     let (mut heard, mut sharpest) = (0, 1.0f64);
-    for case in 0..10 {
+    for case in 0..cases(20) {
         let (lengths, values) = random_signs(350 + random.below(400), &mut random);
         let scale = [1e-3, 0.1][case % 2];
         let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
@@ -304,12 +303,12 @@ fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
             heard += usize::from(reach < 1e-5);
         }
     }
-    assert!(heard > 15 && sharpest < 1e-7, "{heard} of 30, {sharpest:e}");
+    assert!(2 * heard > 3 * cases(20) && sharpest < 1e-7, "{heard} of {}, {sharpest:e}", 3 * cases(20));
 }
 
 #[test]
-fn random_signs_on_a_hundred_thousand_unequal_elements() {
-    let (lengths, values) = random_signs(100_000, &mut SplitMix::new(3));
+fn random_signs_on_many_unequal_elements() {
+    let (lengths, values) = random_signs(cases(100_000), &mut SplitMix::new(3));
     let load = constants(&lengths, &values);
     for (nu, sharper) in [(0.3, 1e-7), (0.5, 1e-9)] {
         // reached at all is the point; two tolerances take other meshes and nodes

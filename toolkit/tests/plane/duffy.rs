@@ -1,4 +1,4 @@
-//! A second road to seminorms on triangulations: Duffy coordinates after Sauter & Schwab (Boundary Element
+//! A second method for seminorms on triangulations: Duffy coordinates after Sauter & Schwab (Boundary Element
 //! Methods, Springer 2011, Section 5.2) with Gauss-Jacobi rules for touching triangles, cutting both
 //! triangles of other pairs into four until they are as far apart as they are large.
 
@@ -31,20 +31,20 @@ pub fn settled_seminorm_squared(w: &Values, order: Order, required: f64) -> f64 
         }
         before = value;
     }
-    panic!("the second road does not settle: {before}, s {order}, {w:?}");
+    panic!("the second method does not settle: {before}, s {order}, {w:?}");
 }
 
 /// |w|²_s with n points in every direction, three times as many across edges, where the integrand is analytic
 /// in a narrow strip, and few in the directions in which it is a power times a polynomial.
 pub fn seminorm_squared(w: &Values, order: Order, n: usize) -> f64 {
     let triangles = w.mesh.triangles();
-    let road = Road::new(order.value(), if w.degree == 0 { 0 } else { 2 }, n);
+    let duffy = Duffy::new(order.value(), if w.degree == 0 { 0 } else { 2 }, n);
     let mut sum = 0.0;
     for i in 0..triangles.len() {
         for j in 0..=i {
             let twice = if i == j { 1.0 } else { 2.0 };
             let area = 4.0 * w.mesh.areas()[i] * w.mesh.areas()[j];
-            sum += twice * area * road.pair(w, i, j);
+            sum += twice * area * duffy.pair(w, i, j);
         }
     }
     sum
@@ -53,7 +53,7 @@ pub fn seminorm_squared(w: &Values, order: Order, n: usize) -> f64 {
 /// Points in the direction of a power.
 const POWERS: usize = 3;
 
-struct Road {
+struct Duffy {
     s: f64,
     /// of (w(x) − w(y))²
     degree: i32,
@@ -64,7 +64,7 @@ struct Road {
     weighted: [Option<Rule>; 3],
 }
 
-impl Road {
+impl Duffy {
     fn new(s: f64, degree: i32, n: usize) -> Self {
         let p = f64::from(degree) - 2.0 - 2.0 * s;
         let weighted = [3.0, 2.0, 1.0].map(|k| gauss_jacobi(POWERS, 0.0, k + p).ok());

@@ -10,7 +10,7 @@ const ENTRY_TOLERANCE: f64 = 1e-12;
 const ROW_SUM_TOLERANCE: f64 = 1e-13;
 
 fn cases() -> Vec<Value> {
-    let text = include_str!("reference/gram_reference.json");
+    let text = include_str!("../reference/gram_reference.json");
     let data: Value = serde_json::from_str(text).unwrap();
     data["cases"].as_array().unwrap().clone()
 }

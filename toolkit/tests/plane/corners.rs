@@ -1,10 +1,10 @@
-//! Section 1 in the plane: corner singularities on sectors, by two roads and against polygons.
+//! Section 1 in the plane: corner singularities on sectors, by two methods and against polygons.
 
 use fractional_sobolev::{Error, Function, Order, Tolerance, Triangles, gauss_legendre};
 use std::f64::consts::PI;
 
-/// Two roads.
-const TWO_ROADS: f64 = 1e-8;
+/// Two methods.
+const TWO_METHODS: f64 = 1e-8;
 
 /// 2/(2a+2−2s) ∫∫ dφ dφ' ∫₀¹ (g(φ) − ρ^a g(φ'))² |e_φ − ρ e_φ'|^{-2-2s} ρ dρ: cells that shrink towards ρ = 1
 /// and φ = φ', no Duffy coordinates, the angle integrated numerically.
@@ -50,7 +50,7 @@ fn by_cells(a: f64, b: f64, angle: f64, s: f64) -> f64 {
 }
 
 #[test]
-fn two_roads_agree_up_to_the_limit_of_finiteness() {
+fn two_methods_agree_up_to_the_limit_of_finiteness() {
     let mut worst = 0.0f64;
     for angle in [0.5 * PI, 0.8, 1.5 * PI] {
         for (a, b, s) in
@@ -60,11 +60,11 @@ fn two_roads_agree_up_to_the_limit_of_finiteness() {
             let found = w.seminorm(Order::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
             let other = by_cells(a, b, angle, s);
             let difference = (found.value.powi(2) / other - 1.0).abs();
-            assert!(difference < TWO_ROADS, "{angle} {a} {b} {s}: {found} {} {difference:e}", other.sqrt());
+            assert!(difference < TWO_METHODS, "{angle} {a} {b} {s}: {found} {} {difference:e}", other.sqrt());
             worst = worst.max(difference);
         }
     }
-    println!("two roads: {worst:.1e}");
+    println!("two methods: {worst:.1e}");
 }
 
 #[test]
