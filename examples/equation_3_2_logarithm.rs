@@ -111,12 +111,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     out.observe("q for α = 0, not in H²").at_least(q, 0.0, "|ln h|^(q/2)");
                 }
                 if problem.moves() {
-                    out.observe("q − (1 − 2α), transition").near(
-                        q - (1.0 - 2.0 * alpha),
-                        0.0,
-                        0.2,
-                        "sum over the cells",
-                    );
+                    let off = q - (1.0 - 2.0 * alpha);
+                    out.observe("q − (1 − 2α), transition").near(off, 0.0, 0.2, "sum over the cells");
                     if cone == Cone::Nodal {
                         let points: Vec<(f64, f64)> =
                             points.iter().map(|(h, e)| (*h, e / h / (points[0].1 / points[0].0))).collect();
@@ -126,11 +122,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    let plot = out.plot(
-        "equation_3_2_logarithm",
-        "τ = 2, nodal cone: does error/h grow?",
-        Axes::LogLinear("h", "error/h over that at h = 1/8"),
-    );
+    let axes = Axes::LogLinear("h", "error/h over that at h = 1/8");
+    let plot = out.plot("equation_3_2_logarithm", "τ = 2, nodal cone: does error/h grow?", axes);
     for (power, name) in [(0.25, "|ln h|^(1/4)"), (0.5, "|ln h|^(1/2)")] {
         let levels = (3..=options.finest).map(|level| 0.5f64.powi(level as i32));
         plot.dashed_line(name, levels.map(|h| (h, (h.ln() / 8f64.ln()).abs().powf(power))).collect());

@@ -76,13 +76,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("of_steps", "N slopes", "the largest quotient of functions with N constant slopes");
     out.column("tried", "random", "the largest of random ones");
     out.column("missed", "missed", "12 N² times what N slopes miss of κ²");
-    out.plot(
-        "equation_6_2_mean",
-        "(6.2): how far a function is from its mean",
-        Axes::Linear("x/h", "constant"),
-    )
-    .dashed_line("printed: 1", vec![(0.0, 1.0), (1.0, 1.0)])
-    .curve("x", "kappa")
-    .points("x", "tried");
+    let axes = Axes::Linear("x/h", "constant");
+    out.plot("equation_6_2_mean", "(6.2): how far a function is from its mean", axes)
+        .dashed_line("printed: 1", vec![(0.0, 1.0), (1.0, 1.0)])
+        .curve("x", "kappa")
+        .points("x", "tried");
     Ok(())
 }

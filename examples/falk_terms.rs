@@ -133,11 +133,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             );
             let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs()); // squares carry 1e-12 of the energy
             out.check(format!("C, {cone} cone")).at_most(rounded(constant), 2.0, "Young's inequality");
-            out.check("‖u−v‖²+2∫σ(v−u) at u^h over I^hu").at_most(
-                rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency)),
-                1.0,
-                "u^h minimises it",
-            );
+            let ratio = rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency));
+            out.check("‖u−v‖²+2∫σ(v−u) at u^h over I^hu").at_most(ratio, 1.0, "u^h minimises it");
             let excess = (second - part_one - part_two) / (error + interpolation);
             out.check("(4.8), left less right side").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
             let sign = second / (error + interpolation); // over squares, as the excess

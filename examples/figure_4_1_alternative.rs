@@ -11,30 +11,25 @@
 //! A segment in full contact is a second case here and a first case in Figure 3.2; on it, and on a segment without
 //! contact, the term is zero. Refuted if a segment is in neither case, or if more segments carry the term than the contact
 //! set has ends.
-//!
-//! `cargo run --release --example figure_4_1_alternative -- --problem fat-cantor --tau 1.7 --n 16,64,256`
 
 #[allow(dead_code, reason = "the options and the command line of the twin are its own")]
 #[path = "figure_3_2_alternative.rs"]
 pub mod figure_3_2_alternative;
 
 use example_report::prelude::*;
-use signorini::problems::NamedProblem;
-use signorini::proof::Section;
+use signorini::{edge::midpoint_term, problems::NamedProblem, proof::Section};
 
 example! { quick "Figure 4.1", "each segment: contact set and pressure no wider than θh, or contact set at least θh";
     /// a body, or a contact set chosen on an edge
     problem: NamedProblem = "block",
     /// numbers of segments
     n: Vec<usize> = "8,16,32" in "[2, 16384]",
-    /// regularity τ in θ = h^(2τ−3), and that of a chosen contact set
+    /// regularity τ in θ, and that of a chosen contact set
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
-    /// another θ
-    theta: Option<f64> = "" in "(0, 1)",
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let Options { problem, n, tau, theta } = options.clone();
-    let options = figure_3_2_alternative::Options { problem, n, tau, theta };
-    figure_3_2_alternative::alternative(Section::Four, &options, out)
+    let Options { problem, n, tau } = options.clone();
+    let figure = ("figure_4_1_alternative", Section::Four, midpoint_term as _);
+    figure_3_2_alternative::alternative(figure, &figure_3_2_alternative::Options { problem, n, tau }, out)
 }

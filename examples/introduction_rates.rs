@@ -33,7 +33,7 @@ example! { long "Introduction", "(E1)-(E4), known before, and (N1), (N2), new: e
     /// meshes of 16, 32, .. 2^finest cells along the edge of a strip
     finest: u32 = "12" in "[9, 17]",
     /// meshes of 2, 4, .. 2^meshes squares along each side
-    meshes: u32 = "7" in "[4, 9]",
+    meshes: u32 = "6" in "[4, 9]",
 }
 
 /// What stands for a regularity.

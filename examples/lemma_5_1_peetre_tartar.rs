@@ -17,7 +17,6 @@
 
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma};
-use nalgebra::{DMatrix, DVector};
 
 example! { quick "Lemma 5.1", "mean zero on (0, θ):  α (‖u‖₀² + |u|²_ν)^(1/2) ≤ |u|_ν,  best α = (1 + γ²)^(−1/2) > 0";
     /// orders ν of the seminorm
@@ -33,24 +32,9 @@ fn by_definition(nu: Order, theta: f64) -> Result<f64> {
     let layers = 10 + (-theta.log2()) as usize;
     let points = if theta < 1.0 { vec![0.0, theta, 1.0] } else { vec![0.0, 1.0] };
     let mesh = Mesh::graded(&points, layers, 0.5)?;
-    let (h, n) = (mesh.lengths(), mesh.len());
-    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
-    let mut mean = DVector::<f64>::zeros(n + 1); // ∫ φᵢ over (0, θ)
-    for k in 0..n {
-        let element = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
-        let mut block = mass.view_mut((k, k), (2, 2));
-        block += element;
-        if k < n / (points.len() - 1) {
-            mean[k] += h[k] / 2.0;
-            mean[k + 1] += h[k] / 2.0;
-        }
-    }
-    let pivot = mean.imax();
-    let mut free = DMatrix::identity(n + 1, n + 1); // columns φᵢ − (meanᵢ / mean_pivot) φ_pivot: a basis of mean zero
-    free.set_row(pivot, &(-mean.transpose() / mean[pivot]));
-    let free = free.remove_column(pivot);
+    let free = mean_zero_basis(&mesh, 0.0..theta); // columns span { u : ∫ u = 0 over (0, θ) }
     let form = free.transpose() * Gram::new(&mesh, nu, 1e-10)?.to_dense()? * &free;
-    let norm = free.transpose() * mass * &free + &form;
+    let norm = free.transpose() * mass_matrix(&mesh) * &free + &form;
     Ok(largest_eigenvalue(&norm, &form)?.sqrt().recip())
 }
 
@@ -86,26 +70,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let attained = over.remove(k);
             let others = Measured::from(smallest(over));
             out.row(cells! { nu, theta => gamma: gamma_of.value, alpha, definition, attained: attained.value, others: others.value });
-            out.check("α > 0: α over (1 + γ₁² + N²)^(−1/2)").at_least(
-                alpha / positive,
-                1.0 - 1e-9,
-                "no eigenvalue",
-            );
-            out.check("α from hat functions, over α").near(
-                alpha.recip() * definition,
-                1.0,
-                5e-3,
-                "definition",
-            );
+            let over = alpha / positive;
+            out.check("α > 0: α over (1 + γ₁² + N²)^(−1/2)").at_least(over, 1.0 - 1e-9, "no eigenvalue");
+            let hats = alpha.recip() * definition;
+            out.check("α from hat functions, over α").near(hats, 1.0, 5e-3, "definition");
             out.check("extremal function: quotient over α").near(attained, 1.0, 1e-3, "(5.4) is attained");
             out.check("other functions: quotient over α").at_least(others, 1.0 - 1e-3, "α is the infimum");
         }
     }
-    out.plot(
-        "lemma_5_1_peetre_tartar",
-        "Peetre-Tartar constants",
-        Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma"),
-    )
-    .curve_by("nu", "theta", "alpha");
+    let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma");
+    out.plot("lemma_5_1_peetre_tartar", "Peetre-Tartar constants", axes).curve_by("nu", "theta", "alpha");
     Ok(())
 }

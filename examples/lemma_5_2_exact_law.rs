@@ -22,7 +22,7 @@
 //! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Constraint, Zones, gamma, law};
+use fractional_sobolev::{Constraint, gamma, law};
 use std::f64::consts::PI;
 
 example! { seconds "(5.2), exact", "mean zero on (0, θ), ν = 1/2:  γ² / ln(1/θ) → 3/(2π²) as θ → 0";
@@ -81,15 +81,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("above", "chains/AL−1", "upper bound");
     out.column("rest", "rest", "γ² − A L − c");
     out.column("explained", "rest/next", "over d/γ² + e/γ⁴");
-    let mut inside: Vec<(f64, f64)> = Vec::new();
     let zones = options.theta.iter().map(|&theta| (-theta.ln(), Some(theta)));
     for (log, theta) in zones.chain(options.log.iter().map(|&log| (log, None))) {
         let (lower, upper, scale) = (ramp(log), chains(log, whole), a.value * log);
         let mut square = None;
         if let Some(theta) = theta {
             square = Some(best(Constraint::mean_zero_on(0.0..theta)?)?.squared());
-            let centre = Zones::from_start_and_length(0.5 * (1.0 - theta), theta)?;
-            inside.push((log, best(Constraint::mean_zero_on(centre)?)?.squared().value));
         }
         let rest = square.map(|square| square - a * log - c);
         let explained = square.zip(rest).map(|(square, rest)| rest / ((d + e / square) / square));
@@ -104,10 +101,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
             out.check("rest γ² − A L − c: power of L").near(power, -1.0, 0.05, "d/γ²");
             out.check("rest over d/γ² + e/γ⁴").near(explained, 1.0, 1e-3, "next term, 1/L²");
-            if let [.., (long, a), (short, b)] = inside.as_slice() {
-                let slope = (b - a) / (short - long);
-                out.check("zone inside: slope of γ² over L").near(slope, 0.5 / PI.powi(2), 1e-3, "1/(2π²)");
-            }
         }
         let [known_lower, known_upper] = end.bracket(log)?; // the same two bounds, their integral by Gauss rules
         let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
@@ -116,13 +109,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "L^(−1/2)");
         }
     }
-    out.plot(
-        "lemma_5_2_exact_law",
-        "The law at one half between its two bounds",
-        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law"),
-    )
-    .curve("log", "above")
-    .points("log", "off")
-    .curve("log", "below");
+    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");
+    out.plot("lemma_5_2_exact_law", "The law at one half between its two bounds", axes)
+        .curve("log", "above")
+        .points("log", "off")
+        .curve("log", "below");
     Ok(())
 }

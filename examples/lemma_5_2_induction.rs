@@ -126,11 +126,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     out.proof("(5.7), first and last ≤", "lemma_5_2_induction");
-    out.plot(
-        "lemma_5_2_induction",
-        "γ over the bound (5.9), as the zone is squared again and again",
-        Axes::LogLog("θ, length of the zone (interval = 1)", "constant over its bound"),
-    )
-    .curve_by("nu", "theta", "product_59");
+    let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "constant over its bound");
+    out.plot("lemma_5_2_induction", "γ over the bound (5.9), as the zone is squared again and again", axes)
+        .curve_by("nu", "theta", "product_59");
     Ok(())
 }

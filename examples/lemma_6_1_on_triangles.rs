@@ -90,7 +90,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (x, y) = (0.5 * angle).to_radians().sin_cos();
         [[0.0, y], [-x, 0.0], [x, 0.0]]
     };
-    let mut extremal = Vec::new();
     for &s in &orders {
         // Trial functions: polynomials of degree p up to 30, and r^(2s) times trigonometric functions of the angle about each
         // corner. Largest quotients for p, p − 2, p − 4 settle like p^−k: C is their limit, its error the change of that
@@ -122,11 +121,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 1.0,
                 source,
             );
-            out.check("quotient of quadratics, over C").at_most(
-                c.recip() * quadratics,
-                1.0,
-                "3 × 3 matrices",
-            );
+            let quotient = c.recip() * quadratics;
+            out.check("quotient of quadratics, over C").at_most(quotient, 1.0, "3 × 3 matrices");
             if s == 1.0 && angle == 90.0 {
                 out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška and Aziz");
             }
@@ -139,11 +135,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             out.row(cells! { s, angle => c, quadratics, upper: upper.map(|upper| upper.value), c_h: c_h(k), c_l2 });
         }
-        if let Some(error) = best[best.len() - 1].extremal() {
-            let [[_, y], _, [x, _]] = corners(angles[angles.len() - 1]); // a leg of the last triangle
-            let leg = (0..=100).map(|k| f64::from(k) / 100.0);
-            extremal.push((s, leg.map(|t| (t, error.value(&[t * x, (1.0 - t) * y]))).collect::<Vec<_>>()));
-        }
     }
     out.column("angle", "α", "angle between the equal sides, in degrees");
     out.column("c", "C", "best constant for the gradient");
@@ -154,11 +145,5 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let axes = Axes::LinearLog("α, angle between the equal sides, in degrees", "C_h");
     out.plot("lemma_6_1_on_triangles", "Constant of interpolation on isosceles triangles", axes)
         .curve_by("s", "angle", "c_h");
-    let axes = Axes::Linear("place on a leg, from the angle α", "u − I u, largest value 1");
-    let plot = out.plot("lemma_6_1_on_triangles_extremal", "Functions for which C is attained", axes);
-    for (s, leg) in extremal {
-        let top = leg.iter().fold(0f64, |top, p| if p.1.abs() > top.abs() { p.1 } else { top });
-        plot.line(&format!("s = {s}"), leg.into_iter().map(|(t, v)| (t, v / top)).collect());
-    }
     Ok(())
 }

@@ -111,13 +111,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.check("order of one function, at best").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
     out.check("order left by Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
     out.observe("order of the smooth function").near(order_of_smooth, 2.0, 0.02, "no aliasing");
-    out.plot(
-        "remark_2_dual_norm_counterexample",
-        "Remark 2: aliasing in a dual norm",
-        Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)"),
-    )
-    .dashed("elements", "bound")
-    .curve("elements", "wave")
-    .curve("elements", "smooth");
+    let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
+    out.plot("remark_2_dual_norm_counterexample", "Remark 2: aliasing in a dual norm", axes)
+        .dashed("elements", "bound")
+        .curve("elements", "wave")
+        .curve("elements", "smooth");
     Ok(())
 }

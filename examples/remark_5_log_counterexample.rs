@@ -86,12 +86,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
             printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
             out.check("q over γ of the zone").at_most(quotient / gamma, 1.0, "γ is the supremum");
-            out.check("q by its definition, over q").near(
-                quotient.recip() * definition,
-                1.0,
-                3e-3,
-                "midpoint rules",
-            );
+            let ratio = quotient.recip() * definition;
+            out.check("q by its definition, over q").near(ratio, 1.0, 3e-3, "midpoint rules");
             if let Some((printed, repaired)) = printed.zip(repaired) {
                 out.check("|w| ≤ |u|/n: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
                 out.as_printed("‖w‖ ≤ 1/n: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
@@ -112,12 +108,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     let best = logs.iter().zip(&constants).map(|(&log, gamma)| (log, gamma.value)).collect();
-    out.plot(
-        "remark_5_log_counterexample",
-        "Remark 5: quotients of truncated logarithms",
-        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function"),
-    )
-    .curve_by("alpha", "log", "quotient")
-    .dashed_line("γ of the zone", best);
+    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function");
+    out.plot("remark_5_log_counterexample", "Remark 5: quotients of truncated logarithms", axes)
+        .curve_by("alpha", "log", "quotient")
+        .dashed_line("γ of the zone", best);
     Ok(())
 }

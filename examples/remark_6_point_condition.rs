@@ -16,7 +16,6 @@
 
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
-use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
 example! { quick "Remark 6", "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν with γ₀ finite;  γ₀² ≈ 3/(2π²) / (2ν − 1) as ν → 1/2";
@@ -32,16 +31,9 @@ example! { quick "Remark 6", "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν w
 fn by_definition(nu: Order) -> Result<f64> {
     let layers = (10.0 / (2.0 * nu.offset())).clamp(20.0, 260.0) as usize;
     let mesh = Mesh::graded(&[0.0, 1.0], layers, 0.5)?;
-    let (h, n) = (mesh.lengths(), mesh.len());
-    let mut mass = DMatrix::<f64>::zeros(n + 1, n + 1);
-    for k in 0..n {
-        let element = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]) * (h[k] / 6.0);
-        let mut block = mass.view_mut((k, k), (2, 2));
-        block += element;
-    }
-    let form = Gram::new(&mesh, nu, 1e-10)?.to_dense()?;
-    let vanishing = |all: DMatrix<f64>| all.remove_row(0).remove_column(0);
-    Ok(largest_eigenvalue(&vanishing(mass), &vanishing(form))?.sqrt())
+    let [m, a] = [mass_matrix(&mesh), Gram::new(&mesh, nu, 1e-10)?.to_dense()?];
+    let [m, a] = [m, a].map(|all| all.remove_row(0).remove_column(0)); // u(0) = 0
+    Ok(largest_eigenvalue(&m, &a)?.sqrt())
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
@@ -73,12 +65,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check(claim).near(scaled, 1.0, delta, "1 as ν → 1/2, to 2ν − 1");
         }
     }
-    out.plot(
-        "remark_6_point_condition",
-        "Functions vanishing at a point",
-        Axes::LinearLog("ν, order", "γ₀, Poincaré constant"),
-    )
-    .curve("nu", "end")
-    .curve("nu", "inside");
+    let axes = Axes::LinearLog("ν, order", "γ₀, Poincaré constant");
+    out.plot("remark_6_point_condition", "Functions vanishing at a point", axes)
+        .curve("nu", "end")
+        .curve("nu", "inside");
     Ok(())
 }

@@ -1,31 +1,40 @@
-//! Section 1, the plane: norms of fractional order on triangulations, and their limits at one half and at one.
+//! Section 1, the plane: norms of fractional order on triangulations, up to the limits where they cease to be finite.
 //!
 //! ```text
-//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy,     0 < s < 1,   Ω the unit square.
+//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy,     0 < s < 1,   Ω a polygon.
 //! ```
 //!
-//! Three facts decide. For w = x₁ the integral has a closed form, which no triangulation may change: here a grid whose
-//! inner nodes are moved at random. As s → 1, (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001). For the
-//! step that is 1 below the diagonal and 0 above, the norm is finite for s < 1/2 only, and (1 − 2s)|w|²_s tends to four
-//! times the length of the jump, here 4√2.
+//! For w = x₁ on the unit square the integral has a closed form, which no triangulation may change: here a grid whose inner nodes
+//! are moved. As s → 1, (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001). For the step that is 1 below
+//! the diagonal and 0 above, the norm is finite for s < 1/2 only, and (1 − 2s)|w|²_s tends to four times the length of the
+//! jump, 4√2. At a corner of angle ω solutions behave like w = r^a sin(πφ/ω), r and φ polar coordinates: finite for
+//! a + 1 − s > 0 only; on a sector of radius R the seminorm is proportional to R^(a+1−s), so that the norm on a polygon lies
+//! between those of the largest sector inside and the smallest outside, and all three agree as a + 1 − s → 0.
 //!
 //! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at s = 1 − 1e-8 and
-//! s = 1/2 − 1e-8, or if a step is given a norm for s ≥ 1/2 or refused one below.
+//! s = 1/2 − 1e-8; if two triangulations of one polygon give different norms, a norm is outside its two sectors, or polygon and
+//! inner sector differ by more than a + 1 − s relatively; or if an infinite norm is given, or a finite one refused.
 //!
-//! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.3,0.6,0.9`
+//! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.9 --gap 0.3,1e-4 --corner 0.8`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Function, Triangles, closed_forms};
-use std::f64::consts::{FRAC_PI_2, SQRT_2};
+use fractional_sobolev::{Error as Refusal, Function, Triangles, closed_forms};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, on every mesh and up to the limits s → 1/2 and s → 1";
+example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, up to the limits of finiteness";
     /// squares in a row of the grid that is moved and cut into triangles
     squares: usize = "4" in "[1, 40]" slider "1 to 10",
-    /// orders s
-    s: Vec<Order> = "0.05,0.25,0.45,1/2-1e-8,1/2,0.75,0.95,0.99999999" in "(0, 1)" slider "0.02 to 0.98",
-    /// relative tolerance
+    /// orders s for the linear function and the step
+    s: Vec<Order> = "0.05,0.45,1/2-1e-8,1/2,0.75,0.99999999" in "(0, 1)" slider "0.02 to 0.98",
+    /// order s at the corners
+    corner: Order = "0.6" in "(0, 1)" slider "0.1 to 0.9",
+    /// a + 1 − s: by what the exponent a at a corner is above the limit
+    gap: Vec<f64> = "0.5,1e-6" in "(0, 20]",
+    /// relative tolerance; 1e-6 at the corners
     tolerance: Tolerance = "1e-10",
 }
+
+const AT_CORNERS: f64 = 1e-6;
 
 /// The unit square in triangles, inner nodes moved by up to a fifth of a square: multiples of the golden ratio.
 fn moved_grid(squares: usize) -> Result<Triangles> {
@@ -40,48 +49,118 @@ fn moved_grid(squares: usize) -> Result<Triangles> {
     Ok(Triangles::grid([squares, squares], h)?.mapped(moved)?)
 }
 
+/// A polygon 0, P₁, ..., P_m with its corner at 0: the angle ω there, radii of the inner and the outer sector.
+struct Polygon {
+    name: &'static str,
+    points: Vec<[f64; 2]>,
+    angle: f64,
+    radii: [f64; 2],
+}
+
+fn polygons() -> [Polygon; 4] {
+    let wedge = |name, degrees: f64, parts: i32| {
+        let (angle, part) = (degrees.to_radians(), degrees.to_radians() / f64::from(parts));
+        let points =
+            (0..=parts).map(|k| [(part * f64::from(k)).cos(), (part * f64::from(k)).sin()]).collect();
+        Polygon { name, points, angle, radii: [(0.5 * part).cos(), 1.0] }
+    };
+    let points = vec![[1.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, -1.0]];
+    let l_shape = Polygon { name: "L-shape", points, angle: 1.5 * PI, radii: [1.0, SQRT_2] };
+    [wedge("60°", 60.0, 1), wedge("90°", 90.0, 1), wedge("150°", 150.0, 2), l_shape]
+}
+
+/// |r^a sin(πφ/ω)|_s from the values of the function alone, on triangles with a node at the corner, or (`cut`) on these cut
+/// near the corner. Rings of triangles that halve towards the corner, in ln r, until the sum over rings is below the tolerance.
+fn on_polygon(s: Order, polygon: &Polygon, gap: f64, cut: bool) -> fractional_sobolev::Result<Estimate> {
+    let (a, b) = (gap - (1.0 - s.value()), PI / polygon.angle);
+    let star = Triangles::star(&polygon.points)?;
+    let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
+    let w = Function::from_plane_positions(&mesh, &[(0, a)], |at| {
+        at.radius(0).powf(a) * (b * at.angle(0)).sin()
+    })?;
+    w.seminorm(s, AT_CORNERS)
+}
+
+/// The same on a sector, where polar coordinates leave one integral over the quotient of the radii.
+fn on_sector(s: Order, polygon: &Polygon, gap: f64, radius: f64) -> Result<Measured> {
+    let a = gap - (1.0 - s.value());
+    let w = Function::sector_power(a, PI / polygon.angle, polygon.angle, radius)?;
+    Ok(w.seminorm(s, AT_CORNERS)?.into())
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("room", "room", "1 − s for x₁, 1/2 − s for the step, a + 1 − s at a corner of this angle");
+    out.column("norm", "|w|_s", "");
+    out.column(
+        "over",
+        "/limit",
+        "(1 − s)|x₁|² over π/2, (1 − 2s)|step|² over 4√2, inner sector over polygon",
+    );
     let mesh = moved_grid(options.squares)?;
     let x: Vec<f64> = mesh.nodes().iter().map(|node| node[0]).collect();
     let coordinate = Function::on_triangles(&mesh, 1, &x)?; // continuous, linear on each triangle
     let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?; // constant on two triangles
+    let mut lines = [Vec::new(), Vec::new()];
     for &s in &options.s {
         // Pairs of triangles: one, two or no common nodes by regularizing transformations, each integral over the
         // singular variable exact, Gauss rules for the rest; error: change from one degree to the next.
-        let found = coordinate.seminorm(s, options.tolerance)?;
+        let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
-        let error = (Measured::from(found.value) / Measured::from(exact) - 1.0).abs();
-        out.check("distance to the closed form of |x₁|_s").at_most(
-            error,
-            options.tolerance.relative(),
-            "tolerance",
-        );
-        let to_one = Measured::from(found).squared() * (1.0 - s.value()) / FRAC_PI_2;
-        if (1.0 - s.value()) < 1e-7 {
-            out.check("s → 1: (1 − s)|x₁|² over π/2").near(to_one, 1.0, 1e-6, "∫ |∇x₁|² = 1");
+        let (error, asked) = ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
+        out.check("distance to the closed form of |x₁|_s").at_most(error, asked, "tolerance");
+        let room = 1.0 - s.value();
+        let over = Measured::from(norm).squared() * room / FRAC_PI_2;
+        if room < 1e-7 {
+            out.check("s → 1: (1 − s)|x₁|² over π/2").near(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
         }
-        let found_step = step.seminorm(s, options.tolerance).ok();
-        out.check("a step has a norm for s < 1/2 only")
-            .holds(found_step.is_some() == (s.offset() < 0.0), "1/(1 − 2s)");
-        let to_half =
-            found_step.map(|found| Measured::from(found).squared() * (-2.0 * s.offset()) / (4.0 * SQRT_2));
-        if let Some(near) = to_half.filter(|_| s.offset() > -1e-7) {
-            out.check("s → 1/2: (1 − 2s)|step|² over 4√2").near(near, 1.0, 1e-6, "4 times the length");
+        lines[0].push((s.value(), over.value));
+        out.row(cells! { w: "x₁", s, room => norm, over: over.value });
+        let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
+        let is_right = found.is_some() == (room > 0.0);
+        out.check("a step has a norm for s < 1/2 only").holds(is_right, "1/(1 − 2s)");
+        let Some(norm) = found else { continue };
+        let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
+        if room < 1e-7 {
+            out.check("s → 1/2: (1 − 2s)|step|² over 4√2").near(over, 1.0, 1e-6, "4 times the length");
         }
-        out.row(cells! { s => coordinate: found, error: error.value, to_one: to_one.value, step: found_step,
-        to_half: to_half.map(|half| half.value) });
+        lines[1].push((s.value(), over.value));
+        out.row(cells! { w: "step", s, room => norm, over: over.value });
     }
-    out.column("coordinate", "|x₁|_s", "");
-    out.column("to_one", "to one", "(1 − s)|x₁|² over π/2");
-    out.column("step", "|step|_s", "");
-    out.column("to_half", "to half", "(1 − 2s)|step|² over 4√2");
+    let [to_one, to_half] = lines;
     out.plot(
         "section_1_norms_in_the_plane",
         "Squared norms over their limits",
         Axes::Linear("s", "over the limit"),
     )
-    .curve("s", "to_one")
-    .curve("s", "to_half")
+    .line("x₁, s → 1", to_one)
+    .line("step, s → 1/2", to_half)
     .dashed_line("1", vec![(0.0, 1.0), (1.0, 1.0)]);
+    let (s, mut curves) = (options.corner, Vec::new());
+    for polygon in polygons() {
+        let mut curve = Vec::new();
+        for &gap in &options.gap {
+            let [norm, again] = [on_polygon(s, &polygon, gap, false)?, on_polygon(s, &polygon, gap, true)?];
+            let apart = (Measured::from(norm.value) / again.value - 1.0).abs();
+            out.check("two triangulations, relative distance").at_most(apart, AT_CORNERS, "tolerance");
+            let [inner, outer] = polygon.radii.map(|radius| on_sector(s, &polygon, gap, radius));
+            let (over, outer) = (inner? / norm, Measured::from(norm) / outer?);
+            out.check("inner sector over polygon").at_most(over, 1.0, "a part has a part");
+            out.check("polygon over outer sector").at_most(outer, 1.0, "a part has a part");
+            let share = (-over + 1.0) / gap;
+            out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "R^(a+1−s), R < e r");
+            out.row(cells! { w: polygon.name, s, room: gap => norm, over: over.value });
+            curve.push((gap, norm.value));
+        }
+        curves.push((polygon.name, curve));
+    }
+    for gap in [0.0, -1e-9, -0.2] {
+        let refused = matches!(on_polygon(s, &polygons()[0], gap, false), Err(Refusal::InfiniteNorm { .. }));
+        out.check("no norm for a + 1 − s ≤ 0").holds(refused, "rings do not decay");
+    }
+    let axes = Axes::LogLog("a + 1 − s", "|w|_s");
+    let plot = out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes);
+    for (name, curve) in curves {
+        plot.line(name, curve);
+    }
     Ok(())
 }

@@ -6,16 +6,15 @@
 //!
 //! Three facts decide. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up to one, so by symmetry of square and L-shape
 //! |x₁|² = L²/2, L the length of Γ. The hat function φ of a right angle tends to |φ|² = 4 + 2 ln 2 + 4G − π (G Catalan's
-//! constant) as its elements shrink. The normal n₁ satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν. And regular
-//! polygons tend to the circle, where |cos kφ|²_ν is a closed form.
+//! constant) as its elements shrink. The normal n₁ satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν.
 //!
-//! Refuted if 2|x₁|²/L² is off 1 by 1e-6, if the limits are off by 0.2 %, or if area/(‖n₁‖ ‖x₁‖) exceeds 1.
+//! Refuted if 2|x₁|²/L² is off 1 by 1e-6, if the limit is off by 0.2 %, or if area/(‖n₁‖ ‖x₁‖) exceeds 1.
 //!
 //! `cargo run --release --example section_1_polygon_norms -- --nu 0.3`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Curve, Function, Mesh, closed_forms};
-use std::f64::consts::{LN_2, PI, TAU};
+use fractional_sobolev::{Curve, Function, Mesh};
+use std::f64::consts::{LN_2, PI};
 
 example! { seconds "Section 1, boundaries", "norms of order ν and −ν on polygons agree with closed forms";
     /// order ν; closed forms on polygons are known at 1/2
@@ -74,44 +73,18 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         if nu == Order::HALF {
             let exact = 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI;
-            out.check("|φ|², n → ∞, over its limit").near(
-                limit(&corners, 1) / exact,
-                1.0,
-                2e-3,
-                "4 + 2 ln 2 + 4G − π",
-            );
+            let ratio = limit(&corners, 1) / exact;
+            out.check("|φ|², n → ∞, over its limit").near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
         }
-    }
-    let mut distances = Vec::new();
-    for k in [1, 2, 4] {
-        let exact = closed_forms::cosine_on_circle_seminorm_squared(k, nu)?;
-        let mut series = Vec::new();
-        for sides in [50usize, 100, 200, 400] {
-            let angles: Vec<f64> = (0..sides).map(|j| TAU * j as f64 / sides as f64).collect();
-            let vertices: Vec<[f64; 2]> = angles.iter().map(|t| [t.cos(), t.sin()]).collect();
-            let curve = Curve::closed(&vertices, &vec![Mesh::uniform(1, 1.0)?; sides])?;
-            let cosine: Vec<f64> = angles.iter().map(|t| (f64::from(k) * t).cos()).collect();
-            let found = Measured::from(Function::on_curve(&curve, 1, &cosine)?.seminorm(nu, 1e-6)?).squared();
-            series.push((sides as f64, found / exact));
-        }
-        out.check("|cos kφ|² of regular polygons over the circle's").near(
-            limit(&series, 2),
-            1.0,
-            2e-3,
-            "k = 1, 2, 4",
-        );
-        distances
-            .push((format!("cos {k}φ"), series.iter().map(|(n, v)| (*n, (v.value - 1.0).abs())).collect()));
     }
     out.column("n", "n", "elements on the length 1");
     out.column("twice", "2|x₁|²/L²", "");
     out.column("hat", "|φ|²", "hat function of the corner (0, 0)");
     out.column("dual", "‖n₁‖_−ν", "");
     out.column("duality", "area/(‖n₁‖ ‖x₁‖)", "");
-    let axes = Axes::LogLog("sides", "relative distance to the circle");
-    let plot = out.plot("section_1_polygon_norms", "Regular polygons", axes);
-    for (name, points) in distances {
-        plot.line(&name, points);
-    }
+    let axes = Axes::LogLinear("elements on the length 1", "|φ|² of the corner (0, 0)");
+    let exact = options.n.iter().map(|&n| (n as f64, 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI)).collect();
+    let plot = out.plot("section_1_polygon_norms", "Hat function of a right angle", axes);
+    plot.curve_by("polygon", "n", "hat").dashed_line("limit", exact);
     Ok(())
 }

@@ -59,11 +59,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("grows", "(2s−1) C", "tends to √3/π as s → 1/2");
     out.column("normalised", "normalised", "C √(π/(2(1−s))), tends to √(2π) as s → 1");
     out.column("corner", "corner/C²", "largest quotient of its modes up to μ = 64");
-    let plot = out.plot(
-        "trace_profiles",
-        "Extremal functions beside cos(x)",
-        Axes::LogLinear("distance y from the edge", "f(y)"),
-    );
+    let axes = Axes::LogLinear("distance y from the edge", "f(y)");
+    let plot = out.plot("trace_profiles", "Extremal functions beside cos(x)", axes);
     let places: Vec<f64> = (0..61).map(|k| 10f64.powf(-5.0 + 0.1 * f64::from(k))).collect();
     for s in [0.55, 0.65, 0.8, 0.95] {
         let best = trace_constant(Domain::HalfPlane, s, 1e-8)?;

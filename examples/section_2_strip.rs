@@ -119,14 +119,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         } else {
             out.observe(claim).at_least(order, printed, "τ² − 5τ/2 + 2, (3.1)");
         }
-        out.plot(
-            &format!("section_2_strip_{name}"),
-            &format!("{name}, {cone} cone, τ = {tau}"),
-            Axes::LogLog("h", "‖u − u^h‖"),
-        )
-        .line("error", errors.clone())
-        .dashed_line("Theorem 3.1", bound)
-        .dashed_line("h^(τ − 1)", Bound::Optimal.through(errors[0], meshes(), tau)?);
+        let axes = Axes::LogLog("h", "‖u − u^h‖");
+        out.plot(&format!("section_2_strip_{name}"), &format!("{name}, {cone} cone, τ = {tau}"), axes)
+            .line("error", errors.clone())
+            .dashed_line("Theorem 3.1", bound)
+            .dashed_line("h^(τ − 1)", Bound::Optimal.through(errors[0], meshes(), tau)?);
     }
     Ok(())
 }

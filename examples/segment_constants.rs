@@ -21,7 +21,7 @@
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Gram, Mesh, Moment, moment};
+use fractional_sobolev::{Gram, Mesh};
 use nalgebra::DVector;
 use signorini::proof::{consistency_constant, midpoint_bound, product_bound, product_constant};
 
@@ -63,33 +63,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
-            out.check("`moment_on_mesh` over K, κ, κ̄").near(
-                value.recip() * definition,
-                1.0,
-                0.01,
-                "matrices",
-            );
+            let quotient = value.recip() * definition;
+            out.check("`moment_on_mesh` over K, κ, κ̄").near(quotient, 1.0, 0.01, "matrices");
         }
         out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
         out.check("K over c").at_most(product / c, 1.0, "potentials");
         out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
-        if nu == Order::HALF {
-            // K(1/2) in closed form: Wiener and Hopf, a series over the roots of tan z = z
-            let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9)?.closed_form()?.value;
-            out.observe("ν = 1/2: K, over closed form").near(
-                product / (exact * exact),
-                1.0,
-                1e-8,
-                "roots of tan z = z",
-            );
-        }
         let left = 0.5 - nu.offset(); // 1 − ν
-        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(
-            (product * (24.0 / left) - 1.0) / left,
-            4.0,
-            "limit 1/24",
-        );
+        let quotient = (product * (24.0 / left) - 1.0) / left;
+        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
         out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
     }
     out.proof("c in place of 1/2, for every E", "segment_constants");
@@ -104,27 +87,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.column(name, title, meaning);
     }
     let half = options.nu.iter().map(|nu| (nu.value(), 0.5)).collect();
-    out.plot(
-        "segment_constants",
-        "Bounds of the term of one segment",
-        Axes::Linear("ν = τ − 3/2", "constant"),
-    )
-    .dashed_line("1/2", half)
-    .curve("nu", "c")
-    .curve("nu", "product")
-    .curve("nu", "midpoint")
-    .curve("nu", "kappa");
-    if let Some(&nu) = options.nu.get(options.nu.len() / 3).filter(|_| out.draws()) {
-        // The pair for which κ is attained: u_N' on the gap at the left end, σ_N on the rest.
-        let gap = 1.0 - consistency_constant(nu, 1e-3)?.contact;
-        let sigma = moment(nu, 0.0..gap, Moment::FromFreeEnd, 1e-3)?.extremal()?;
-        let slope = moment(nu, gap..1.0, Moment::Mass, 1e-3)?.extremal()?;
-        let points =
-            |f: &dyn Fn(f64) -> f64| (0..=400).map(|k| f64::from(k) / 400.0).map(|x| (x, f(x))).collect();
-        let axes = Axes::Linear("place on the segment", "seminorms 1");
-        out.plot("segment_constants_pair", &format!("The worst pair, ν = {nu}, gap {gap:.3}"), axes)
-            .line("σ_N", points(&|x| -sigma.value(&[x])))
-            .line("u_N'", points(&|x| slope.value(&[x])));
-    }
+    let axes = Axes::Linear("ν = τ − 3/2", "constant");
+    out.plot("segment_constants", "Bounds of the term of one segment", axes)
+        .dashed_line("1/2", half)
+        .curve("nu", "c")
+        .curve("nu", "product")
+        .curve("nu", "midpoint")
+        .curve("nu", "kappa");
     Ok(())
 }

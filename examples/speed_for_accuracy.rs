@@ -109,8 +109,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let stated = Measured::from(found.error.max(2.0 * EXACT * exact));
             out.check("error over what is stated").at_most(distance / stated, 1.0, "the estimate");
             if let Some(looser) = work {
+                let share = looser as f64 / found.work.total().max(1) as f64;
                 out.check("work at a looser tolerance, over that at the next").at_most(
-                    looser as f64 / found.work.total().max(1) as f64,
+                    share,
                     1.0,
                     "equal work",
                 );
@@ -120,26 +121,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let [(ms_3, error_3), (ms_7, error_7), (ms_11, error_11)] = measured[..] else { continue };
         out.row(cells! { function: name => ms_3, error_3, ms_7, error_7, ms_11, error_11 });
         // An error of zero is drawn where binary64 ends.
-        curves.push((
-            name,
-            measured.iter().map(|&(ms, error)| (ms, error.max(f64::EPSILON))).collect::<Vec<_>>(),
-        ));
+        let shown = measured.iter().map(|&(ms, error)| (ms, error.max(f64::EPSILON)));
+        curves.push((name, shown.collect::<Vec<_>>()));
     }
-    for (name, title) in [("ms_3", "ms, 1e-3"), ("ms_7", "ms, 1e-7"), ("ms_11", "ms, 1e-11")] {
-        out.column(name, title, "");
-    }
-    out.column("error_3", "error", "");
+    out.column("ms_3", "ms, 1e-3", "milliseconds, tolerance asked");
+    out.column("error_3", "error", "relative, against the value found another way");
+    out.column("ms_7", "ms, 1e-7", "");
     out.column("error_7", "error", "");
-    out.column(
-        "error_11",
-        "error",
-        "relative, against the value found another way; ms: milliseconds, tolerance asked",
-    );
-    let plot = out.plot(
-        "speed_for_accuracy_seconds",
-        "What a digit costs",
-        Axes::LogLog("milliseconds", "true relative error"),
-    );
+    out.column("ms_11", "ms, 1e-11", "");
+    out.column("error_11", "error", "");
+    let axes = Axes::LogLog("milliseconds", "true relative error");
+    let plot = out.plot("speed_for_accuracy_seconds", "What a digit costs", axes);
     for (name, points) in curves {
         plot.line(name, points);
     }

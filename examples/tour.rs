@@ -61,7 +61,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let found =
             block::outcome(&block::Options { n: vec![8, 16, 32], cone: vec![cone], ..Default::default() })?;
-        let touching = at(&found, &format!("touching.cone{cone}.n32"));
+        let touching = at(&found, &format!("touching.bodyblock.cone{cone}.n32"));
         let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
         let apart = at(&found, "two-solvers-change-of-j");
         let says = if cone == Cone::Nodal {
@@ -105,7 +105,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let found = lemma_5_2::outcome(&lemma_5_2::Options { nu: vec![order], ..Default::default() })?;
         let computed = match k {
             0 => format!("θ^{:.3}", at(&found, "nu-0.25-exponent-of-theta")),
-            1 => format!("√({:.3} ln(1/θ))", at(&found, "nu-1-2-slope-of-gamma-over-ln-1-theta")),
+            1 => format!("√({:.3} ln(1/θ))", at(&found, "slope-of-gamma-over-ln-1-theta")),
             _ => format!("{:.4} at θ = 1e-6", at(&found, "gamma.nu0.75.theta1e-6")),
         };
         let step = if k == 0 { "4" } else { "" };
@@ -120,12 +120,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         format!("{value:.4} in L², {slope:.3} for slopes"),
         &found,
     );
-    let strip = "transition".parse()?;
-    let problem = vec![strip];
     for &tau in &options.tau {
-        let asked = theorem_3_1::Options { tau: vec![tau], problem: problem.clone(), ..Default::default() };
+        let asked = theorem_3_1::Options { tau: vec![tau], ..Default::default() };
         let found = theorem_3_1::outcome(&asked)?;
-        let key = |name: &str| format!("{name}.problemtransition.tau{tau}");
+        let key = |name: &str| format!("{name}.tau{tau}");
         let [order, error, printed] =
             [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
         let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
@@ -133,9 +131,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         line(out, step, format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 3.1)"), computed, &found);
     }
     let tau = options.tau.get(options.tau.len() / 2).copied().unwrap_or(1.75);
-    let found =
-        theorem_4_1::outcome(&theorem_4_1::Options { tau: vec![tau], problem, ..Default::default() })?;
-    let key = |name: &str| format!("{name}.problemtransition.tau{tau}");
+    let found = theorem_4_1::outcome(&theorem_4_1::Options { tau: vec![tau], ..Default::default() })?;
+    let key = |name: &str| format!("{name}.tau{tau}");
     let [order, error, printed] =
         [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
     let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);

@@ -201,7 +201,7 @@ fn a_later_value_of_a_list_is_refused_before_the_first_is_computed() {
     }
     lines.extend([
         ("section_1_trace_constants".to_owned(), vec!["--s=0.8,0.5".to_owned()]),
-        ("section_1_closures_in_the_plane".to_owned(), vec!["--gap=0.5,-1".to_owned()]),
+        ("section_1_norms_in_the_plane".to_owned(), vec!["--gap=0.5,-1".to_owned()]),
         ("theorem_3_1_with_numbers".to_owned(), vec!["--tau=1.75,1.4".to_owned()]),
     ]);
     let late = |(name, line): &(String, Vec<String>)| {
@@ -266,10 +266,10 @@ fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
         ("lemma_6_2_global_estimate", "--elements=4294967296"),
         ("lemma_6_2_global_estimate", "--elements=1000000000000"),
         ("section_2_elastic_contact", "--n=16384"),
-        ("section_2_scalar_contact", "--n=18446744073709551615"),
+        ("section_2_elastic_contact", "--n=18446744073709551615"),
         ("equation_3_2_logarithm", "--finest=19"),
         ("worst_contact_set", "--depth=25"),
-        ("section_2_multigrid", "--n=65536"),
+        ("section_2_speed_for_accuracy", "--side=65536"),
         ("introduction_rates", "--meshes=64"),
         ("remark_1_whole_boundary", "--meshes=18446744073709551615"),
         ("section_1_clamped_end", "--angles=18446744073709551615"),

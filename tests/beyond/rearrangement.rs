@@ -1,7 +1,7 @@
 //! Remark 7 as a theorem: sorted orders, rearranged functions, and the constants of unions of intervals.
 
 #[allow(dead_code)]
-#[path = "../../examples/remark_7_rearrangement.rs"]
+#[path = "../../examples/remark_7_zone_location.rs"]
 mod example;
 
 use example::near_differences;
@@ -72,7 +72,7 @@ fn every_word_has_the_pairs_of_the_induction() {
 
 /// That check of the example, at this size.
 fn holds(functions: usize, unions: usize, key: &str) {
-    let outcome = example::outcome(&example::Options { functions, unions }).unwrap();
+    let outcome = example::outcome(&example::Options { functions, unions, ..Default::default() }).unwrap();
     let check = outcome.check(key).unwrap();
     assert_eq!(check.decision(), Decision::Holds, "{}", check.words());
 }

@@ -39,6 +39,24 @@ fn every_example_holds_fits_a_terminal_and_turns_with_its_checks() {
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
+/// The words of a line without the distances of two solvers, such as `(1e-14)`, which are rounding errors.
+fn words(line: &str) -> Vec<&str> {
+    let is_rounding = |word: &&str| word.starts_with('(') && word.contains("e-") && word.ends_with(')');
+    line.split_whitespace().filter(|word| !is_rounding(word)).collect()
+}
+
+#[test]
+fn the_readme_shows_what_the_tour_prints() {
+    let (output, found) = run("tour");
+    assert_eq!(found["verdict"], "true");
+    let printed = String::from_utf8_lossy(&output.stdout);
+    let mut shown = include_str!("../../README.md").split("<!-- tour -->").nth(1).unwrap().split("<!-- end of tour -->");
+    let is_text = |line: &&str| !line.starts_with("```") && !line.trim().is_empty();
+    let shown: Vec<_> = shown.next().unwrap().lines().filter(is_text).map(words).collect();
+    let printed: Vec<_> = printed.lines().map(words).filter(|words| !words.is_empty()).collect();
+    assert!(shown.len() > 10 && printed.windows(shown.len()).any(|lines| lines == shown), "{printed:#?}");
+}
+
 fn value(name: &str, key: &str) -> f64 {
     run(name).1["values"][key].as_f64().unwrap_or_else(|| panic!("{name}/{key}"))
 }

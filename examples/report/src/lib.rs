@@ -28,11 +28,11 @@
 mod cell;
 mod check;
 mod command;
-mod eigen;
 mod error;
 mod expression;
 pub mod figures;
 mod files;
+mod hats;
 mod measured;
 mod options;
 mod outcome;
@@ -44,9 +44,9 @@ mod words;
 pub use cell::{Cell, Cells};
 pub use check::{Checked, Claim, Decision, Role};
 pub use command::main;
-pub use eigen::largest_eigenvalue;
 pub use error::{Error, Result};
 pub use expression::Expression;
+pub use hats::{constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis};
 pub use measured::{Measured, largest, smallest};
 pub use options::{Declarations, Declared, OptionValue};
 pub use outcome::{Outcome, Verdict};
@@ -56,7 +56,8 @@ pub use report::Report;
 /// What an example needs.
 pub mod prelude {
     pub use crate::{
-        Axes, Error, Measured, Report, Result, cells, example, largest, largest_eigenvalue, smallest,
+        Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example, harmonic_energy,
+        largest, largest_eigenvalue, mass_matrix, mean_zero_basis, smallest,
     };
     pub use fractional_sobolev::{Estimate, Order, Tolerance};
 }

@@ -223,7 +223,7 @@ impl Outcome {
                     .map_or(word.to_owned(), |(letter, _)| letter.to_string())
             };
             let words: Vec<String> = name.replace("_over_", "_/_").split('_').map(greek).collect();
-            words.join(" ").replace(" / ", "/").replace("over ", "/ ")
+            words.join(" ").replace(" / ", "/").replace("over ", "/ ").replace(" 0", "₀").replace(" 1", "₁")
         })
     }
 

@@ -109,6 +109,12 @@ impl Plot {
         self
     }
 
+    /// A dashed line y = C x^exponent through the first of these points, as far as they go.
+    pub fn power(&mut self, name: &str, points: &[(f64, f64)], exponent: f64) -> &mut Self {
+        let place = |point: &(f64, f64)| (point.0, points[0].1 * (point.0 / points[0].0).powf(exponent));
+        self.dashed_line(name, points.iter().map(place).collect())
+    }
+
     /// A line through given points.
     pub fn line(&mut self, name: &str, points: Vec<(f64, f64)>) -> &mut Self {
         self.drawn.push(Drawn::Given(Series::line(name, points)));

@@ -133,12 +133,16 @@ impl Report {
         }
     }
 
-    /// A chart of rows; curves are added to what this returns.
+    /// The chart of that name, begun where there is none; curves are added to what this returns.
     pub fn plot(&mut self, name: &str, title: &str, axes: Axes) -> &mut Plot {
-        self.pictures.push(Picture::Plot(Plot::new(name, title, axes)));
-        match self.pictures.last_mut() {
-            Some(Picture::Plot(plot)) => plot,
-            _ => unreachable!("the plot was pushed above"),
+        let is_known = |picture: &Picture| matches!(picture, Picture::Plot(plot) if plot.name == name);
+        let at = self.pictures.iter().position(is_known).unwrap_or(self.pictures.len());
+        if at == self.pictures.len() {
+            self.pictures.push(Picture::Plot(Plot::new(name, title, axes)));
+        }
+        match &mut self.pictures[at] {
+            Picture::Plot(plot) => plot,
+            _ => unreachable!("a plot stands there"),
         }
     }
 

@@ -1,9 +1,10 @@
 //! The deformed body of a contact solution: an elastic body on its floors, coloured by its largest shear stress, or a
 //! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. And its contact edge.
 
-use super::{Axis, BodyPicture, Chart, Floor, Series, picture::short};
+use super::{Axis, BodyPicture, Chart, Floor, PALETTE, Series, picture::short};
 use crate::Result;
 use signorini::contact::{ContactProblem, ContactSolution};
+use signorini::edge::{EdgeTrace, Interval};
 use signorini::fem::stresses;
 
 /// The largest displacement is drawn at most this long, relative to the extent of the body.
@@ -98,6 +99,25 @@ pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, t
                 format!("−σ_N, contact pressure{which}"),
                 scaled(&solution.pressure),
             ));
+    }
+    chart
+}
+
+/// u_N and −σ_N along an edge, each over its largest value, with the segments shaded that are in the first case, in
+/// the second one, or in both, of Figure 3.2 or 4.1.
+pub fn edge_trace(edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Chart {
+    let title = format!("{} segments of a contact edge", cases.iter().map(Vec::len).sum::<usize>());
+    let mut chart = Chart::new(title, Axis::linear("x"), Axis::linear("share of the largest value"));
+    for (name, values) in [("u_N", edge.displacement()), ("−σ_N", &edge.pressure())] {
+        let largest = values.iter().fold(f64::MIN_POSITIVE, |m: f64, v| m.max(v.abs()));
+        let points = edge.nodes().iter().zip(values).map(|(&x, v)| (x, v / largest));
+        chart = chart.with(Series::line(name, points.step_by(values.len().div_ceil(2000)).collect()));
+    }
+    for (segments, (name, colour)) in
+        cases.iter().zip([("first case", 4), ("second case", 5), ("both cases", 2)])
+    {
+        let ends = segments.iter().map(|segment| (segment.start, segment.end));
+        chart = chart.with_bands(name, ends.collect(), PALETTE[colour]);
     }
     chart
 }

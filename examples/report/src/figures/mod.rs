@@ -19,6 +19,7 @@ mod series;
 mod typeset;
 mod view;
 
+pub use body::edge_trace;
 pub use chart::Chart;
 pub use floor::Floor;
 pub use picture::BodyPicture;

@@ -1,0 +1,112 @@
+//! Matrices of continuous piecewise linear functions Σ vᵢ φᵢ, and the eigenvalue that "from the definition" asks for.
+
+use crate::{Error, Result};
+use fractional_sobolev::Mesh;
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::PI;
+use std::ops::Range;
+
+/// The mass matrix ∫ φᵢ φⱼ of the hat functions of a mesh: h/6 (2 1; 1 2) on an element of length h.
+pub fn mass_matrix(mesh: &Mesh) -> DMatrix<f64> {
+    let mut mass = DMatrix::<f64>::zeros(mesh.len() + 1, mesh.len() + 1);
+    for (k, h) in mesh.lengths().iter().enumerate() {
+        let mut block = mass.view_mut((k, k), (2, 2));
+        block += DMatrix::from_row_slice(2, 2, &[h / 3.0, h / 6.0, h / 6.0, h / 3.0]);
+    }
+    mass
+}
+
+/// A matrix whose columns span the v with ∫ v = 0 over a union of elements: φᵢ − (mᵢ/mₚ) φₚ for i ≠ p, m the integrals
+/// of the hat functions over the zone and mₚ the largest of them.
+pub fn mean_zero_basis(mesh: &Mesh, zone: Range<f64>) -> DMatrix<f64> {
+    let (x, h, n) = (mesh.nodes(), mesh.lengths(), mesh.len());
+    let mut integrals = DVector::<f64>::zeros(n + 1);
+    for k in (0..n).filter(|&k| zone.contains(&(0.5 * (x[k] + x[k + 1])))) {
+        integrals[k] += 0.5 * h[k];
+        integrals[k + 1] += 0.5 * h[k];
+    }
+    let pivot = integrals.imax();
+    let mut basis = DMatrix::<f64>::identity(n + 1, n + 1);
+    basis.set_row(pivot, &(-integrals.transpose() / integrals[pivot]));
+    basis.remove_column(pivot)
+}
+
+/// The matrix of v ↦ |V|₁², V the discrete harmonic function of the five-point stencil on n × n squares of the unit square with
+/// edge values v, V = 0 on the side opposite and natural sides. The wave cos kπx has the energy S_k Σ cos² (end nodes by
+/// half), S_k = sinh η coth nη, cosh η = 2 − cos(kπ/n): the stencil, row by row.
+pub fn harmonic_energy(n: usize) -> DMatrix<f64> {
+    let half = |i: usize| if i == 0 || i == n { 0.5 } else { 1.0 };
+    let angle = |k: usize| k as f64 * PI / n as f64;
+    let waves = DMatrix::from_fn(n + 1, n + 1, |k, i| half(i) * (angle(k) * i as f64).cos());
+    let symbol = DVector::from_fn(n + 1, |k, _| match (2.0 - angle(k).cos()).acosh() {
+        0.0 => 1.0 / (n * n) as f64,
+        eta => 2.0 * half(k) / n as f64 * eta.sinh() / (n as f64 * eta).tanh(),
+    });
+    waves.tr_mul(&(DMatrix::from_diagonal(&symbol) * &waves))
+}
+
+/// The minimiser of ½ v·A v − b·v among the v with B v ≤ 0: v = A⁻¹ (b − Bᵀ q), q ≥ 0 by 20 000 projected Gauss-Seidel sweeps.
+///
+/// # Errors
+/// [`Error::Option`] where A is singular.
+pub fn constrained_minimiser(
+    a: &DMatrix<f64>,
+    b: &DVector<f64>,
+    below: &DMatrix<f64>,
+) -> Result<DVector<f64>> {
+    let inverse = a.clone().try_inverse().ok_or_else(|| Error::Option("a singular system".to_owned()))?;
+    let (d, free) = (below * &inverse * below.transpose(), below * &inverse * b);
+    let mut q = DVector::<f64>::zeros(free.len());
+    for s in (0..free.len()).cycle().take(20_000 * free.len()) {
+        q[s] = (q[s] + (free[s] - d.column(s).dot(&q)) / d[(s, s)]).max(0.0);
+    }
+    Ok(inverse * (b - below.tr_mul(&q)))
+}
+
+/// The largest λ with M u = λ A u for a vector u ≠ 0, M symmetric and A symmetric positive definite: that of
+/// L⁻¹ M L⁻ᵀ, A = L Lᵀ. Its root is the best constant in uᵀMu ≤ λ uᵀAu. O(n³); rounding ε κ(A) relatively.
+///
+/// # Errors
+/// [`Error::Option`] where A is not positive definite to rounding.
+pub fn largest_eigenvalue(m: &DMatrix<f64>, a: &DMatrix<f64>) -> Result<f64> {
+    let failed = || Error::Option("the form is not positive definite on this mesh".to_owned());
+    let root = a.clone().cholesky().ok_or_else(failed)?.l();
+    let half: DMatrix<f64> = root.solve_lower_triangular(m).ok_or_else(failed)?;
+    let whole: DMatrix<f64> = root.solve_lower_triangular(&half.transpose()).ok_or_else(failed)?;
+    Ok(whole.symmetric_eigenvalues().max())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn hat_functions_have_their_integrals() {
+        let mesh = Mesh::from_nodes(&[0.0, 0.25, 0.5, 1.0]).unwrap();
+        let x = DVector::from(mesh.nodes()); // ∫ x² = 1/3
+        assert!((x.dot(&(mass_matrix(&mesh) * &x)) - 1.0 / 3.0).abs() < 1e-15);
+        let basis = mean_zero_basis(&mesh, 0.0..0.5);
+        let means = DVector::from(vec![0.125, 0.25, 0.125, 0.0]).transpose() * &basis;
+        assert!(basis.shape() == (4, 3) && means.amax() < 1e-15);
+    }
+
+    #[test]
+    fn a_constant_has_the_energy_of_its_slope_and_an_obstacle_stops_it() {
+        let a = harmonic_energy(8);
+        let one = DVector::from_element(9, 1.0);
+        assert!((one.dot(&(&a * &one)) - 1.0).abs() < 1e-14);
+        let v = constrained_minimiser(&a, &(&a * &one), &DMatrix::identity(9, 9)).unwrap();
+        assert!(v.amax() < 1e-12);
+        let v = constrained_minimiser(&a, &(&a * -&one), &DMatrix::identity(9, 9)).unwrap();
+        assert!((v + one).amax() < 1e-12);
+    }
+
+    #[test]
+    fn a_pencil_of_two_by_two() {
+        let m = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
+        let a = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 4.0]);
+        // det(M − λ A) = (2 − λ)(2 − 4λ) − 1 = 4 λ² − 10 λ + 3
+        assert!((largest_eigenvalue(&m, &a).unwrap() - (10.0 + 52f64.sqrt()) / 8.0).abs() < 1e-14);
+        assert!(largest_eigenvalue(&m, &-a).is_err());
+    }
+}
