@@ -50,7 +50,8 @@ fn the_readme_shows_what_the_tour_prints() {
     let (output, found) = run("tour");
     assert_eq!(found["verdict"], "true");
     let printed = String::from_utf8_lossy(&output.stdout);
-    let mut shown = include_str!("../../README.md").split("<!-- tour -->").nth(1).unwrap().split("<!-- end of tour -->");
+    let mut shown =
+        include_str!("../../README.md").split("<!-- tour -->").nth(1).unwrap().split("<!-- end of tour -->");
     let is_text = |line: &&str| !line.starts_with("```") && !line.trim().is_empty();
     let shown: Vec<_> = shown.next().unwrap().lines().filter(is_text).map(words).collect();
     let printed: Vec<_> = printed.lines().map(words).filter(|words| !words.is_empty()).collect();
