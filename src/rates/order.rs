@@ -9,7 +9,7 @@
 //! the coarsest level, and with *some* scatter ([`super::posterior`]). The order is the mean over all p, the uncertainty
 //! the distance from it within which 96 % of the probability lies: it is small only when no other order would do.
 //!
-//! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/orders.rs`): strips with one
+//! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/beyond/orders.rs`): strips with one
 //! or more transitions or Cantor sets, 3/2 < τ ≤ 5/2, both cones, 5 to 10 levels, and corners. The true order lies within the
 //! uncertainty in at least 95 % of them.
 

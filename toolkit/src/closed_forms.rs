@@ -9,12 +9,14 @@
 //! | [`log_power_seminorm_squared`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
 //! | [`cosine_on_circle_seminorm_squared`]: cos kφ | the unit circle | 0 < ν < 1 |
 //! | [`coordinate_on_square_seminorm_squared`]: x₁ | the unit square | 0 < ν < 1 |
+//! | [`fractional_laplacian_constant`]: C(1, ν) | the line | 0 < ν < 1 |
 //!
 //! Every value is the *squared* seminorm, as the names say, but that of [`power_seminorm`]; all are sums of positive
 //! terms or differences of well separated ones. They are exact to rounding and take no tolerance.
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
+use super::kernel::power::symbol_constant;
 use super::mesh::Mesh;
 use super::order::Order;
 use crate::error::{Error, Given, Result};
@@ -311,6 +313,25 @@ fn zeta(s: f64, s_minus_one: f64) -> f64 {
         factor *= (s + m) * (s + m + 1.0) / (n * n);
     }
     tail + (1..12).rev().map(|j| f64::from(j).powf(-s)).sum::<f64>()
+}
+
+/// C(1, ν) = Γ(1 + 2ν) sin(πν)/π = 4^ν Γ(ν + 1/2) / (√π |Γ(−ν)|), the constant of the integral fractional Laplacian on the line:
+/// (−Δ)^ν u(x) = C(1, ν) PV∫ (u(x) − u(y)) / |x − y|^{1+2ν} dy has the Fourier symbol |ξ|^{2ν}, and its weak form is
+/// C(1, ν)/2 times the one of [`Gram::zero_outside`](crate::Gram::zero_outside).
+///
+/// ```
+/// use fractional_sobolev::{Order, closed_forms};
+/// let c = closed_forms::fractional_laplacian_constant(Order::HALF)?;
+/// assert!((c.value - 1.0 / std::f64::consts::PI).abs() < 1e-15);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// [`Error::OutOfRange`] unless 0 < ν < 1.
+#[doc(alias("fractional Laplacian", "normalization constant", "C(d,s)"))]
+pub fn fractional_laplacian_constant(order: impl Given<Order>) -> Result<Estimate> {
+    let value = 2.0 / symbol_constant(order.given()?);
+    Estimate::new(value, ROUNDING * value, Work::default())
 }
 
 #[cfg(test)]

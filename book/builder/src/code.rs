@@ -23,7 +23,7 @@ pub fn program(examples: &Path, name: &str) -> Result<String, String> {
     if file.is_file() { Ok(name.to_owned()) } else { Err("unknown example".to_owned()) }
 }
 
-/// The name of a test file, or of a test in it.
+/// The name of a test file, or of a test in it: `lemma`, or `norms/products` for a module of a target.
 ///
 /// # Errors
 /// In words, when there is no such file, or no test of that name in it.
@@ -91,6 +91,14 @@ mod tests {
         assert_eq!(named("lemma", Some("helper")), None);
         assert_eq!(named("lemma", Some("third")), None);
         assert_eq!(named("theorem", None), None);
+        // a module of a target, here and in the toolkit
+        for (tests, file) in [("tests", "dual/norms"), ("toolkit/tests", "plane/corners")] {
+            let path = directory.path().join(tests).join(file).with_extension("rs");
+            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+            std::fs::write(path, text).unwrap();
+            let found = test(&directory.path().join("tests"), file, Some("second")).unwrap();
+            assert_eq!(found, format!("{file}::second"));
+        }
         assert_eq!(program(directory.path(), "lemma").unwrap(), "lemma");
         assert!(program(directory.path(), "theorem").is_err());
     }

@@ -1,6 +1,6 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
-//! chapters in `src/book.rs` and that of examples in `tests/outcomes.rs`, and nothing else. `cargo book
+//! chapters in `src/book.rs`, and nothing else. `cargo book
 //! large NAME`: makes a run of `large.toml` and keeps what it computed. `cargo book
 //! letters`: lists where each symbol of the notation page is first used, and how that page explains it.
 //! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book

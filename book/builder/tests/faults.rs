@@ -55,8 +55,6 @@ impl Fixture {
         let chapters =
             "    readme: \"../../README.md\",\n    first: \"first.md\",\n    second: \"second.md\",\n";
         fixture.write("src/book.rs", &format!("    // chapters\n{chapters}    // end of chapters\n"));
-        let programs = "    // examples\n    ex: \"../examples/ex.rs\",\n    // end of examples\n";
-        fixture.write("tests/outcomes.rs", programs);
         fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
         fixture.write("tests/lemma.rs", "#[test]\nfn holds() {}\n");
         data(0.29156).write(&fixture.layout().generated()).unwrap();
@@ -178,13 +176,6 @@ fn faults_of_keys_fail() {
     Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:8:", "no such anchor");
     Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:11:", "no such function");
     Fixture::expect("src/book.rs", "second.md", "", "src/book.rs:2:", "not what its list says");
-    Fixture::expect(
-        "tests/outcomes.rs",
-        "examples/ex",
-        "examples/x",
-        "tests/outcomes.rs:2:",
-        "not what its list says",
-    );
 }
 
 #[test]

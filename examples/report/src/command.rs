@@ -66,8 +66,10 @@ impl Asked {
         drop(clock);
         ended?;
         let mut outcome = report.close();
-        if let Some(check) = &self.fault {
-            outcome.plant(check)?;
+        match self.fault.as_deref() {
+            Some("every") => outcome.turns()?,
+            Some(check) => outcome.plant(check)?,
+            None => {}
         }
         if let Some(directory) = directory {
             outcome.save_pictures(directory)?;

@@ -169,7 +169,7 @@ pub(crate) fn command<P: Declarations>() -> Command {
             Arg::new("fault")
                 .long("fault")
                 .value_name("CHECK")
-                .help("move the number of a check across its bound")
+                .help("move the number of a check across its bound; with `every`, try it with each and change nothing")
                 .hide(true),
         )
 }

@@ -6,6 +6,7 @@ use crate::plot::Picture;
 use crate::words::GREEK;
 use crate::{Error, Result};
 use serde_json::{Map, Value, json};
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 /// What the checks say of the statement.
@@ -111,6 +112,55 @@ impl Outcome {
         let mut changed = self.clone();
         changed.checks[at] = check;
         changed
+    }
+
+    /// Moves the number of each check across its bound and back: its mark, the status and the exit code follow.
+    ///
+    /// # Errors
+    /// [`Error::Option`] with the first check that does not turn them, has no source or no key of its own.
+    pub(crate) fn turns(&self) -> Result<()> {
+        let fault = |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
+        let keys: BTreeSet<String> = self.checks.iter().map(Checked::key).collect();
+        if keys.len() < self.checks.len() {
+            return fault(&self.label, "two checks with one key");
+        }
+        let by_number = |(_, check): &(usize, &Checked)| check.decision() != Decision::ByProof;
+        for (at, check) in self.checks.iter().enumerate().filter(by_number) {
+            let label = format!("{}: {}", check.key(), check.comparison());
+            if check.source().is_empty() {
+                return fault(&label, "a bound without a source");
+            }
+            let mut lines = BTreeSet::new();
+            for wanted in [Decision::Holds, Decision::Fails, Decision::Undecided] {
+                let moved = check.moved(wanted);
+                lines.insert(format!("{} {}", wanted.mark(), moved.comparison()));
+                let (is_moved, changed) = (moved.decision() == wanted, self.with_check(at, moved));
+                if !is_moved || !changed.follows(check.role(), wanted) {
+                    return fault(&label, &format!("{wanted:?} gives {}", changed.status().word()));
+                }
+            }
+            if lines.len() < 3 {
+                return fault(&label, "one line for two decisions");
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether status and exit code are what one check of this role and decision asks for, where all others hold.
+    fn follows(&self, role: Role, decision: Decision) -> bool {
+        let (status, code) = (self.status(), self.exit_code());
+        match (role, decision) {
+            (Role::Claim, Decision::Fails) => code == 1 && status == Verdict::Fails,
+            (Role::Claim, Decision::Undecided) => code == 1 && status == Verdict::Undecided,
+            (Role::AsPrinted, Decision::Fails) => code == 0 && status == Verdict::FalseAsPrinted,
+            (Role::NotSharp, Decision::Holds) => {
+                code == 0 && matches!(status, Verdict::NotSharp | Verdict::FalseAsPrinted)
+            }
+            (Role::Stronger, Decision::Holds) => {
+                code == 0 && !matches!(status, Verdict::True | Verdict::Open)
+            }
+            _ => code == 0,
+        }
     }
 
     /// Moves the number of a check across its bound.

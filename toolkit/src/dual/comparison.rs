@@ -12,8 +12,9 @@
 //!   ⟨f, Gθf⟩ = (t/4) (⟨f + θf/t, G(f + θf/t)⟩ - ⟨f - θf/t, G(f - θf/t)⟩),   t = max |θ|.
 
 use super::cells::Cells;
-use super::cosines::{exact_form, symbol_constant};
+use super::cosines::exact_form;
 use crate::error::Result;
+use crate::kernel::power::symbol_constant;
 use crate::mesh::Mesh;
 use crate::order::Order;
 use std::f64::consts::PI;

@@ -24,12 +24,6 @@ use std::sync::Arc;
 /// Trapezoidal nodes at most.
 const MOST_NODES: f64 = 1e6;
 
-/// c of the symbol c |ξ|^{2ν}.
-pub(super) fn symbol_constant(order: Order) -> f64 {
-    let sine = (PI * order.value().min(order.complement())).sin();
-    2.0 * PI / (libm::tgamma(1.0 + 2.0 * order.value()) * sine)
-}
-
 /// ⟨f, (β + cA^ν)^{-1} f⟩ on (0, 1) for f without mean, and its error, to a relative `goal`.
 pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: f64) -> Result<(f64, f64)> {
     let (nu, complement) = (order.value(), order.complement());

@@ -15,10 +15,10 @@
 
 use super::cells::Cells;
 use super::comparison::Comparison;
-use super::cosines::symbol_constant;
 use super::missed::Rough;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::kernel::power::symbol_constant;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 

@@ -29,6 +29,36 @@ pub(crate) fn gram_constants(partition: &Mesh, order: Order) -> Result<DMatrix<f
     Ok(symmetric(&rows))
 }
 
+/// What the exterior of the interval adds to the form of functions that vanish there, 2 ∫ u v ∫_{ext} |x−y|^{-1-2ν},
+/// for the hat functions of the inner nodes: diagonal and off-diagonal.
+pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec<f64>) {
+    let cells = CellPairs::new(order);
+    let n = partition.len();
+    // [left node squared, both, right node squared] of every element
+    let shares: Vec<[f64; 3]> = parallel::map(n, &|e| {
+        let h = partition.lengths()[e];
+        let left = cells.against_exterior(h, partition.from_left()[e]);
+        let right = cells.against_exterior(h, partition.from_right()[e + 1]);
+        [left[0] + right[2], left[1] + right[1], left[2] + right[0]]
+    });
+    let diagonal = shares.windows(2).map(|pair| 2.0 * (pair[0][2] + pair[1][0])).collect();
+    let inner = shares.get(1..n - 1).unwrap_or_default();
+    (diagonal, inner.iter().map(|share| 2.0 * share[1]).collect())
+}
+
+/// Gram matrix on the whole line for the hat functions of the inner nodes.
+pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> DMatrix<f64> {
+    let n = partition.len();
+    let mut matrix = gram_linears(partition, order).view((1, 1), (n - 1, n - 1)).into_owned();
+    let (diagonal, beside) = exterior_linears(partition, order);
+    diagonal.iter().enumerate().for_each(|(i, d)| matrix[(i, i)] += d);
+    for (i, b) in beside.iter().enumerate() {
+        matrix[(i, i + 1)] += b;
+        matrix[(i + 1, i)] += b;
+    }
+    matrix
+}
+
 /// Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
 ///
 /// # Method
@@ -58,11 +88,6 @@ pub(crate) fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
         }
     }
     symmetric(&rows)
-}
-
-/// Gram matrix of L² for piecewise constants: the element lengths.
-pub(crate) fn mass_constants(partition: &Mesh) -> Vec<f64> {
-    partition.lengths().to_vec()
 }
 
 /// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.

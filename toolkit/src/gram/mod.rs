@@ -4,12 +4,20 @@ mod band;
 mod circulant;
 pub(super) mod cluster;
 pub(super) mod dense;
+mod eigenvalues;
 mod hierarchical;
 mod operator;
 mod six_step;
+mod solve;
+mod spectral;
 mod toeplitz;
+mod tridiagonal;
 
 pub(crate) use dense::{
-    gram_constants, gram_linears, mass_constants, mass_linears, require_constants_finite,
+    gram_constants, gram_linears, gram_zero_outside, mass_linears, require_constants_finite,
 };
+pub(crate) use eigenvalues::extreme_eigenvalues;
 pub(crate) use operator::GramOperator;
+pub(crate) use solve::solve;
+pub(crate) use spectral::Spectral;
+pub(crate) use tridiagonal::{Basis, Network};

@@ -1,7 +1,7 @@
 //! The Gram matrices of |·|_ν as operators y = A x: no N² anywhere.
 
 use super::band::Band;
-use super::dense::require_constants_finite;
+use super::dense::{exterior_linears, require_constants_finite};
 use super::hierarchical::Hierarchical;
 use super::toeplitz::Toeplitz;
 use crate::error::Result;
@@ -30,11 +30,23 @@ enum OffBand {
 /// | uniform | circulant embedding (`toeplitz`) | O(N log N) | about 10 N numbers |
 /// | any | H²-matrix (`hierarchical`) | O(N log²(1/ε)) | about 60 N numbers |
 ///
-/// Constants are removed from x before the product, since A maps them to zero: the error is relative to |A|
-/// |x − mean|.
+/// Constants are removed from x before the product, since A maps them to zero, and the row sums of the fast product,
+/// which are its error for constants, are taken from the diagonal: the error is that of Σ_j a_ij (x_j − x_i), small
+/// where x varies slowly.
 pub(crate) struct GramOperator {
     band: Band,
     rest: OffBand,
+    /// A 1, zero but for the errors of the fast product
+    row_sums: Vec<f64>,
+    exterior: Option<Exterior>,
+}
+
+/// Functions that vanish at the two ends and outside: what the exterior adds for the inner nodes.
+struct Exterior {
+    diagonal: Vec<f64>,
+    beside: Vec<f64>,
+    /// of the whole matrix
+    whole_diagonal: Vec<f64>,
 }
 
 impl std::fmt::Debug for GramOperator {
@@ -48,6 +60,15 @@ impl GramOperator {
     /// For the hat functions of all N + 1 nodes; FFT when all lengths agree, else hierarchical.
     pub(crate) fn linears(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         Self::build(partition, order, tolerance, true, partition.uniform_length())
+    }
+
+    /// On the whole line, for the hat functions of the N − 1 inner nodes.
+    pub(crate) fn zero_outside(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
+        let mut operator = Self::linears(partition, order, tolerance)?;
+        let (diagonal, beside) = exterior_linears(partition, order);
+        let whole_diagonal = operator.band.diagonal[1..].iter().zip(&diagonal).map(|(a, b)| a + b).collect();
+        operator.exterior = Some(Exterior { diagonal, beside, whole_diagonal });
+        Ok(operator)
     }
 
     /// For the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
@@ -76,12 +97,14 @@ impl GramOperator {
                 OffBand::Graded(Hierarchical::new(partition, &cells, kernel, linears, points)?)
             }
         };
-        Ok(Self { band, rest })
+        let mut operator = Self { band, rest, row_sums: Vec::new(), exterior: None };
+        operator.row_sums = operator.uncorrected(&vec![1.0; operator.band.diagonal.len()])?;
+        Ok(operator)
     }
 
     /// Number of unknowns.
     pub(crate) fn dimension(&self) -> usize {
-        self.band.diagonal.len()
+        self.diagonal().len()
     }
 
     /// True when the product goes by FFT.
@@ -91,7 +114,7 @@ impl GramOperator {
 
     /// The diagonal of the matrix.
     pub(crate) fn diagonal(&self) -> &[f64] {
-        &self.band.diagonal
+        self.exterior.as_ref().map_or(&self.band.diagonal, |exterior| &exterior.whole_diagonal)
     }
 
     /// Bytes held.
@@ -100,7 +123,10 @@ impl GramOperator {
             OffBand::Uniform(toeplitz) => toeplitz.bytes(),
             OffBand::Graded(hierarchical) => hierarchical.bytes(),
         };
-        self.band.bytes() + rest
+        self.band.bytes()
+            + rest
+            + 8 * self.row_sums.len()
+            + self.exterior.as_ref().map_or(0, |exterior| 24 * exterior.diagonal.len())
     }
 
     /// A x.
@@ -109,6 +135,25 @@ impl GramOperator {
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`] for an entry of x.
     pub(crate) fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
         require_length("vector", x.len(), self.dimension())?;
+        let Some(exterior) = &self.exterior else { return self.apply_inside(x) };
+        let mut padded = Vec::with_capacity(x.len() + 2);
+        padded.push(0.0);
+        padded.extend_from_slice(x);
+        padded.push(0.0);
+        let mut y = self.apply_inside(&padded)?;
+        y.truncate(x.len() + 1);
+        y.remove(0);
+        for (i, d) in exterior.diagonal.iter().enumerate() {
+            y[i] += d * x[i];
+        }
+        for (i, b) in exterior.beside.iter().enumerate() {
+            y[i] += b * x[i + 1];
+            y[i + 1] += b * x[i];
+        }
+        Ok(y)
+    }
+
+    fn apply_inside(&self, x: &[f64]) -> Result<Vec<f64>> {
         let share = 1.0 / x.len() as f64;
         // Pieces of fixed size: the sum does not depend on the number of threads.
         let sums: Vec<f64> =
@@ -120,10 +165,20 @@ impl GramOperator {
             }
         }
         let x: Vec<f64> = x.par_iter().with_min_len(PIECE).map(|value| value - mean).collect();
-        let mut y = self.band.times(&x);
+        let mut y = self.uncorrected(&x)?;
+        y.par_iter_mut()
+            .zip(&x)
+            .zip(&self.row_sums)
+            .with_min_len(PIECE)
+            .for_each(|((y, x), sum)| *y -= sum * x);
+        Ok(y)
+    }
+
+    fn uncorrected(&self, x: &[f64]) -> Result<Vec<f64>> {
+        let mut y = self.band.times(x);
         match &self.rest {
-            OffBand::Uniform(toeplitz) => toeplitz.add(&x, &mut y)?,
-            OffBand::Graded(hierarchical) => hierarchical.add(&x, &mut y),
+            OffBand::Uniform(toeplitz) => toeplitz.add(x, &mut y)?,
+            OffBand::Graded(hierarchical) => hierarchical.add(x, &mut y),
         }
         Ok(y)
     }

@@ -172,6 +172,26 @@ impl CellPairs {
         })
     }
 
+    /// ∫_0^p w(s) ∫_d^∞ (s+t)^{-1-2ν} dt ds for w = (1 − s/p)², (s/p)(1 − s/p), (s/p)²: products of hats against the
+    /// exterior of an interval. For d = 0 the last one; the others are infinite from ν = 1/2 on.
+    pub(crate) fn against_exterior(&self, p: f64, d: f64) -> [f64; 3] {
+        if d == 0.0 {
+            let last = self.kernel.scaling(p) / (self.kernel.twice * self.kernel.three_minus);
+            return [f64::INFINITY, f64::INFINITY, last];
+        }
+        self.scaled([d, d.max(p)], [p, d], |[p, d]| {
+            let mut sums = [0.0; 3];
+            graded_gauss(d, p, |s, w| {
+                let value = w * self.kernel.tail(d + s);
+                let (near, far) = ((p - s) / p, s / p);
+                sums[0] += value * near * near;
+                sums[1] += value * near * far;
+                sums[2] += value * far * far;
+            });
+            sums
+        })
+    }
+
     /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell twice: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
     pub(crate) fn own(&self, p: f64) -> f64 {
         2.0 * self.kernel.scaling(p) / (self.kernel.two_minus * self.kernel.three_minus)

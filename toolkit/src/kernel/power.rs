@@ -8,6 +8,7 @@
 
 use crate::order::Order;
 use crate::quadrature::Rule;
+use std::f64::consts::PI;
 use std::sync::OnceLock;
 
 /// Orders 1 ..= MAX_POINTS of the Gauss rules kept at hand.
@@ -102,6 +103,13 @@ fn graded_gauss_to(x: f64, length: f64, degree: usize, share: f64, mut f: impl F
     }
 }
 
+/// c of the symbol c |ξ|^{2ν} of the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) |x−y|^{-1-2ν} on the line: 2/C(1, ν), C the
+/// constant of the fractional Laplacian.
+pub(crate) fn symbol_constant(order: Order) -> f64 {
+    let sine = (PI * order.value().min(order.complement())).sin();
+    2.0 * PI / (libm::tgamma(1.0 + 2.0 * order.value()) * sine)
+}
+
 /// The kernel t^{-1-2ν}.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct PowerKernel {
@@ -146,6 +154,11 @@ impl PowerKernel {
     /// ℓ t^{-1-2ν} where t^{-1-2ν} alone might underflow.
     fn over(&self, length: f64, t: f64) -> f64 {
         (length / t) * t.powf(-self.twice)
+    }
+
+    /// ∫_t^∞ τ^{-1-2ν} dτ.
+    pub(crate) fn tail(&self, t: f64) -> f64 {
+        t.powf(-self.twice) / self.twice
     }
 
     /// S^{1-2ν}, how integrals over two cells scale; the exponent that is exact is the one used.

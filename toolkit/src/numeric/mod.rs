@@ -11,12 +11,14 @@
 //! | differences of ln Γ and ψ | `gamma` |
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
+//! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | loops dealt out over threads | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
 //! | extremal quotients of two quadratic forms | `pencil` |
 //!
 //! Plain `f64`; nothing here knows a norm or a mesh.
 
+pub(crate) mod block_iteration;
 pub(crate) mod check;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod dense;

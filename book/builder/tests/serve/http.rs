@@ -64,10 +64,6 @@ impl Book {
             "src/book.rs",
             "    // chapters\n    readme: \"../../README.md\",\n    first: \"first.md\",\n    // end of chapters\n",
         );
-        write(
-            "tests/outcomes.rs",
-            "    // examples\n    planted: \"../examples/planted.rs\",\n    // end of examples\n",
-        );
         write("examples/planted.rs", "fn main() {}\n");
         write("secret.txt", "secret");
         let layout = Layout::of(root);

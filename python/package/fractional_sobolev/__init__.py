@@ -1,0 +1,589 @@
+"""Fractional Sobolev norms with error bounds, best constants, and Signorini contact.
+
+The seminorm of order 0 < s < 1 is |u|_s² = ∬ (u(x) − u(y))² / |x − y|^(d+2s) dx dy over the square of the domain, d its
+dimension; ‖u‖_s² = ‖u‖² + |u|_s², ‖u‖_(1+s)² = ‖u‖² + ‖∇u‖_s², and the norm of order −s is sup ∫ u v / ‖v‖_s. A tolerance is
+relative, and an `Estimate` is a float with its absolute error. All quantities are nondimensional.
+
+Examples
+--------
+>>> import fractional_sobolev as fs
+>>> fs.norm(lambda x: abs(x - 0.3), 0.45, on=(0, 0.3, 1))
+0.8480382744 ± 3e-10
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _native
+from ._types import Estimate, InfiniteNorm, SobolevError, ToleranceNotMet
+
+__all__ = [
+    "Constant",
+    "Contact",
+    "Estimate",
+    "InfiniteNorm",
+    "SobolevError",
+    "ToleranceNotMet",
+    "boundary_norm",
+    "contact",
+    "dual_norm",
+    "error_norm",
+    "gram",
+    "interpolation_constant",
+    "norm",
+    "plane_norm",
+    "poincare",
+    "seminorm",
+]
+
+Function = Callable[..., float] | ArrayLike
+
+
+def _floats(values: Any) -> NDArray[np.float64]:
+    return np.ascontiguousarray(values, dtype=np.float64)
+
+
+def _on(u: Function, on: ArrayLike | None) -> tuple[Any, NDArray[np.float64]]:
+    """The function as the compiled half takes it, and breakpoints or nodes."""
+    if callable(u):
+        return u, _floats((0.0, 1.0) if on is None else on)
+    values = _floats(u)
+    return values, np.linspace(0.0, 1.0, len(values)) if on is None else _floats(on)
+
+
+def _interval_norm(u, s, on, tol, distances, derivative, seminorm):
+    values, places = _on(u, on)
+    slope = derivative if derivative is None or callable(derivative) else _floats(derivative)
+    return _native.norm(values, s, places, tol, distances, slope, seminorm)
+
+
+def seminorm(
+    u: Function,
+    s: float,
+    on: ArrayLike | None = None,
+    tol: float = 1e-8,
+    *,
+    distances: bool = False,
+    derivative: Callable[..., float] | None = None,
+) -> Estimate:
+    """The seminorm |u|_s of a function on an interval.
+
+    Parameters
+    ----------
+    u : callable or array_like
+        A function of x, smooth between the breakpoints; or an array with one value per node (piecewise linear) or one
+        per element (piecewise constant).
+    s : float
+        Order, 0 < s < 2; |u|_1 = ‖u'‖ and |u|_s = |u'|_(s−1) for s > 1.
+    on : array_like, optional
+        Breakpoints of a callable with both ends of the interval, by default (0, 1); nodes of an array, by default
+        equidistant in [0, 1].
+    tol : float
+        Relative tolerance.
+    distances : bool
+        If true, u is called as u(x, d) with the distances d to the breakpoints, which are exact where x − x₀ is rounded.
+    derivative : callable, optional
+        u', which orders s ≥ 1 of a callable need.
+
+    Returns
+    -------
+    Estimate
+        The seminorm with its absolute error.
+
+    Raises
+    ------
+    InfiniteNorm
+        The seminorm is infinite.
+    ToleranceNotMet
+        The tolerance is out of reach; the exception has the best value as `best`.
+
+    Examples
+    --------
+    >>> seminorm(lambda x: x, 0.5)
+    1.00000000000 ± 2e-11
+    """
+    return _interval_norm(u, s, on, tol, distances, derivative, True)
+
+
+def norm(
+    u: Function,
+    s: float,
+    on: ArrayLike | None = None,
+    tol: float = 1e-8,
+    *,
+    distances: bool = False,
+    derivative: Callable[..., float] | None = None,
+) -> Estimate:
+    """The norm ‖u‖_s of a function on an interval, −1 < s < 2.
+
+    For s < 0 it is the dual norm sup ∫ u v / ‖v‖_(−s), for s = 0 the L² norm. Parameters and exceptions are those of
+    `seminorm`.
+
+    Returns
+    -------
+    Estimate
+        The norm with its absolute error.
+
+    Examples
+    --------
+    >>> round(norm([0.0, 1.0, 0.0], 0.0) ** 2, 12)
+    0.333333333333
+    """
+    return _interval_norm(u, s, on, tol, distances, derivative, False)
+
+
+def dual_norm(
+    f: Function,
+    s: float,
+    on: ArrayLike | None = None,
+    tol: float = 1e-8,
+    *,
+    distances: bool = False,
+    functional: bool = False,
+    dual_of: str = "slobodeckij",
+) -> Estimate:
+    """The dual norm sup ∫ f v / ‖v‖_s, 0 < s < 1.
+
+    Parameters
+    ----------
+    f : callable or array_like
+        As u of `seminorm`; with `functional` the values of a functional on the hat functions of the mesh, the supremum
+        then over the piecewise linear functions of the mesh.
+    s : float
+        Order, 0 < s < 1.
+    on, tol, distances
+        As for `seminorm`.
+    functional : bool
+        Whether f holds values on the hat functions.
+    dual_of : {"slobodeckij", "cosines", "sines"}
+        ‖v‖_s: the double integral, or the interpolation norm by cosines (H^s) or by sines (zero at both ends).
+
+    Returns
+    -------
+    Estimate
+        The dual norm with its absolute error.
+
+    Examples
+    --------
+    >>> round(dual_norm(lambda x: 1.0, 0.5), 9)
+    1.0
+    """
+    values, places = _on(f, on)
+    return _native.dual_norm(values, s, places, tol, distances, functional, dual_of)
+
+
+def error_norm(
+    u: Callable[..., float],
+    nodes: ArrayLike,
+    s: float,
+    values: ArrayLike | None = None,
+    tol: float = 1e-6,
+    *,
+    breaks: ArrayLike | None = None,
+    distances: bool = False,
+    seminorm: bool = False,
+) -> Estimate:
+    """The norm ‖u − u_h‖_s of the error of a piecewise linear approximation.
+
+    Parameters
+    ----------
+    u : callable
+        The function, smooth between its breakpoints.
+    nodes : array_like
+        Nodes of the mesh.
+    s : float
+        Order, −1 < s < 1.
+    values : array_like, optional
+        Values of u_h at the nodes; by default those of u, the interpolant.
+    breaks : array_like, optional
+        Breakpoints of u with both ends, by default the ends only.
+    tol, distances
+        As for `seminorm`.
+    seminorm : bool
+        Whether the seminorm is returned.
+
+    Returns
+    -------
+    Estimate
+        The norm of the error of approximation, with the error of its computation.
+
+    Examples
+    --------
+    >>> e = [error_norm(lambda x: x * x, np.linspace(0, 1, n + 1), 0.5) for n in (50, 100)]
+    >>> round(float(np.log2(e[0] / e[1])), 1)
+    1.5
+    """
+    nodes = _floats(nodes)
+    breaks = _floats((nodes[0], nodes[-1]) if breaks is None else breaks)
+    if values is None:
+        values = [u(x, tuple(np.abs(x - breaks))) if distances else u(x) for x in nodes.tolist()]
+    return _native.error_norm(u, nodes, s, _floats(values), breaks, tol, distances, seminorm)
+
+
+def gram(nodes: ArrayLike, s: float, tol: float = 1e-12):
+    """The Gram matrix of |·|_s, 0 < s < 1, on the hat functions of a mesh, as a SciPy operator.
+
+    A product costs O(N log N) operations on a mesh of N elements.
+
+    Parameters
+    ----------
+    nodes : array_like
+        Nodes of the mesh, increasing.
+    s : float
+        Order, 0 < s < 1.
+    tol : float
+        Relative tolerance of a product.
+
+    Returns
+    -------
+    scipy.sparse.linalg.LinearOperator
+        The operator A with (A x, x) = |u|_s² for the piecewise linear u with nodal values x. `A.mass` is the operator of
+        the mass matrix, `A.preconditioner` the inverse of the diagonal of A + mass, `A.to_dense()` the matrix.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> A = gram(np.linspace(0, 1, 101), 0.5)
+    >>> x = np.linspace(0, 1, 101)
+    >>> round(float(x @ (A @ x)), 9)
+    1.0
+    """
+    from scipy.sparse.linalg import LinearOperator
+
+    matrix = _native.GramMatrix(_floats(nodes), s, tol)
+    size = matrix.size()
+
+    def operator(product) -> LinearOperator:
+        return LinearOperator(
+            (size, size), matvec=product, rmatvec=product, dtype=np.float64
+        )
+
+    def flat(product):
+        return lambda x: product(np.ascontiguousarray(x, dtype=np.float64).ravel())
+
+    found = operator(flat(matrix.apply))
+    found.mass = operator(flat(matrix.mass))
+    found.to_dense = matrix.dense
+    hat = np.diff(_floats(nodes), prepend=nodes[0], append=nodes[-1])
+    diagonal = matrix.diagonal() + (hat[:-1] + hat[1:]) / 3.0
+    found.preconditioner = operator(lambda x: np.asarray(x).ravel() / diagonal)
+    return found
+
+
+def boundary_norm(
+    vertices: ArrayLike,
+    u: Function,
+    s: float,
+    tol: float = 1e-8,
+    *,
+    elements: int = 32,
+    exponent: float = 1.0,
+    seminorm: bool = False,
+) -> Estimate:
+    """The norm ‖u‖_s, −1 < s < 1, of a piecewise linear function on the boundary of a polygon.
+
+    Parameters
+    ----------
+    vertices : array_like, shape (n, 2)
+        Corners of the polygon in order.
+    u : callable or array_like
+        A function of x and y, which is interpolated (the error is that of the norm of the interpolant), or values at the
+        nodes, from the first corner on.
+    s, tol
+        As for `norm`.
+    elements : int
+        Elements of a side, an even number.
+    exponent : float
+        Grading towards the corners: nodes at (2 k/elements)^exponent of half a side.
+    seminorm : bool
+        Whether the seminorm is returned.
+
+    Returns
+    -------
+    Estimate
+        The norm with its absolute error.
+
+    Examples
+    --------
+    >>> round(boundary_norm([(0, 0), (1, 0), (1, 1), (0, 1)], lambda x, y: 1.0, 0.5), 9)
+    2.0
+    """
+    given = u if callable(u) else _floats(u)
+    return _native.boundary_norm(_floats(vertices), given, s, tol, elements, exponent, seminorm)
+
+
+def plane_norm(
+    nodes: ArrayLike,
+    triangles: ArrayLike,
+    values: ArrayLike,
+    s: float,
+    tol: float = 1e-8,
+    *,
+    seminorm: bool = False,
+) -> Estimate:
+    """The norm ‖u‖_s, 0 ≤ s < 2, of a function on a triangulation.
+
+    Parameters
+    ----------
+    nodes : array_like, shape (n, 2)
+        Points.
+    triangles : array_like of int, shape (m, 3)
+        Counter-clockwise corners, as numbers of nodes.
+    values : array_like
+        One value per node (piecewise linear) or one per triangle (piecewise constant).
+    s, tol
+        As for `norm`.
+    seminorm : bool
+        Whether the seminorm is returned.
+
+    Returns
+    -------
+    Estimate
+        The norm with its absolute error.
+
+    Examples
+    --------
+    >>> square = [[0, 0], [1, 0], [0, 1], [1, 1]], [[0, 1, 3], [0, 3, 2]]
+    >>> round(plane_norm(*square, [0, 1, 0, 1], 0.0) ** 2, 12)
+    0.333333333333
+    """
+    corners = np.asarray(triangles, dtype=np.uintp)
+    return _native.plane_norm(_floats(nodes), corners, _floats(values), s, tol, seminorm)
+
+
+class Constant(Estimate):
+    """A best constant: an `Estimate` with bounds and a function that attains it.
+
+    Attributes
+    ----------
+    lower, upper : Estimate or None
+        Bounds, where they are known.
+    """
+
+    def __new__(cls, found) -> Constant:
+        constant, lower, upper, extremal = found
+        made = super().__new__(cls, float(constant), constant.error, constant.work)
+        made.lower, made.upper, made._extremal = lower, upper, extremal
+        return made
+
+    def extremal(self, *points: ArrayLike) -> NDArray[np.float64]:
+        """Values of a function for which the constant is attained, at points x, or x and y in the plane."""
+        if self._extremal is None:
+            raise SobolevError("no function is known for which this constant is attained")
+        points = np.broadcast_arrays(*map(_floats, points))
+        values = self._extremal.values(np.stack([p.ravel() for p in points], axis=1))
+        return np.asarray(values).reshape(points[0].shape)
+
+
+def poincare(
+    s: float,
+    zone: Sequence | None = None,
+    *,
+    condition: str = "mean",
+    point: float | None = None,
+    start_and_length: tuple[float, float] | None = None,
+    tol: float = 1e-8,
+) -> Constant:
+    """The best constant γ in ‖u‖ ≤ γ |u|_s on (0, 1), 0 < s < 1.
+
+    Parameters
+    ----------
+    s : float
+        Order.
+    zone : (a, b) or sequence of such pairs, optional
+        Where the condition holds, by the two ends; by default everywhere.
+    condition : {"mean", "vanishing"}
+        Whether the mean over the zone is zero, or u itself.
+    point : float, optional
+        Instead of a zone: u vanishes at this point, s > 1/2.
+    start_and_length : (start, length), optional
+        Instead of `zone`, where the length is tiny beside the start.
+    tol : float
+        Relative tolerance.
+
+    Returns
+    -------
+    Constant
+        γ with its error, bounds, and an extremal function.
+
+    Examples
+    --------
+    >>> poincare(0.5, (0, 1e-6)) > poincare(0.5)
+    True
+    """
+    zones = [] if zone is None else [zone] if np.ndim(zone[0]) == 0 else list(zone)
+    by_length = start_and_length is not None
+    if by_length:
+        zones = [start_and_length]
+    zones = [(float(a), float(b)) for a, b in zones]
+    if condition not in ("mean", "vanishing"):
+        raise SobolevError(f"unknown condition '{condition}': expected mean or vanishing")
+    condition = "point" if point is not None else condition
+    return Constant(_native.poincare(s, zones, by_length, condition, point, tol))
+
+
+def interpolation_constant(
+    s: float,
+    domain: float | ArrayLike = 1.0,
+    norm: str = "L2",
+    tol: float = 1e-6,
+) -> Constant:
+    """The best constant C in ‖u − I u‖ ≤ C |∇u|_s, I linear interpolation at the nodes, 0 ≤ s ≤ 1.
+
+    Parameters
+    ----------
+    s : float
+        Order of the gradient.
+    domain : float, array_like of nodes, or array_like of shape (3, 2)
+        The length of an interval, a mesh, or the corners of a triangle.
+    norm : {"L2", "derivative", "H1"}
+        Norm of the error.
+    tol : float
+        Relative tolerance.
+
+    Returns
+    -------
+    Constant
+        C with its error, bounds, and an extremal function.
+
+    Examples
+    --------
+    >>> interpolation_constant(0.5, norm="derivative", tol=1e-9)
+    0.291564029204 ± 7e-12
+    """
+    length, mesh, triangle = 1.0, None, None
+    if np.ndim(domain) == 0:
+        length = float(domain)
+    elif np.shape(domain) == (3, 2):
+        triangle = _floats(domain)
+    else:
+        mesh = _floats(domain)
+    return Constant(_native.interpolation(s, length, mesh, triangle, norm, tol))
+
+
+class Contact:
+    """A discrete solution of Signorini's problem.
+
+    Attributes
+    ----------
+    nodes, triangles : ndarray
+        The triangulation.
+    displacement : ndarray, shape (n, 2) or (n,)
+        Displacement at the nodes.
+    contact_nodes : ndarray of int
+        Nodes of the contact edge in order.
+    normal_displacement, pressure : ndarray
+        u_N ≤ 0 and −σ_N ≥ 0 at the contact nodes.
+    active : ndarray of bool
+        Whether a constraint (a node, or a segment in the midpoint cone) is in contact.
+    energy : float
+        J(u) = ½ a(u, u) − F(u).
+    contact_force : float
+        −∫ σ_N over the contact edge.
+    residual : float
+        Largest scaled residual of the Karush-Kuhn-Tucker conditions.
+    """
+
+    def __init__(self, nodes, triangles, solved, components) -> None:
+        self.nodes = nodes
+        self.triangles = triangles
+        self.displacement = solved.displacement.reshape(-1, 2) if components == 2 else solved.displacement
+        self.contact_nodes = np.asarray(solved.contact_nodes)
+        self.normal_displacement = solved.normal_displacement
+        self.pressure = solved.pressure
+        self.active = np.asarray(solved.active)
+        self.energy = solved.energy
+        self.contact_force = solved.contact_force
+        self.residual = solved.residual
+        self.converged = solved.converged
+        self._solved = solved
+
+    def __repr__(self) -> str:
+        return (
+            f"<Contact: {len(self.nodes)} nodes, {int(self.active.sum())} of {len(self.active)} constraints active, "
+            f"force {self.contact_force:.6g}, residual {self.residual:.1e}>"
+        )
+
+    def to_vtk(self, path: str | Path) -> None:
+        """Writes displacement, stress and contact pressure as a VTK file, which ParaView and meshio open."""
+        self._solved.to_vtk(str(path))
+
+
+def _edges(given, nodes: NDArray, outer: NDArray) -> NDArray[np.uintp]:
+    """Boundary edges as pairs of nodes, from pairs or from a condition on their midpoints."""
+    if callable(given):
+        middle = nodes[outer].mean(axis=1)
+        kept = [bool(given(x, y)) for x, y in middle.tolist()]
+        return outer[np.asarray(kept, dtype=bool)]
+    return np.asarray(given, dtype=np.uintp).reshape(-1, 2)
+
+
+def _outer_edges(triangles: NDArray) -> NDArray[np.uintp]:
+    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    found, count = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
+    return found[count == 1]
+
+
+def contact(
+    nodes: ArrayLike,
+    triangles: ArrayLike,
+    contact: Callable[[float, float], bool] | ArrayLike,
+    dirichlet: Callable[[float, float], bool] | ArrayLike,
+    load: Callable[..., Any] | ArrayLike = (0.0, 0.0),
+    *,
+    lame: tuple[float, float] | None = (1.0, 1.0),
+    cone: str = "nodal",
+) -> Contact:
+    """Solves Signorini's problem without friction on a triangulation, with piecewise linear elements.
+
+    Parameters
+    ----------
+    nodes : array_like, shape (n, 2)
+        Points.
+    triangles : array_like of int, shape (m, 3)
+        Counter-clockwise corners.
+    contact, dirichlet : callable or array_like of int, shape (k, 2)
+        Edges of the contact part and of the part with displacement zero: pairs of nodes, or a condition on the midpoint
+        (x, y) of a boundary edge. All other boundary edges are free.
+    load : callable or array_like
+        Volume load: a function of x and y, or values at the nodes, or one constant vector (a number if `lame` is None).
+    lame : (lambda, mu) or None
+        Lamé constants, plane strain; None for the scalar problem −Δu = f.
+    cone : {"nodal", "midpoint"}
+        u_N ≤ 0 at the nodes, or in the mean over the segments of the contact edge.
+
+    Returns
+    -------
+    Contact
+        The discrete solution.
+
+    Examples
+    --------
+    A square that hangs from its top, over a floor:
+
+    >>> x = np.linspace(0, 1, 9)
+    >>> nodes = [(a, b) for b in x for a in x]
+    >>> lower = [(k, k + 1, k + 10) for k in range(72) if k % 9 < 8]
+    >>> upper = [(k, k + 10, k + 9) for k in range(72) if k % 9 < 8]
+    >>> found = contact(nodes, lower + upper, lambda x, y: y == 0, lambda x, y: y == 1, lambda x, y: (0, 1 - 3 * x))
+    >>> int(found.active.sum()), len(found.contact_nodes)
+    (5, 9)
+    """
+    nodes, corners = _floats(nodes), np.asarray(triangles, dtype=np.uintp)
+    outer = _outer_edges(corners)
+    components = 1 if lame is None else 2
+    function, values = None, np.empty(0)
+    if callable(load):
+        function = load
+    else:
+        values = np.ascontiguousarray(np.broadcast_to(_floats(load), (len(nodes), components))
+            if np.size(load) == components else _floats(load)).ravel()
+    touch, held = _edges(contact, nodes, outer), _edges(dirichlet, nodes, outer)
+    solved = _native.contact(nodes, corners, touch, held, function, values, lame, cone)
+    return Contact(nodes, corners, solved, components)

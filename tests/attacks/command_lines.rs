@@ -1,0 +1,539 @@
+//! Every option of every example with values that are not what it asks for: one clear line on stderr, exit
+//! code 2, nothing on stdout, before anything is computed. What an option asks for is what the example says
+//! itself (`--describe`).
+//!
+//! Random lines come from a seed: of a hundred 80 have a wrong value among values that fit, 12 something that
+//! is no option, an option twice or a place without a name, 7 a wrong value behind extreme ones, and one is
+//! extreme or small and may compute: then no panic, and no number that is none but in a check that is undecided. `SIGNORINI_FUZZ=100000 cargo test --release --test attacks -- --nocapture random_lines`
+//! takes as many, `SIGNORINI_SEED=7` other ones.
+
+use crate::common::SplitMix;
+use crate::program::{names, program};
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::io::Read;
+use std::path::Path;
+use std::process::{Child, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+/// Longest wait for an answer to a bad option, with everything else the machine does.
+const PATIENCE: Duration = Duration::from_secs(10);
+/// Longest wait for a refusal before anything is computed, where the defaults take seconds; asked twice.
+const PROMPT: Duration = Duration::from_secs(1);
+/// Longest run of a random line that is not bad.
+const LONGEST: Duration = Duration::from_secs(5);
+
+struct Answer {
+    code: Option<i32>,
+    stdout: String,
+    stderr: String,
+    /// It ran until it was stopped.
+    is_stopped: bool,
+}
+
+/// Runs a line, for so long at most.
+fn ask(name: &str, line: &[String], patience: Duration) -> Answer {
+    let mut command = program(name);
+    command.args(line).stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    let reader = |pipe: Box<dyn Read + Send>| {
+        std::thread::spawn(move || {
+            let mut bytes = Vec::new();
+            let _ = pipe.take(1 << 24).read_to_end(&mut bytes);
+            String::from_utf8_lossy(&bytes).into_owned()
+        })
+    };
+    let stdout = reader(Box::new(child.stdout.take().unwrap()));
+    let stderr = reader(Box::new(child.stderr.take().unwrap()));
+    let (code, is_stopped) = wait(&mut child, patience);
+    Answer { code, stdout: stdout.join().unwrap(), stderr: stderr.join().unwrap(), is_stopped }
+}
+
+fn wait(child: &mut Child, patience: Duration) -> (Option<i32>, bool) {
+    let start = Instant::now();
+    loop {
+        if let Some(status) = child.try_wait().unwrap() {
+            return (status.code(), false);
+        }
+        if start.elapsed() > patience {
+            let _ = child.kill();
+            let _ = child.wait();
+            return (None, true);
+        }
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+/// What an example says of one of its options.
+struct Described {
+    name: String,
+    kind: String,
+    choices: Vec<String>,
+    is_list: bool,
+    default: String,
+    /// Ends of the interval of a number, where it has one.
+    range: Option<[f64; 2]>,
+}
+
+fn described(name: &str) -> Vec<Described> {
+    let answer = ask(name, &["--describe".to_owned()], PATIENCE);
+    let said: Value = serde_json::from_str(&answer.stdout).unwrap();
+    let text = |value: &Value| value.as_str().unwrap_or_default().to_owned();
+    let of = |option: &Value| Described {
+        name: text(&option["name"]),
+        kind: text(&option["kind"]),
+        choices: option["choices"].as_array().into_iter().flatten().map(text).collect(),
+        is_list: option["list"] == true,
+        default: text(&option["default"]),
+        range: option["range"]
+            .as_array()
+            .map(|ends| [0, 1].map(|k| ends[k].as_f64().unwrap_or(f64::INFINITY))),
+    };
+    said["options"].as_array().unwrap().iter().map(of).collect()
+}
+
+/// Values that no option of this kind takes.
+fn wrong(option: &Described) -> Vec<String> {
+    let plain: &[&str] = match option.kind.as_str() {
+        "number" => {
+            &["NaN", "-NaN", "inf", "-inf", "1e400", "-1e400", "", " ", "x", "1e", "0x10", "1_0", "½"]
+        }
+        "integer" => &["-1", "1.5", "18446744073709551616", "1e3", "NaN", "inf", "", "x", "0x10"],
+        "order" => &["NaN", "inf", "-0.1", "0", "1", "2", "1e400", "1/3", "1/2+", "1/2+1", "1/2-1", "", "x"],
+        "tolerance" => &["0", "-1", "1", "NaN", "inf", "1e400", "1e-300", "tight", "", "Fast"],
+        "flag" => &[],
+        _ => &["", ":", "x", "nothing:1", "\u{0}1", "NaN"],
+    };
+    let mut values: Vec<String> = plain.iter().map(|&word| word.to_owned()).collect();
+    for word in &option.choices {
+        values.extend(
+            [":", "::", ":NaN", ":inf", ":1e400", ":x", ":0.3:x", ":1:2:3:4"]
+                .map(|tail| format!("{word}{tail}")),
+        );
+    }
+    // Nothing at all is a value where that is the default.
+    values.retain(|value| !(value.contains('\u{0}') || value.trim().is_empty() && option.default.is_empty()));
+    values
+}
+
+/// Refused in one line, at once.
+fn fault(name: &str, line: &[String]) -> Option<String> {
+    let answer = ask(name, line, PATIENCE);
+    let is_clear = answer.stderr.starts_with("error:") && answer.stderr.lines().count() == 1;
+    let is_refused = answer.code == Some(2) && is_clear && answer.stdout.is_empty();
+    (!is_refused).then(|| {
+        let said = answer.stderr.lines().next().unwrap_or("nothing on stderr").to_owned();
+        let stopped = if answer.is_stopped { ", stopped" } else { "" };
+        format!("{name} {line:?}: exit {:?}{stopped}, {said}", answer.code)
+    })
+}
+
+/// Takes the lines in turn on as many threads as there are processors.
+fn all_faults<T: Sync>(lines: &[T], fault: impl Fn(&T) -> Option<String> + Sync) -> Vec<String> {
+    let (next, threads) = (AtomicUsize::new(0), std::thread::available_parallelism().map_or(2, usize::from));
+    let take = || -> Vec<String> {
+        let mut found = Vec::new();
+        while let Some(line) = lines.get(next.fetch_add(1, Ordering::Relaxed)) {
+            found.extend(fault(line));
+        }
+        found
+    };
+    std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(take)).collect();
+        workers.into_iter().flat_map(|worker| worker.join().unwrap()).collect()
+    })
+}
+
+#[test]
+fn what_is_not_asked_for_is_refused_in_one_line() {
+    let mut lines: Vec<(String, Vec<String>)> = Vec::new();
+    for name in names() {
+        let mut push = |line: Vec<String>| lines.push((name.clone(), line));
+        for stray in ["--nothing", "stray", "--json=1", "--out", "--values", "-x"] {
+            push(vec![stray.to_owned()]);
+        }
+        for option in described(&name) {
+            push(vec![format!("--{}", option.name), "x".to_owned(), "stray".to_owned()]);
+            if option.kind == "flag" {
+                push(vec![format!("--{}=1", option.name)]);
+            }
+            lines_of(&option).into_iter().for_each(&mut push);
+        }
+    }
+    let faults = all_faults(&lines, |(name, line)| fault(name, line));
+    println!("{} lines, {} not refused", lines.len(), faults.len());
+    assert!(lines.len() > 2000, "{}", lines.len());
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
+fn lines_of(option: &Described) -> Vec<Vec<String>> {
+    wrong(option).into_iter().map(|value| vec![format!("--{}={value}", option.name)]).collect()
+}
+
+/// Values that no list of this kind takes, though each is a number or a name.
+fn outside(option: &Described) -> Vec<&'static str> {
+    match option.kind.as_str() {
+        _ if !option.is_list => Vec::new(),
+        "number" => {
+            let ends = option.range.map_or(vec![], |[low, high]| vec![("-1e301", low), ("1e301", high)]);
+            ends.into_iter().filter(|(_, end)| end.is_finite()).map(|(value, _)| value).collect()
+        }
+        "integer" => vec!["18446744073709551615", "4294967296"],
+        "order" => vec!["1.5"],
+        _ => vec!["log:1e300", "power:1e300", "step:7"],
+    }
+}
+
+#[test]
+fn a_later_value_of_a_list_is_refused_before_the_first_is_computed() {
+    let mut lines: Vec<(String, Vec<String>)> = Vec::new();
+    for name in names() {
+        for option in described(&name) {
+            for bad in outside(&option) {
+                let behind = format!("{},{bad}", option.default).trim_start_matches(',').to_owned();
+                for values in [bad.to_owned(), behind] {
+                    lines.push((name.clone(), vec![format!("--{}={values}", option.name)]));
+                }
+            }
+        }
+    }
+    lines.extend([
+        ("section_1_trace_constants".to_owned(), vec!["--s=0.8,0.5".to_owned()]),
+        ("section_1_norms_in_the_plane".to_owned(), vec!["--gap=0.5,-1".to_owned()]),
+        ("theorem_3_1_with_numbers".to_owned(), vec!["--tau=1.75,1.4".to_owned()]),
+    ]);
+    let late = |(name, line): &(String, Vec<String>)| {
+        let once = || {
+            let start = Instant::now();
+            fault(name, line).or_else(|| {
+                let taken = start.elapsed();
+                (taken > PROMPT).then(|| format!("{name} {line:?}: refused after {taken:?}"))
+            })
+        };
+        once().and_then(|_| once())
+    };
+    let faults = all_faults(&lines, late);
+    println!("{} lines, {} late or not refused", lines.len(), faults.len());
+    assert!(lines.len() > 100, "{}", lines.len());
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
+/// Longest time to refuse before the first computation; asked five times where the machine is busy.
+const AT_ONCE: Duration = Duration::from_millis(200);
+
+#[test]
+fn options_are_checked_before_the_first_computation() {
+    let profile = ["--tau=1.5", "--tau=2", "--tau=1e300", "--finest=4", "--finest=13"];
+    let twins = ["theorem_3_1_proof_profile", "theorem_4_1_proof_profile"];
+    let mut lines: Vec<(&str, &str)> =
+        twins.iter().flat_map(|&name| profile.map(|line| (name, line))).collect();
+    lines.extend([
+        ("remark_7_zone_location", "--theta=1e-300"),
+        ("remark_7_zone_location", "--at=0,1e-300"),
+        ("remark_6_point_condition", "--nu=0.55,0.6,1e-300"),
+        ("remark_3_face", "--nu=0.25,0.4,0.9999999999"),
+        ("lemma_6_2_global_estimate", "--power=-0.25"),
+        ("lemma_6_2_global_estimate", "--elements=1,65536,0"),
+        ("theorem_3_1_with_numbers", "--lambda=-1"),
+        ("theorem_3_1_without_c", "--lambda=1e300"),
+        ("theta_balance", "--finest=1"),
+        ("figure_4_1_alternative", "--problem=membrane-reaction"),
+        ("remark_1_whole_boundary", "--meshes=11"),
+        ("remark_1_whole_boundary", "--tau=1.95"),
+        ("section_1_clamped_end", "--poisson=0.25,0.5"),
+        ("section_1_clamped_end", "--angles=6"),
+    ]);
+    let late = |&(name, line): &(&str, &str)| {
+        let once = |_| {
+            let start = Instant::now();
+            let wrong = fault(name, &[line.to_owned()]);
+            let taken = start.elapsed();
+            wrong.or_else(|| (taken > AT_ONCE).then(|| format!("{name} {line}: refused after {taken:?}")))
+        };
+        let answers: Vec<Option<String>> = (0..5).map_while(|k| once(k).map(Some)).collect();
+        if answers.len() == 5 { answers.into_iter().next().flatten() } else { None }
+    };
+    let faults = all_faults(&lines, late);
+    assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
+}
+
+#[test]
+fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
+    for (name, line) in [
+        ("lemma_6_2_global_estimate", "--elements=18446744073709551615"),
+        ("lemma_6_2_global_estimate", "--elements=4294967296"),
+        ("lemma_6_2_global_estimate", "--elements=1000000000000"),
+        ("section_2_elastic_contact", "--n=16384"),
+        ("section_2_elastic_contact", "--n=18446744073709551615"),
+        ("equation_3_2_logarithm", "--finest=19"),
+        ("worst_contact_set", "--depth=25"),
+        ("section_2_speed_for_accuracy", "--side=65536"),
+        ("introduction_rates", "--meshes=64"),
+        ("remark_1_whole_boundary", "--meshes=18446744073709551615"),
+        ("section_1_clamped_end", "--angles=18446744073709551615"),
+        ("figure_3_2_alternative", "--n=18446744073709551615"),
+    ] {
+        let line: Vec<String> = line.split(' ').map(str::to_owned).collect();
+        let found = fault(name, &line);
+        assert_eq!(found, None);
+    }
+}
+
+/// How a random line is meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Meant {
+    Bad,
+    Extreme,
+    Small,
+}
+
+fn pick(words: &[&str], random: &mut SplitMix) -> String {
+    words[random.below(words.len())].to_owned()
+}
+
+/// `--name=value` with a value of the kind: at the ends of what may be asked, or a small one.
+fn fitting(option: &Described, meant: Meant, random: &mut SplitMix) -> String {
+    let is_small = meant == Meant::Small;
+    let words: &[&str] = match (option.kind.as_str(), is_small) {
+        ("flag", _) => return format!("--{}", option.name),
+        ("integer", true) => &["1", "2", "3", "4"],
+        ("integer", false) => {
+            &["0", "1", "2", "3", "4", "5", "7", "8", "16", "100", "4294967296", "18446744073709551615"]
+        }
+        ("order", true) => &["0.25", "1/2", "0.75"],
+        ("order", false) => {
+            &["1e-300", "1e-16", "0.25", "1/2-1e-16", "1/2", "1/2+1e-12", "0.999", "0.75", "1/2+1e-300"]
+        }
+        ("tolerance", true) => &["1e-2", "1e-3", "fast"],
+        ("tolerance", false) => &["1e-15", "1e-3", "fast", "0.1", "balanced", "0.9"],
+        ("number", true) => &["0.5", "1", "1.75", "0.25", "0.1"],
+        ("number", false) => &[
+            "0",
+            "-1",
+            "1",
+            "2",
+            "0.5",
+            "1e-300",
+            "-1e300",
+            "1e300",
+            "1.75",
+            "1.5",
+            "2.5",
+            "1e-12",
+            "120",
+            "3",
+            "5e-324",
+            "0.999999999",
+        ],
+        (_, true) => &[""],
+        (_, false) => &["", ":0.25", ":3", ":0", ":1", ":0.2:4", ":1e-300", ":-1"],
+    };
+    let value = match option.choices.len() {
+        0 => pick(words, random),
+        count => format!("{}{}", option.choices[random.below(count)], pick(words, random)),
+    };
+    format!("--{}={value}", option.name)
+}
+
+/// `--name=value` with a value that is none of the kind, behind the default ones of a list.
+fn unfit(option: &Described, random: &mut SplitMix) -> String {
+    let wrong = wrong(option);
+    match wrong.len() {
+        0 => format!("--{}=1", option.name),
+        count => {
+            let behind = option.is_list && !option.default.is_empty() && random.below(2) == 0;
+            let before = if behind { format!("{},", option.default) } else { String::new() };
+            format!("--{}={before}{}", option.name, wrong[random.below(count)])
+        }
+    }
+}
+
+/// What is no option, an option twice, a place without a name.
+fn stray(known: &[Described], random: &mut SplitMix) -> Vec<String> {
+    let option = &known[random.below(known.len())];
+    let taken_once = !option.is_list && option.kind != "flag";
+    match random.below(5) {
+        0 => vec![pick(&["--nothing", "stray", "-x", "--json=1", "--Json", "--=", "--describe=1"], random)],
+        1 => vec![format!("--{}zz=1", option.name)],
+        2 if taken_once => vec![fitting(option, Meant::Small, random); 2],
+        2 | 3 => vec![pick(&["--out", "--values"], random)],
+        _ => vec![format!("--{}\u{200b}=1", option.name)],
+    }
+}
+
+/// A line, and how it is meant.
+fn random_line(known: &[Described], random: &mut SplitMix) -> (Vec<String>, Meant) {
+    let mut line = Vec::new();
+    let option = |random: &mut SplitMix| random.below(known.len());
+    let meant = match random.below(500) {
+        _ if known.is_empty() => {
+            line.push(pick(&["--nothing", "stray", "-x", "--out"], random));
+            Meant::Bad
+        }
+        0..400 => {
+            line.push(unfit(&known[option(random)], random));
+            for _ in 0..random.below(3) {
+                let at = random.below(line.len() + 1);
+                line.insert(at, fitting(&known[option(random)], Meant::Extreme, random));
+            }
+            Meant::Bad
+        }
+        400..460 => {
+            line.extend(stray(known, random));
+            Meant::Bad
+        }
+        460..494 => {
+            for _ in 0..=random.below(3) {
+                line.push(fitting(&known[option(random)], Meant::Extreme, random));
+            }
+            line.push(unfit(&known[option(random)], random));
+            Meant::Bad
+        }
+        which => {
+            let meant = if which < 497 { Meant::Extreme } else { Meant::Small };
+            let chosen: BTreeSet<usize> = (0..=random.below(3)).map(|_| option(random)).collect();
+            line.extend(chosen.iter().map(|&k| fitting(&known[k], meant, random)));
+            let sizes = known.iter().enumerate().filter(|(k, o)| {
+                let is_size = o.kind == "integer";
+                meant == Meant::Small && is_size && !chosen.contains(k)
+            });
+            line.extend(sizes.map(|(_, size)| fitting(size, meant, random)));
+            meant
+        }
+    };
+    // Before the rest: a place without a name stands at the end.
+    line.insert(0, "--json".to_owned());
+    (line, meant)
+}
+
+/// What a line came to: refused, computed, stopped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Came {
+    Refused,
+    Late,
+    Computed,
+    Stopped,
+}
+
+/// No panic, no signal; a bad line is refused, and an outcome has numbers and only numbers, and a reason for
+/// each that is missing.
+fn order(name: &str, line: &[String], meant: Meant) -> Result<Came, String> {
+    let start = Instant::now();
+    let answer = ask(name, line, LONGEST);
+    let taken = start.elapsed();
+    if answer.is_stopped {
+        return if meant == Meant::Bad { Err("not refused".to_owned()) } else { Ok(Came::Stopped) };
+    }
+    if answer.stderr.contains("panicked") || !matches!(answer.code, Some(0..=2)) {
+        return Err(format!("{:?}: {}", answer.code, answer.stderr.lines().next().unwrap_or("no word")));
+    }
+    if answer.code == Some(2) {
+        let said: Vec<&str> = answer.stderr.lines().collect();
+        let is_clear = matches!(said[..], [line] if line.starts_with("error:")) && answer.stdout.is_empty();
+        let came = if taken > PROMPT { Came::Late } else { Came::Refused };
+        return if is_clear { Ok(came) } else { Err(format!("not one clear line: {}", answer.stderr)) };
+    }
+    let is_silent = !answer.stdout.contains(|c: char| c.is_ascii_digit());
+    let planted = name == "extremes";
+    match answer.stdout.lines().find_map(not_said).filter(|_| !planted) {
+        Some(wrong) => Err(wrong),
+        None if is_silent => Err("no number".to_owned()),
+        None if meant == Meant::Bad => Err("taken".to_owned()),
+        None => Ok(Came::Computed),
+    }
+}
+
+/// What is wrong with a line of JSON.
+fn not_said(line: &str) -> Option<String> {
+    let Ok(Value::Object(row)) = serde_json::from_str::<Value>(line) else {
+        return Some(format!("not an object: {line}"));
+    };
+    no_number(&Value::Object(row))
+}
+
+/// A text that prints what is no number: `NaN`, or `inf` but as the end of a range or as an infimum.
+fn no_number(value: &Value) -> Option<String> {
+    match value {
+        Value::String(text) => {
+            let is_end = |at: usize| text[..at].ends_with(", ") && text[at + 3..].starts_with([')', ']']);
+            let is_word = |at: usize| {
+                let inside = |c: char| c.is_alphanumeric() || c == '_';
+                !text[..at].ends_with(inside) && !text[at + 3..].starts_with(inside)
+            };
+            let infimum = |at: usize| text[at + 3..].starts_with(" over ");
+            let bad = |word: &str| text.match_indices(word).map(|(at, _)| at).find(|&at| is_word(at));
+            let inf = text.match_indices("inf").map(|(at, _)| at);
+            let inf = inf.filter(|&at| is_word(at)).find(|&at| !is_end(at) && !infimum(at));
+            bad("NaN").or(inf).map(|_| format!("no number in {text:?}"))
+        }
+        Value::Array(values) => values.iter().find_map(no_number),
+        // An undecided check may have no number; an entry that is missing is null.
+        Value::Object(values) if values.get("outcome").is_some_and(|outcome| outcome == "undecided") => None,
+        // What a column means, an infimum for instance, is no number of it.
+        Value::Object(values) => values
+            .iter()
+            .filter(|(key, _)| !["title", "meaning", "unit"].contains(&key.as_str()))
+            .find_map(|(_, value)| no_number(value)),
+        _ => None,
+    }
+}
+
+#[test]
+fn random_lines_are_refused_or_computed_and_say_so() {
+    let variable = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().unwrap());
+    let count = variable("SIGNORINI_FUZZ").unwrap_or(300) as usize;
+    let options: BTreeMap<String, Vec<Described>> =
+        names().into_iter().map(|name| (name.clone(), described(&name))).collect();
+    let names: Vec<&String> = options.keys().collect();
+    let mut random = SplitMix::new(22 + 1000 * variable("SIGNORINI_SEED").unwrap_or(0));
+    let lines: Vec<(&String, Vec<String>, Meant)> = (0..count)
+        .map(|_| {
+            let name = names[random.below(names.len())];
+            let (line, meant) = random_line(&options[name], &mut random);
+            (name, line, meant)
+        })
+        .collect();
+    let counts = Mutex::new(BTreeMap::<(Meant, Came), usize>::new());
+    let faults = all_faults(&lines, |(name, line, meant)| match order(name, line, *meant) {
+        Err(wrong) => Some(format!("{name} {line:?}: {wrong}")),
+        Ok(came) => {
+            if came == Came::Late {
+                println!("late: {name} {line:?}");
+            }
+            *counts.lock().unwrap().entry((*meant, came)).or_default() += 1;
+            None
+        }
+    });
+    println!("{count} random lines, {} wrong, {:?}", faults.len(), counts.into_inner().unwrap());
+    assert!(faults.is_empty(), "{} of {count}:\n{}", faults.len(), faults.join("\n"));
+}
+
+#[test]
+fn what_is_no_number_is_found() {
+    let said = |text: &str| no_number(&Value::String(text.to_owned())).is_some();
+    for text in ["inf", "at most inf", "[inf <= 1, x]", "-inf", "NaN", "norm NaN.", "(inf, 3)"] {
+        assert!(said(text), "{text}");
+    }
+    for text in ["outside [3, inf)", "(0, inf]", "infinite", "information", "inf over K of it", "NaNs_"] {
+        assert!(!said(text), "{text}");
+    }
+    assert!(not_said(r#"{"a": "NaN"}"#).is_some() && not_said(r#"{"a": null}"#).is_none());
+    assert!(not_said(r#"{"outcome": "undecided", "value": "NaN"}"#).is_none());
+    assert!(not_said(r#"{"a": [{"b": "inf"}]}"#).is_some());
+}
+
+/// All rows and findings of all examples at their default sizes, as the book keeps them.
+#[test]
+fn no_outcome_of_the_book_is_no_number() {
+    let kept = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/generated/values.json");
+    let kept: Value = serde_json::from_str(&std::fs::read_to_string(kept).unwrap()).unwrap();
+    let examples = kept.as_object().unwrap();
+    assert!(examples.len() >= 40, "{}", examples.len());
+    // Which plants what is no number, and names it.
+    let others = examples.iter().filter(|(name, _)| *name != "extremes");
+    let faults: Vec<String> =
+        others.filter_map(|(name, outcome)| Some(format!("{name}: {}", no_number(outcome)?))).collect();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}

@@ -1,0 +1,213 @@
+//! Meshes from outside: what is wrong is named, what is right is read, nothing panics.
+
+use proptest::prelude::*;
+use signorini::Error;
+use signorini::ToolkitError;
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, Solver};
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{
+    BoundaryEdge, Part, SideParts, Triangulation, mapped_grid, parse_msh, read_msh, unit_square,
+};
+
+/// Two squares of unit size side by side, each in two triangles; node 20 is a point of the geometry only.
+const GOOD: &str = include_str!("../data/two_squares.msh");
+
+fn elastic() -> Form {
+    Form::elastic(Lame::new(1.0, 1.0).unwrap())
+}
+
+#[test]
+fn gmsh_files_are_read() {
+    let mesh = parse_msh(GOOD).unwrap();
+    assert_eq!((mesh.nodes().len(), mesh.triangles().len(), mesh.boundary().len()), (6, 4, 6));
+    let regions: Vec<usize> = (0..4).map(|t| mesh.region(t)).collect();
+    assert_eq!(regions, [1, 1, 0, 0], "surfaces without a group come first");
+    let load = [0.0, -1.0].repeat(6);
+    let problem = ContactProblem::new(mesh, elastic(), &load).unwrap();
+    let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    assert_eq!(solution.contact_set.count(), 3);
+    assert!(solution.kkt.worst() < 1e-14);
+}
+
+#[test]
+fn gmsh_faults_are_named() {
+    let faults = [
+        ("4.1 0 8", "2.2 0 8"),
+        ("4.1 0 8", "4.1 1 8"),
+        ("1 7 1 20\n2 1 0 7", "1 8 1 20\n2 1 0 7"),
+        ("8 1 2 5", "8 1 2 9"),
+        ("8 1 2 5", "8 1 5 2"),
+        ("8 1 2 5", "8 1 2 2"),
+        ("8 1 2 5", "8 1 2"),
+        ("2 1 2 2\n8", "2 1 3 2\n8"),
+        ("\"Contact\"", "\"Obstacle\""),
+        ("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20"),
+        ("0 1 0\n1 1 0", "0 1 0\nnan 1 0"),
+        ("7 11 1 11", "7 10 1 11"),
+        ("$EndNodes", "$EndElements"),
+        ("5\n6\n20", "5\n5\n20"),
+    ];
+    for (good, bad) in faults {
+        let text = GOOD.replacen(good, bad, 1);
+        assert_ne!(text, GOOD, "{good} does not occur");
+        assert!(parse_msh(&text).is_err(), "{bad} was accepted");
+    }
+    let Err(Error::AtLine { line: 54, cause, .. }) = parse_msh(&GOOD.replacen("8 1 2 5", "8 1 5 2", 1))
+    else {
+        panic!("an inverted triangle, and its line");
+    };
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 0, .. })), "{cause}");
+    assert!(matches!(parse_msh(""), Err(Error::Syntax { .. })));
+    assert!(matches!(read_msh(std::path::Path::new("no/such/file.msh")), Err(Error::File { .. })));
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn damaged_gmsh_files_never_panic(
+        cut in 0..GOOD.len(),
+        place in 0..GOOD.len(),
+        text in prop_oneof![
+            "[-0-9 .e\n$\"]{0,12}",
+            Just("18446744073709551615".to_owned()),
+            Just("-9223372036854775808".to_owned()),
+            Just("1e308 -1e308 inf nan".to_owned()),
+            Just("$Nodes\n9999999999 9999999999 1 1\n".to_owned()),
+        ],
+        truncate in any::<bool>(),
+    ) {
+        let mut damaged = GOOD.to_owned();
+        damaged.replace_range(place..(place + text.len() / 2).min(GOOD.len()), &text);
+        if truncate {
+            damaged.truncate(cut);
+        }
+        if let Ok(mesh) = parse_msh(&damaged) {
+            // Whatever passed the checks can be worked with.
+            let load = vec![1.0; 2 * mesh.nodes().len()];
+            if let Ok(problem) = ContactProblem::new(mesh, elastic(), &load) {
+                let _ = problem.solve(Cone::Midpoint, Solver::ActiveSet);
+            }
+        }
+    }
+
+    #[test]
+    fn arbitrary_text_never_panics(text in "\\PC{0,200}") {
+        let _ = parse_msh(&text);
+        let _ = parse_msh(&format!("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n{text}"));
+    }
+}
+
+#[test]
+fn problems_that_hang_in_the_air_are_errors() {
+    let load = |mesh: &Triangulation| vec![1.0; 2 * mesh.nodes().len()];
+    let free = SideParts { top: Part::Neumann, ..SideParts::HANGING };
+    let mesh = unit_square(3, free).unwrap();
+    let values = load(&mesh);
+    assert!(matches!(
+        ContactProblem::new(mesh.clone(), elastic(), &values),
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "Dirichlet edges", .. }))
+    ));
+    assert!(ContactProblem::new(mesh.clone(), Form::LAPLACE, &values[..16]).is_err());
+    assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &values[..16]).is_ok());
+    assert!(
+        ContactProblem::new(
+            unit_square(3, SideParts::HANGING).unwrap(),
+            Form::Scalar { reaction: -1.0 },
+            &[0.0; 16]
+        )
+        .is_err()
+    );
+
+    let bent = mapped_grid(4, 2, SideParts::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
+    let values = load(&bent);
+    assert!(matches!(
+        ContactProblem::new(bent, elastic(), &values),
+        Err(Error::Toolkit(ToolkitError::Edge { .. }))
+    ));
+
+    let none = unit_square(2, SideParts { bottom: Part::Neumann, ..SideParts::HANGING }).unwrap();
+    let values = load(&none);
+    assert!(matches!(
+        ContactProblem::new(none, elastic(), &values),
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "contact edges", .. }))
+    ));
+}
+
+#[test]
+fn a_body_that_nothing_holds_is_named_before_any_factorization() {
+    let held = unit_square(4, SideParts::HANGING).unwrap();
+    let count = held.nodes().len();
+    let mut nodes = held.nodes().to_vec();
+    nodes.extend(held.nodes().iter().map(|&[x, y]| [x + 3.0, y]));
+    let mut triangles = held.triangles().to_vec();
+    triangles.extend(held.triangles().iter().map(|t| t.map(|node| node + count)));
+    let mut boundary = held.boundary().to_vec();
+    boundary.extend(
+        held.boundary()
+            .iter()
+            .map(|edge| BoundaryEdge { nodes: edge.nodes.map(|node| node + count), part: Part::Neumann }),
+    );
+    let mesh = Triangulation::new(nodes, triangles, boundary).unwrap();
+    let load = vec![1.0; 2 * mesh.nodes().len()];
+    for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
+        let failed = ContactProblem::new(mesh.clone(), form, values).unwrap_err();
+        assert_eq!(failed, Error::NotHeld { triangles: 32, node: 25, place: [3.0, 0.0] });
+        assert!(failed.to_string().contains("the body of 32 triangles with node 25 at (3, 0) is not held"));
+    }
+    // A reaction term holds it.
+    assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load[..2 * count]).is_ok());
+}
+
+#[test]
+fn nodes_of_a_file_are_called_by_its_numbers() {
+    let of = |text: &str| match parse_msh(text) {
+        Err(Error::AtLine { cause, .. }) => *cause,
+        Ok(mesh) => ContactProblem::new(mesh, elastic(), &[0.0; 12]).unwrap_err(),
+        Err(other) => other,
+    };
+    let edge = |text: &str| match of(text) {
+        Error::Toolkit(ToolkitError::Edge { nodes, .. }) => nodes,
+        other => panic!("{other}"),
+    };
+    // The bottom has no label: its first edge is that of nodes 1 and 2 of the file, 0 and 1 in the mesh.
+    assert_eq!(edge(&GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1)), [1, 2]);
+    // Node 3 of the file is off the line: node 2 leaves that from 1 to 3, found when the problem is made.
+    let bent = GOOD.replacen("1 0 0\n2 0 0", "1 0 0\n2 -0.25 0", 1);
+    assert_eq!(edge(&bent), [1, 2]);
+    // A second triangle, of the nodes 10, 30 and 20, that no edge holds.
+    let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
+         $PhysicalNames\n3\n1 1 \"contact\"\n1 2 \"free\"\n1 3 \"clamped\"\n$EndPhysicalNames\n\
+         $Nodes\n6\n3 0 0 0\n5 1 0 0\n7 0 1 0\n10 4 0 0\n20 4 1 0\n30 5 0 0\n$EndNodes\n\
+         $Elements\n8\n1 1 2 1 1 3 5\n2 1 2 2 2 5 7\n3 1 2 3 3 7 3\n4 2 2 0 1 3 5 7\n\
+         5 1 2 2 2 10 30\n6 1 2 2 2 30 20\n7 1 2 2 2 20 10\n8 2 2 0 1 10 30 20\n$EndElements\n";
+    assert_eq!(of(text), Error::NotHeld { triangles: 1, node: 10, place: [4.0, 0.0] });
+}
+
+#[test]
+fn a_bad_entry_of_an_edge_is_named_by_its_index() {
+    use signorini::cone::ContactSet;
+    use signorini::edge::{EdgeTrace, radial_intervals};
+    let trace = |x: Vec<f64>, y: Vec<f64>| EdgeTrace::new(x, y, vec![0.0; 2], 0.0).map(drop);
+    let set = ContactSet::new(vec![true, false, true]);
+    let not_finite = trace(vec![0.0, f64::NAN], vec![0.0; 2]);
+    assert!(matches!(not_finite, Err(Error::Toolkit(ToolkitError::NotFinite { index: 1, .. }))));
+    let found = [
+        (1, 0.5, trace(vec![0.0, 1.0], vec![0.0, 0.5])),
+        (2, 1.0, radial_intervals(&[0.0, 2.0, 1.0], &set).map(drop)),
+    ];
+    for (at, bad, result) in found {
+        let named = matches!(result, Err(Error::Toolkit(ToolkitError::EntryOutOfRange { index, value, .. }))
+            if index == at && value == bad);
+        assert!(named, "{at}");
+    }
+}
+
+#[test]
+fn a_segment_constant_refused_carries_its_best_value() {
+    use signorini::proof::worst_ratio;
+    let ratio = |asked: f64| worst_ratio(Cone::Nodal, 1.75, 0.2, 0.3, asked);
+    let (met, best) = (ratio(0.02).unwrap(), ratio(1e-12).unwrap_err().best().unwrap());
+    assert!((best.value - met.value).abs() <= best.error + met.error, "{best} {met}");
+}

@@ -1,0 +1,99 @@
+//! The sharp constants of a segment: two independent computations, limits, and other contact sets.
+
+use crate::segment_sets::SegmentSets;
+use fractional_sobolev::{Moment, Order, Tolerance, moment};
+use signorini::cone::Cone;
+use signorini::proof::{
+    consistency_constant, midpoint_bound, one_gap_ratio, product_bound, product_constant,
+};
+
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
+}
+
+#[test]
+fn the_constants_are_known_by_two_computations() {
+    for nu in [0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999] {
+        let nu = order(nu);
+        let tolerance = Tolerance::new(1e-9).unwrap();
+        let [product, kappa, midpoint] =
+            [product_constant, consistency_constant, midpoint_bound].map(|of| of(nu, tolerance).unwrap());
+        for found in [product, kappa, midpoint] {
+            assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
+        }
+        let [product, kappa, midpoint] = [product, kappa, midpoint].map(|found| found.value.value);
+        assert!(kappa < midpoint && midpoint < product && product < product_bound(nu), "{nu}");
+        assert!(kappa < 0.5 * 0.136, "{nu}: {kappa}");
+        if nu == Order::HALF {
+            let exact = moment(nu, 0.5..1.0, Moment::Mass, 1e-9).unwrap().closed_form().unwrap();
+            assert!((product / exact.value.powi(2) - 1.0).abs() < 1e-8, "{product} {exact}");
+        }
+    }
+}
+
+#[test]
+fn the_distance_of_the_roads_sees_a_wrong_constant() {
+    let nu = order(0.4);
+    let mut found = consistency_constant(nu, Tolerance::new(1e-9).unwrap()).unwrap();
+    assert!(found.apart().unwrap() < 1e-8);
+    found.value.value *= 1.0 + 3e-8;
+    assert!(found.apart().unwrap() > 2e-8);
+}
+
+#[test]
+fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
+    let tolerance = Tolerance::new(1e-8).unwrap();
+    let nus = [1e-7, 1e-5, 1e-3, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95];
+    for constant in [product_constant, consistency_constant, midpoint_bound] {
+        let values: Vec<f64> =
+            nus.iter().map(|&nu| constant(order(nu), tolerance).unwrap().value.value).collect();
+        assert!(values.windows(2).all(|pair| pair[1] < pair[0]), "{values:?}");
+        // Analytic in ν through 0: the first differences are proportional to ν.
+        let slope = (values[1] - values[2]) / (nus[2] - nus[1]);
+        let from_zero = (values[0] - values[1]) / (nus[1] - nus[0]);
+        assert!((slope / from_zero - 1.0).abs() < 0.05, "{values:?}: {slope} {from_zero}");
+    }
+    // ν → 1: ∫w'² in place of (1 − ν)|w|², moments √(e⁵/20), √(n³/3) and √(e³/3), √(2n⁵/15).
+    let left = 1e-6;
+    let near = Order::half_plus(0.5 - left).unwrap();
+    let place = 5f64.powi(5) * 27.0 / 8f64.powi(8);
+    for (constant, limit) in [
+        (product_constant(near, tolerance), 1.0 / 24.0),
+        (consistency_constant(near, tolerance), (place / 60.0).sqrt()),
+        (midpoint_bound(near, tolerance), (place * 2.0 / 45.0).sqrt()),
+    ] {
+        let value = constant.unwrap().value.value / left;
+        assert!((value / limit - 1.0).abs() < 1e-5, "{value} {limit}");
+    }
+}
+
+#[test]
+fn two_gaps_and_interior_gaps_stay_below_one_gap_at_an_end() {
+    for nu in [0.02, 0.25, 0.5, 0.75, 0.97].into_iter().step_by(if crate::MANY { 1 } else { 2 }) {
+        let sharp = consistency_constant(order(nu), Tolerance::fast()).unwrap().value;
+        let sets = SegmentSets::new(order(nu), 32).unwrap();
+        for cone in [Cone::Nodal, Cone::Midpoint] {
+            let found = sets.search(cone, 20, if crate::MANY { 500 } else { 100 }, 3).unwrap();
+            assert!(found.largest() < sharp.value, "{cone} {nu}: {found:?} {sharp}");
+            assert_eq!(found.interval.gaps(), 1, "{cone} {nu}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn a_short_gap_at_any_scale_and_bad_input() {
+    // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν}: θ^{2ν}.
+    for nu in [0.1, 0.25, 0.4] {
+        let ratio = |gap: f64| one_gap_ratio(Cone::Nodal, order(nu), gap, Tolerance::fast()).unwrap().value;
+        let power = (ratio(1e-100) / ratio(1e-120)).log10() / 20.0;
+        assert!((power - 2.0 * nu).abs() < 1e-3, "{nu}: {power}");
+    }
+    for gap in [0.0, 1.0, -0.1, f64::NAN] {
+        assert!(one_gap_ratio(Cone::Midpoint, order(0.3), gap, Tolerance::fast()).is_err());
+    }
+    assert!(SegmentSets::new(order(0.3), 2).is_err());
+    let sets = SegmentSets::new(order(0.3), 8).unwrap();
+    assert!(sets.ratio(Cone::Nodal, &[true; 7]).is_err());
+    assert_eq!(sets.ratio(Cone::Nodal, &[true; 8]).unwrap(), 0.0);
+    assert_eq!(sets.ratio(Cone::Nodal, &[false; 8]).unwrap(), 0.0);
+}

@@ -1,0 +1,11 @@
+//! The rooms of the libraries, the table of labels, every example at its default size, options, files.
+
+#[path = "../common/program.rs"]
+mod program;
+
+mod bad_input;
+mod every_label;
+mod files;
+mod large_runs;
+mod outcomes;
+mod rooms;

@@ -1,0 +1,268 @@
+//! Section 2: bodies of one's own. Meshes of Gmsh in both formats, loads as expressions, several contact
+//! edges, and what is written of them.
+
+#[allow(dead_code)]
+#[path = "../../examples/section_2_own_body.rs"]
+mod section_2_own_body;
+
+use example_report::Outcome;
+use section_2_own_body::Options;
+use signorini::Error;
+use signorini::ToolkitError;
+use signorini::cone::Cone;
+use signorini::contact::{ContactProblem, ContactSolution, Fallback, Settings, Solver, Start};
+use signorini::fem::{Cubature, Field, Form, Frame, Lame, stiffness};
+use signorini::mesh::{ContactEdge, Triangulation, parse_msh, read_msh};
+use std::path::{Path, PathBuf};
+
+const L_SHAPE: &str = include_str!("../../examples/data/l_shape.msh");
+const L_SHAPE_2: &str = include_str!("../reference/l_shape_2.2.msh");
+const GROOVE: &str = include_str!("../../examples/data/groove.msh");
+
+/// Sums over some hundred nodes of numbers of order one.
+const SUMS: f64 = 1e-12;
+
+fn repository(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
+}
+
+fn elastic() -> Form {
+    Form::elastic(Lame::new(1.0, 1.0).unwrap())
+}
+
+#[test]
+fn both_formats_of_gmsh_hold_the_same_body() {
+    let (four, two) = (parse_msh(L_SHAPE).unwrap(), parse_msh(L_SHAPE_2).unwrap());
+    assert_eq!(four, two);
+    assert_eq!(read_msh(&repository("examples/data/l_shape.msh")), Ok(four.clone()));
+    // The floor rises by 20 degrees; the normal points down and to the right.
+    let normal = ContactEdge::of(&four).unwrap().normal().unwrap();
+    let angle = 20_f64.to_radians();
+    assert!((normal[0] - angle.sin()).abs() < SUMS && (normal[1] + angle.cos()).abs() < SUMS, "{normal:?}");
+    for (good, bad) in [
+        ("$EndNodes\n", "1 0 0 0\n$EndNodes\n"),
+        ("36 2 2 4 1", "36 3 2 4 1"),
+        ("\"contact\"", "\"floor\""),
+        ("2.2 0", "2.1 0"),
+    ] {
+        let text = L_SHAPE_2.replacen(good, bad, 1);
+        assert!(text != L_SHAPE_2 && parse_msh(&text).is_err(), "{bad}");
+    }
+    // Names in other words, a clockwise surface.
+    let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
+    assert_eq!(parse_msh(&renamed).unwrap(), four);
+    let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
+    assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Node { .. })), "{cause}");
+}
+
+#[test]
+fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
+    let text = |triangles: [&str; 2]| {
+        format!(
+            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"contact\"\n1 2 \"clamped\"\n\
+             $EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n6\n\
+             1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 2 2 3 4\n4 1 2 2 2 4 1\n5 2 2 0 1 {}\n6 2 2 0 1 {}\n$EndElements\n",
+            triangles[0], triangles[1]
+        )
+    };
+    let good = parse_msh(&text(["1 2 3", "1 3 4"])).unwrap();
+    let turned = parse_msh(&text(["1 3 2", "1 4 3"])).unwrap();
+    assert_eq!(good.boundary(), turned.boundary());
+    let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
+        panic!("is inverted")
+    };
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 1, .. })), "{cause}");
+}
+
+#[test]
+fn binary_files_are_refused_with_what_to_do() {
+    let directory = std::env::temp_dir().join(format!("signorini-binary-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    for version in ["4.1", "2.2"] {
+        let file = directory.join("binary.msh");
+        let mut bytes = format!("$MeshFormat\n{version} 1 8\n").into_bytes();
+        bytes.extend_from_slice(&[1, 0, 0, 0, 0xff, 0xfe, b'\n']);
+        std::fs::write(&file, bytes).unwrap();
+        let error = read_msh(&file).unwrap_err().to_string();
+        assert!(error.contains("save as ASCII"), "{error}");
+    }
+    std::fs::remove_dir_all(&directory).unwrap();
+}
+
+fn problem(mesh: &Triangulation, load: &Field<'_>) -> ContactProblem {
+    let none = vec![0.0; mesh.nodes().len() * 2];
+    let mut problem = ContactProblem::new(mesh.clone(), elastic(), &none).unwrap();
+    problem.add_volume_load(load, &Cubature::new(4).unwrap()).unwrap();
+    problem
+}
+
+fn solved(mesh: &Triangulation, load: &Field<'_>) -> [ContactSolution; 2] {
+    let problem = problem(mesh, load);
+    [Solver::ActiveSet, Solver::InteriorPoint].map(|solver| problem.solve(Cone::Nodal, solver).unwrap())
+}
+
+#[test]
+fn a_slanted_floor_is_a_turned_one() {
+    // The L turned back by 20 degrees stands on a horizontal floor; its load turns with it.
+    let slanted = parse_msh(L_SHAPE).unwrap();
+    let (sin, cos) = 20_f64.to_radians().sin_cos();
+    let level = slanted.clone().mapped(|[x, y]| [cos * x + sin * y, cos * y - sin * x]).unwrap();
+    let f = |[x, y]: [f64; 2]| [0.15 * x, 0.2 - 0.3 * x + 0.1 * y];
+    let g = |[x, y]: [f64; 2]| {
+        let [a, b] = f([cos * x - sin * y, sin * x + cos * y]);
+        [cos * a + sin * b, cos * b - sin * a]
+    };
+    let one = solved(&slanted, &Field::Vector(&f));
+    let other = solved(&level, &Field::Vector(&g));
+    assert!(ContactEdge::of(&level).unwrap().normal().unwrap()[1] < -1.0 + SUMS);
+    for (a, b) in one.iter().zip(&other) {
+        assert!((a.energy / b.energy - 1.0).abs() < SUMS && a.contact_set == b.contact_set);
+        for (u, v) in a.normal_displacement.iter().zip(&b.normal_displacement) {
+            assert!((u - v).abs() < SUMS, "{u} {v}");
+        }
+        for (p, q) in a.pressure.iter().zip(&b.pressure) {
+            assert!((p - q).abs() < 10.0 * SUMS, "{p} {q}");
+        }
+    }
+    // A planted fault: the load does not turn.
+    let wrong = solved(&level, &Field::Vector(&f));
+    assert!((wrong[0].energy / one[0].energy - 1.0).abs() > 1e-3);
+}
+
+#[test]
+fn two_contact_edges_have_two_normals() {
+    let mesh = parse_msh(GROOVE).unwrap();
+    let edge = ContactEdge::in_pieces(&mesh).unwrap();
+    assert!(ContactEdge::of(&mesh).is_err() && edge.pieces().len() == 2);
+    let form = elastic();
+    let load = |[x, y]: [f64; 2]| [0.2 * y, -0.5 - 0.3 * x];
+    let problem = problem(&mesh, &Field::Vector(&load));
+    let by_sets = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+    let by_barrier = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
+    assert!((by_sets.energy / by_barrier.energy - 1.0).abs() < 1e-8);
+    assert!(by_sets.kkt.worst() < SUMS && by_sets.balance < SUMS, "{:?}", by_sets.kkt);
+    // The conditions once more, in Cartesian components: K u - F is the force of the floors, along the
+    // normals.
+    let mut rest = stiffness(&mesh, &form, &Frame::cartesian()).multiply(&by_sets.displacement);
+    let rule = Cubature::new(4).unwrap();
+    let f = signorini::fem::volume_load(&mesh, &Field::Vector(&load), &rule).unwrap();
+    rest.iter_mut().zip(f).for_each(|(r, f)| *r -= f);
+    let (lengths, normals) = (edge.nodal_lengths(), edge.normals().unwrap());
+    assert!((normals[0][0] + normals[1][0]).abs() > 1e-3, "the two slopes differ");
+    let mut pushed = [0, 0];
+    for (number, piece) in edge.pieces().into_iter().enumerate() {
+        for i in piece {
+            let node = edge.nodes()[i];
+            let u = [by_sets.displacement[2 * node], by_sets.displacement[2 * node + 1]];
+            let inward = u[0] * normals[number][0] + u[1] * normals[number][1];
+            assert!(inward < SUMS && (inward - by_sets.normal_displacement[i]).abs() < SUMS);
+            assert!(by_sets.pressure[i] * inward > -SUMS && by_sets.pressure[i] >= 0.0);
+            pushed[number] += usize::from(by_sets.pressure[i] > 0.0);
+            for k in 0..2 {
+                rest[2 * node + k] += by_sets.pressure[i] * lengths[i] * normals[number][k];
+            }
+        }
+    }
+    assert!(pushed[0] > 0 && pushed[1] > 0, "{pushed:?}");
+    let held = mesh.nodes_on(signorini::mesh::Part::Dirichlet);
+    for node in (0..held.len()).filter(|&node| !held[node]) {
+        assert!(rest[2 * node].abs() < SUMS && rest[2 * node + 1].abs() < SUMS, "{node}");
+    }
+    // What one chain needs is refused, what elimination can do it does.
+    assert!(matches!(
+        problem.solve(Cone::Midpoint, Solver::ActiveSet),
+        Err(Error::Toolkit(ToolkitError::Incompatible { .. }))
+    ));
+    let nested = Settings { start: Start::Coarse(&by_sets), ..Settings::default() };
+    assert!(problem.contact_mesh().is_err() && problem.solve(Cone::Nodal, nested).is_err());
+    let cycles = problem.solve(Cone::Nodal, Solver::Multigrid).unwrap();
+    assert_eq!(cycles.energy, by_sets.energy);
+    assert_eq!(cycles.multigrid.unwrap().fallback, Some(Fallback::SeveralEdges));
+}
+
+#[test]
+fn contact_edges_that_meet_are_refused() {
+    // The free bottom of the groove becomes contact, too: one bent chain.
+    let bent = GROOVE.replace("\"free\"", "\"contact\"");
+    let mesh = parse_msh(&bent).unwrap();
+    let none = vec![0.0; 2 * mesh.nodes().len()];
+    assert!(matches!(
+        ContactProblem::new(mesh, elastic(), &none),
+        Err(Error::Toolkit(ToolkitError::Edge { .. }))
+    ));
+}
+
+fn outcome(options: &Options) -> Result<Outcome, String> {
+    section_2_own_body::outcome(options).map_err(|error| error.to_string())
+}
+
+#[test]
+fn bad_bodies_are_refused_in_one_clear_line() {
+    let mesh = Some(repository("examples/data/l_shape.msh"));
+    let load = |load: &str| Options { load: load.to_owned(), ..Default::default() };
+    for (options, why) in [
+        (load("z, 0"), "unknown name 'z': known are x, y, pi"),
+        (load("sin x, 0"), "needs its argument in parentheses"),
+        (load("x y, 0"), "follows without a sign"),
+        (load("1, 2, 3"), "3 components"),
+        (Options { mesh, ..Default::default() }, "--mesh needs --load"),
+        (load("ln(x - 1), 0"), "is not finite: NaN at ("),
+        (load("0, 1/(x - x)"), "is not finite: inf at ("),
+        (Options { poisson: vec![0.5], ..Default::default() }, "Poisson's ratio"),
+        (
+            Options { young: vec![1.0, 2.0], poisson: vec![0.0; 2], ..Default::default() },
+            "one for each surface",
+        ),
+        (Options { mesh: Some("no/such.msh".into()), ..load("0, 1") }, "no/such.msh"),
+    ] {
+        let error = outcome(&options).expect_err(why);
+        assert!(error.contains(why) && !error.contains('\n'), "{error}");
+    }
+}
+
+#[test]
+fn scalar_bodies_and_materials_have_their_effect() {
+    let force = |options: Options| {
+        let found = outcome(&Options { levels: 1, ..options }).unwrap();
+        assert_eq!(found.exit_code(), 0, "{}", found.text(false));
+        found.numbers("force")[0]
+    };
+    let load =
+        |load: &str, young: f64| Options { load: load.to_owned(), young: vec![young], ..Default::default() };
+    assert!(force(load("1 - x", 2.5)) > 0.0);
+    // Contact does not change when load and constants grow together; force does.
+    let (soft, hard) = (force(load("0.15, 0.2 - 0.3*x", 2.5)), force(load("15, 20 - 30*x", 250.0)));
+    assert!((hard / soft - 100.0).abs() < 1e-9, "{hard} {soft}");
+    let groove = Some(repository("examples/data/groove.msh"));
+    assert!(force(Options { mesh: groove, ..load("0, -0.5", 2.5) }) > 0.0);
+}
+
+#[test]
+fn the_file_holds_the_contact_edges() {
+    let directory = std::env::temp_dir().join(format!("signorini-own-{}", std::process::id()));
+    let options = Options {
+        mesh: Some(repository("examples/data/groove.msh")),
+        load: "0.2*y, -0.5 - 0.3*x".to_owned(),
+        levels: 2,
+        csv: Some(directory.clone()),
+        ..Default::default()
+    };
+    let found = outcome(&options).unwrap();
+    let text = std::fs::read_to_string(directory.join("contact_edge.csv")).unwrap();
+    let mut rows = text.lines();
+    assert_eq!(rows.next(), Some("edge,s,x,y,u_N,sigma_N"));
+    let numbers: Vec<Vec<f64>> =
+        rows.map(|row| row.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    assert!(numbers.iter().all(|row| row.len() == 6 && row[4] <= 1e-12 && row[5] <= 0.0));
+    // The trapezoidal rule of sigma_N on each edge gives the force of the floors back.
+    let mut force = 0.0;
+    for pair in numbers.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
+        force -= 0.5 * (pair[1][1] - pair[0][1]) * (pair[0][5] + pair[1][5]);
+    }
+    let expected = found.numbers("force")[1];
+    assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
+    assert_eq!(numbers.iter().filter(|row| row[1] == 0.0).count(), 2, "two edges begin");
+    std::fs::remove_dir_all(&directory).unwrap();
+}

@@ -1,0 +1,57 @@
+//! Section 2 on a strip: inner iterations of every step stay bounded over levels, numbers of gaps, cones and
+//! kinds.
+
+use crate::common::strip_levels;
+use signorini::cone::Cone;
+use signorini::problems::StripData;
+use signorini::strip::{EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
+
+/// Required of every step on every level.
+const BOUND: usize = 30;
+
+/// The most inner iterations of a step.
+fn worst(name: &str, levels: &[EdgeSolution]) -> usize {
+    assert!(levels.iter().all(|level| level.status.is_converged()), "{name}");
+    levels.iter().flat_map(|level| &level.inner_iterations).copied().max().unwrap_or(0)
+}
+
+#[test]
+fn inner_iterations_are_bounded_over_levels_gap_counts_cones_and_kinds() {
+    for (kind, finest) in [(StripKind::Scalar, 14), (StripKind::Elastic, 12)] {
+        for name in [
+            "transition",
+            "transitions:4",
+            "transitions:64",
+            "transitions:1024",
+            "cantor:0.3",
+            "fat-cantor:9",
+        ] {
+            let data: StripData = name.parse().unwrap();
+            let sides = if kind == StripKind::Elastic {
+                LateralCondition::Periodic
+            } else {
+                LateralCondition::Natural
+            };
+            let data = data.data(1.75, 32 << finest, sides).unwrap();
+            let problem = StripProblem::new(kind, &data, Reference::Nested, 8).unwrap();
+            for cone in Cone::ALL {
+                let most = worst(name, &strip_levels(&problem, (3, finest), cone).unwrap());
+                assert!(most <= BOUND, "{kind} {cone} {name}: {most}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_fat_cantor_set_of_over_thirty_thousand_gaps_needs_no_more() {
+    // The set lives on 2^22 cells; levels to 2^16 resolve the gaps of two of their cells or more.
+    let data = StripData::FatCantor { depth: 15 }.data(1.55, 1 << 22, LateralCondition::Natural).unwrap();
+    assert!(data.gaps() > 30_000, "{}", data.gaps());
+    let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8).unwrap();
+    for cone in Cone::ALL {
+        let levels = strip_levels(&problem, (3, 16), cone).unwrap();
+        let most = worst("fat Cantor", &levels);
+        assert!(most <= BOUND, "{cone}: {most}");
+        assert!(levels[levels.len() - 1].contact.runs().len() > 1000);
+    }
+}

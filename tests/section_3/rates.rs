@@ -1,0 +1,133 @@
+//! Theorems 3.1 and 4.1, both cones: orders of error and consistency term, with bounds from both sides.
+
+use crate::program::outcome;
+use signorini::Result;
+use signorini::cone::Cone;
+use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
+use signorini::problems::{StripData, TransitionPowers};
+use signorini::rates::{Bound, ConvergenceOrder};
+use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
+
+/// The window of h is finite: orders of known solutions come out this close to τ − 1.
+const ORDER: f64 = 0.02;
+/// The term has one value per position of a transition; few of them are averaged.
+const TERM: f64 = 0.03;
+
+/// Orders of the error and of the root of the consistency term, as root mean squares over some data, h = 2^-from to
+/// 2^-to; the data on a grid 16 times finer.
+fn orders(kind: StripKind, data: &[EdgeData], (from, to): (u32, u32), cone: Cone) -> (ConvergenceOrder, f64) {
+    let mut squares = vec![[0.0; 2]; (to - from + 1) as usize];
+    for data in data {
+        let problem = StripProblem::new(kind, data, Reference::Nested, 1 << from).unwrap();
+        let terms = consistency_terms(data, cone);
+        let mut coarser = None;
+        for (level, square) in (from..=to).zip(&mut squares) {
+            let n = 1usize << level;
+            let load = problem.load(n).unwrap();
+            let (operator, _) = problem.operator(n).unwrap();
+            let found = operator.solve_contact(&load, cone, coarser.as_ref(), 1e-13).unwrap();
+            assert!(found.status.is_converged() && found.kkt.worst() < 1e-10, "{n}: {:?}", found.kkt);
+            let term = terms.iter().find(|term| term.0 == n).unwrap().1;
+            square[0] += problem.error(n, &found.values).unwrap().value.powi(2);
+            square[1] += term;
+            coarser = Some(found);
+        }
+    }
+    let points = |k: usize| -> Vec<(f64, f64)> {
+        let root = |(level, square): (u32, &[f64; 2])| (0.5f64.powi(level as i32), square[k].sqrt());
+        (from..=to).zip(&squares).map(root).collect()
+    };
+    (ConvergenceOrder::of(&points(0)).unwrap(), slope(&points(1)))
+}
+
+/// Regression of ln q against ln h over the finer half of the meshes: the term is a power of h alone.
+fn slope(points: &[(f64, f64)]) -> f64 {
+    let finer: Vec<(f64, f64)> = points[points.len() / 2..].iter().map(|(h, q)| (h.ln(), q.ln())).collect();
+    let mean = |of: fn(&(f64, f64)) -> f64| finer.iter().map(of).sum::<f64>() / finer.len() as f64;
+    let (x, y) = (mean(|point| point.0), mean(|point| point.1));
+    let product: f64 = finer.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
+    product / finer.iter().map(|point| (point.0 - x).powi(2)).sum::<f64>()
+}
+
+fn check(kind: StripKind, levels: (u32, u32), data: impl Fn(f64, usize) -> Result<Vec<EdgeData>>) {
+    let taus = [1.55, 1.65, 1.75, 1.85, 1.95];
+    for (cone, tau) in Cone::ALL.into_iter().flat_map(|cone| taus.map(|tau| (cone, tau))) {
+        let (error, term) = orders(kind, &data(tau, 16 << levels.1).unwrap(), levels, cone);
+        let name = format!("{kind} {cone} tau {tau}: error {error}, term {term}");
+        assert!((error.order - (tau - 1.0)).abs() < ORDER && (term - (tau - 1.0)).abs() < TERM, "{name}");
+        let printed = Bound::Paper.exponent(tau).unwrap();
+        assert!(error.order + error.uncertainty >= printed && term + TERM >= printed, "{name}");
+    }
+}
+
+#[test]
+fn single_transitions_have_order_tau_minus_one() {
+    let place = |k: u32| 0.381966 + f64::from(k) / 56.0;
+    check(StripKind::Scalar, (3, 12), |tau, cells| {
+        (0..7).map(|k| TransitionPowers::of_regularity(tau).data(place(k), cells)).collect()
+    });
+    check(StripKind::Elastic, (3, 12), |tau, cells| {
+        let data =
+            |k| StripData::Transition { position: place(k) }.data(tau, cells, LateralCondition::Periodic);
+        (0..7).map(data).collect()
+    });
+}
+
+#[test]
+fn many_transitions_have_order_tau_minus_one() {
+    check(StripKind::Scalar, (6, 14), |tau, cells| {
+        Ok(vec![StripData::Transitions { gaps: 11 }.data(tau, cells, LateralCondition::Natural)?])
+    });
+}
+
+/// Beyond τ = 2 the error has order one, to which it creeps up, and the root of the term the order τ − 1.
+#[test]
+fn smooth_transitions_have_order_one() {
+    let taus = [2.1, 2.25, 2.4];
+    for (cone, tau) in Cone::ALL.into_iter().flat_map(|cone| taus.map(|tau| (cone, tau))) {
+        let place =
+            |k: u32| TransitionPowers::of_regularity(tau).data(0.381966 + f64::from(k) / 56.0, 16 << 12);
+        let data = (0..7).map(place).collect::<Result<Vec<_>>>().unwrap();
+        let (error, term) = orders(StripKind::Scalar, &data, (3, 12), cone);
+        assert!(error.order > 0.9 && error.order < 1.0 + ORDER, "{tau}: {error}");
+        assert!((term - (tau - 1.0)).abs() < TERM, "{tau}: {term}");
+    }
+}
+
+/// Corners on triangulations: three terms of a series for the error, h from 1/2 to 1/128.
+#[test]
+fn corners_have_the_order_of_their_opening() {
+    for cone in ["nodal", "midpoint"] {
+        let arguments = ["--problem=corner", "--tau=1.6,1.75,1.9", "--finest=13", "--cone", cone];
+        let (_, found) = outcome("theorem_3_1_problems", &arguments);
+        for tau in [1.6, 1.75, 1.9] {
+            let order = found["values"][format!("order.problemcorner.tau{tau}")].as_f64().unwrap();
+            assert!((order - (tau - 1.0)).abs() < 0.05, "{cone} {tau}: {order}");
+        }
+    }
+}
+
+/// The term summed over segments of the trace and the one by halving grids: sums of a thousand positive
+/// numbers.
+const SUM: f64 = 1e-12;
+
+#[test]
+fn the_consistency_term_is_that_of_two_computations() {
+    let cells = 1 << 10;
+    let scene = StripData::Transitions { gaps: 3 }.data(1.75, cells, LateralCondition::Natural).unwrap();
+    let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
+    let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
+    let terms =
+        Cone::ALL.map(|cone| consistency_terms(&scene, cone).into_iter().map(move |term| (cone, term)));
+    for (cone, (segments, term)) in terms.into_iter().flatten() {
+        let h = 1.0 / segments as f64;
+        let sum: f64 = (0..segments)
+            .map(|k| Interval { start: k as f64 * h, end: (k + 1) as f64 * h })
+            .map(|segment| match cone {
+                Cone::Nodal => nodal_term(&trace, segment),
+                Cone::Midpoint => midpoint_term(&trace, segment),
+            })
+            .sum();
+        assert!((sum - term).abs() <= SUM * sum, "{cone}, {segments} segments: {sum} {term}");
+    }
+}

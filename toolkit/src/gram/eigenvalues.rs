@@ -1,0 +1,205 @@
+//! The smallest positive and the largest eigenvalue of A x = λ M x.
+//!
+//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of the largest
+//! eigenvalues of the tridiagonal pencil (K, M) as start, with hats where a_ii/m_ii is largest, and (κM − K)⁻¹ as
+//! preconditioner, κ just above the largest eigenvalue of (K, M).
+
+use super::tridiagonal::{Basis, Network, Tridiagonal};
+use super::{GramOperator, Spectral};
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::mesh::Mesh;
+use crate::numeric::block_iteration::{Pencil, smallest};
+
+/// Vectors of a block.
+const BLOCK: usize = 3;
+
+/// Steps at most.
+const STEPS: usize = 300;
+
+/// κ above the largest eigenvalue of (K, M), relative.
+const ABOVE: f64 = 1e-4;
+
+/// Steps of inverse iteration for the start vectors.
+const INVERSE: usize = 6;
+
+struct Small<'a> {
+    operator: &'a GramOperator,
+    spectral: &'a Spectral,
+    mass: Network,
+    mass_factor: Tridiagonal,
+}
+
+impl Pencil for Small<'_> {
+    fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
+        self.operator.apply(x)
+    }
+
+    fn mass(&self, x: &[f64]) -> Vec<f64> {
+        self.mass.times(x)
+    }
+
+    fn precondition(&self, r: &[f64]) -> Vec<f64> {
+        let mut out = vec![0.0; r.len()];
+        self.spectral.times(r, &mut out);
+        out
+    }
+
+    fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
+        self.mass_factor.solve(r)
+    }
+
+    fn is_separated(&self) -> bool {
+        true
+    }
+}
+
+struct Large<'a> {
+    small: Small<'a>,
+    shifted: Tridiagonal,
+}
+
+impl Pencil for Large<'_> {
+    fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
+        Ok(self.small.operator.apply(x)?.into_iter().map(|y| -y).collect())
+    }
+
+    fn mass(&self, x: &[f64]) -> Vec<f64> {
+        self.small.mass(x)
+    }
+
+    fn precondition(&self, r: &[f64]) -> Vec<f64> {
+        self.shifted.solve(r)
+    }
+
+    fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
+        self.small.mass_inverse(r)
+    }
+
+    fn is_separated(&self) -> bool {
+        false
+    }
+}
+
+/// [smallest positive, largest].
+pub(crate) fn extreme_eigenvalues(
+    operator: &GramOperator,
+    spectral: &Spectral,
+    mesh: &Mesh,
+    basis: Basis,
+    tolerance: Tolerance,
+) -> Result<[Estimate; 2]> {
+    let count = basis.count(mesh);
+    let mass = Network::new(mesh, basis, 0.0, 1.0);
+    let small = Small { operator, spectral, mass_factor: mass.factor(), mass };
+    let waves = (1..=BLOCK.min(count)).map(|k| wave(mesh, basis, k));
+    let start = waves
+        .map(|mut x| {
+            spectral.without_constant(&mut x);
+            x
+        })
+        .collect();
+    let low = found(smallest(&small, start, tolerance.relative(), STEPS)?, tolerance)?;
+
+    let kappa = largest_of_tridiagonal(mesh, basis) * (1.0 + ABOVE);
+    let shifted = Network::new(mesh, basis, -1.0, kappa).factor();
+    // The form feels an end of the interval as a smaller stiffness: vectors that vanish there are nearer.
+    let inner = if basis == Basis::Hats { Basis::InnerHats } else { basis };
+    let mut start = short_waves(mesh, inner);
+    if basis == Basis::Hats {
+        start.iter_mut().for_each(|x| {
+            x.insert(0, 0.0);
+            x.push(0.0);
+        });
+    }
+    let mass_of = |i: usize| {
+        let mut unit = small.mass.ground[i];
+        unit += small.mass.between.get(i).copied().unwrap_or(0.0);
+        unit + if i > 0 { small.mass.between[i - 1] } else { 0.0 }
+    };
+    let mut ranked: Vec<(f64, usize)> =
+        operator.diagonal().iter().enumerate().map(|(i, a)| (a / mass_of(i), i)).collect();
+    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut peaks: Vec<usize> = Vec::new();
+    for (_, i) in ranked {
+        if peaks.len() == BLOCK {
+            break;
+        }
+        if peaks.iter().all(|p| p.abs_diff(i) > 2) {
+            peaks.push(i);
+        }
+    }
+    for peak in peaks {
+        let mut x = vec![0.0; count];
+        for (offset, value) in [(-1, -0.5), (0, 1.0), (1, -0.5)] {
+            if let Some(x) = peak.checked_add_signed(offset).and_then(|i| x.get_mut(i)) {
+                *x = value;
+            }
+        }
+        start.push(x);
+    }
+    let high = found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
+    Ok([low, high])
+}
+
+/// Vectors near those of the largest eigenvalues of (K, M), by inverse iteration.
+fn short_waves(mesh: &Mesh, basis: Basis) -> Vec<Vec<f64>> {
+    let kappa = largest_of_tridiagonal(mesh, basis) * (1.0 + 1e-9);
+    let (shifted, mass) =
+        (Network::new(mesh, basis, -1.0, kappa).factor(), Network::new(mesh, basis, 0.0, 1.0));
+    let next = |k: usize| {
+        // Alternating, weighted by waves: none is orthogonal to short ones.
+        let mut x = wave(mesh, basis, k);
+        x.iter_mut().enumerate().for_each(|(i, x)| *x = if i % 2 == 0 { *x } else { -*x });
+        for _ in 0..INVERSE {
+            x = shifted.solve(&mass.times(&x));
+            let size = x.iter().fold(0.0f64, |m, x| m.max(x.abs()));
+            x.iter_mut().for_each(|x| *x /= size);
+        }
+        x
+    };
+    (1..=BLOCK.min(basis.count(mesh))).map(next).collect()
+}
+
+/// cos or sin of k half waves over the mesh.
+fn wave(mesh: &Mesh, basis: Basis, k: usize) -> Vec<f64> {
+    let phase = |x: f64| std::f64::consts::PI * k as f64 * x / mesh.total();
+    match basis {
+        Basis::Hats => mesh.from_left().iter().map(|&x| phase(x).cos()).collect(),
+        Basis::InnerHats => mesh.from_left()[1..mesh.len()].iter().map(|&x| phase(x).sin()).collect(),
+        Basis::Indicators => mesh.from_left().windows(2).map(|x| phase(0.5 * (x[0] + x[1])).cos()).collect(),
+    }
+}
+
+/// The largest eigenvalue of (K, M) by bisection on the signs of pivots of κM − K; relative error 1e-9.
+fn largest_of_tridiagonal(mesh: &Mesh, basis: Basis) -> f64 {
+    let shortest = mesh.lengths().iter().copied().fold(f64::INFINITY, f64::min);
+    let mut high = 12.0 / shortest / shortest * (1.0 + 1e-9);
+    let mut low = 1e-3 * high;
+    while high - low > 1e-9 * high {
+        let middle = 0.5 * (low + high);
+        let above = Network::new(mesh, basis, -1.0, middle).pivots().iter().all(|&d| d > 0.0);
+        *(if above { &mut high } else { &mut low }) = middle;
+    }
+    high
+}
+
+fn found(
+    result: Option<crate::numeric::block_iteration::Smallest>,
+    tolerance: Tolerance,
+) -> Result<Estimate> {
+    let failed = Error::Solver { reason: "no basis of the block iteration".to_owned() };
+    let found = result.ok_or(failed)?;
+    let work = Work { iterations: found.steps as u64, ..Work::default() };
+    let value = found.value.abs();
+    let estimate = Estimate::new(value, found.error + tolerance.relative() * value, work)?;
+    if found.error <= tolerance.relative() * value {
+        return Ok(estimate);
+    }
+    Err(Error::not_met(
+        "eigenvalue",
+        tolerance.relative(),
+        estimate,
+        "the block iteration took its last step",
+    ))
+}

@@ -1,0 +1,146 @@
+//! Extreme eigenvalues of A x = λ M x by the locally optimal block preconditioned conjugate gradient method (LOBPCG;
+//! Knyazev 2001): each step minimises the Rayleigh quotient over the block, its preconditioned residuals and the last
+//! directions.
+
+use super::dense::symmetric_eigen;
+use super::sum::pairwise_dot;
+use crate::error::Result;
+use nalgebra::DMatrix;
+
+/// Directions whose share of the basis is smaller do not count.
+const DEPENDENT: f64 = 1e-11;
+
+/// The pencil and what approximates the inverse of A − λ M up to a factor.
+pub(crate) trait Pencil {
+    /// A x; for the largest eigenvalues −A x.
+    ///
+    /// # Errors
+    /// Those of the product.
+    fn apply(&self, x: &[f64]) -> Result<Vec<f64>>;
+    /// M x.
+    fn mass(&self, x: &[f64]) -> Vec<f64>;
+    /// The preconditioner times a residual.
+    fn precondition(&self, r: &[f64]) -> Vec<f64>;
+    /// True where the smallest eigenvalues are so far apart that Ritz values tell their gaps.
+    fn is_separated(&self) -> bool;
+    /// M⁻¹ r.
+    fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
+}
+
+/// A vector with its images under A and M.
+#[derive(Clone)]
+struct Imaged {
+    x: Vec<f64>,
+    a: Vec<f64>,
+    m: Vec<f64>,
+}
+
+impl Imaged {
+    fn new(pencil: &impl Pencil, mut x: Vec<f64>) -> Result<Option<Self>> {
+        let m = pencil.mass(&x);
+        let size = pairwise_dot(&x, &m).sqrt();
+        if !(size > 0.0 && size.is_finite()) {
+            return Ok(None);
+        }
+        x.iter_mut().for_each(|x| *x /= size);
+        Ok(Some(Self { a: pencil.apply(&x)?, m: m.iter().map(|m| m / size).collect(), x }))
+    }
+
+    fn combined(basis: &[Self], weights: impl Fn(usize) -> f64) -> Self {
+        let n = basis[0].x.len();
+        let mut sum = Self { x: vec![0.0; n], a: vec![0.0; n], m: vec![0.0; n] };
+        for (k, one) in basis.iter().enumerate() {
+            let weight = weights(k);
+            for i in 0..n {
+                sum.x[i] += weight * one.x[i];
+                sum.a[i] += weight * one.a[i];
+                sum.m[i] += weight * one.m[i];
+            }
+        }
+        sum
+    }
+}
+
+/// The smallest eigenvalue of the pencil, the distance to the spectrum it may have, and the number of steps.
+pub(crate) struct Smallest {
+    pub(crate) value: f64,
+    pub(crate) error: f64,
+    pub(crate) steps: usize,
+}
+
+/// From a block of start vectors, until the error is below `tolerance` times the value, or for so many steps.
+///
+/// The error is the least of ‖R_k‖ and, where eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), R_k the residuals
+/// of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within ‖R_1‖.
+pub(crate) fn smallest(
+    pencil: &impl Pencil,
+    start: Vec<Vec<f64>>,
+    tolerance: f64,
+    most: usize,
+) -> Result<Option<Smallest>> {
+    let wanted = start.len();
+    let mut block = Vec::new();
+    for x in start {
+        block.extend(Imaged::new(pencil, x)?);
+    }
+    let mut directions: Vec<Imaged> = Vec::new();
+    for steps in 0.. {
+        let size = block.len();
+        let mut basis = std::mem::take(&mut block);
+        basis.append(&mut directions);
+        let Some((values, vectors)) = ritz(&basis) else { return Ok(None) };
+        let kept = wanted.min(values.len());
+        block = (0..kept).map(|j| Imaged::combined(&basis, |k| vectors[(k, j)])).collect();
+        let new = |k: usize, j: usize| if k < size { 0.0 } else { vectors[(k, j)] };
+        if basis.len() > size {
+            directions = (0..kept).map(|j| Imaged::combined(&basis, |k| new(k, j))).collect();
+        }
+        let residual = |j: usize| -> Vec<f64> {
+            block[j].a.iter().zip(&block[j].m).map(|(a, m)| a - values[j] * m).collect()
+        };
+        let residuals: Vec<Vec<f64>> = (0..kept).map(residual).collect();
+        let (mut error, mut squares) = (f64::INFINITY, 0.0);
+        for (k, r) in residuals.iter().enumerate() {
+            squares += pairwise_dot(r, &pencil.mass_inverse(r)).max(0.0);
+            let size = f64::sqrt(squares);
+            let gap = values.get(k + 1).map_or(0.0, |next| next - values[0] - size);
+            error = f64::min(error, if pencil.is_separated() && gap > size { squares / gap } else { size });
+        }
+        if error <= tolerance * values[0].abs() || steps == most {
+            return Ok(Some(Smallest { value: values[0], error, steps }));
+        }
+        for r in &residuals {
+            let mut direction = pencil.precondition(r);
+            for one in &block {
+                let share = pairwise_dot(&direction, &one.m);
+                direction.iter_mut().zip(&one.x).for_each(|(d, x)| *d -= share * x);
+            }
+            directions.extend(Imaged::new(pencil, direction)?);
+        }
+        directions.retain_mut(|one| {
+            let size = pairwise_dot(&one.x, &one.m).sqrt();
+            let usable = size > 0.0 && size.is_finite();
+            if usable {
+                one.x.iter_mut().chain(&mut one.a).chain(&mut one.m).for_each(|x| *x /= size);
+            }
+            usable
+        });
+    }
+    Ok(None)
+}
+
+/// Ritz values in ascending order and the coefficients of their vectors, of unit norm in M.
+fn ritz(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    let n = basis.len();
+    let product = |of: fn(&Imaged) -> &Vec<f64>| {
+        let raw = DMatrix::from_fn(n, n, |i, j| pairwise_dot(&basis[i].x, of(&basis[j])));
+        (&raw + raw.transpose()) * 0.5
+    };
+    let (a, m) = (product(|one| &one.a), product(|one| &one.m));
+    let (sizes, vectors) = symmetric_eigen(&m)?;
+    let largest = sizes.last().copied()?;
+    let kept: Vec<usize> = (0..n).filter(|&k| sizes[k] > DEPENDENT * largest).collect();
+    let reduce = DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
+    let (values, inner) = symmetric_eigen(&(reduce.transpose() * a * &reduce))?;
+    Some((values, reduce * inner))
+}

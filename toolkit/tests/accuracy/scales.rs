@@ -1,0 +1,624 @@
+//! Structure on scales from 1e-250 to 1e250: layers at ends and beside other terms, short intervals beside long
+//! ones, kinks and steps that were not declared, lengths and sizes at random. Every answer lies within its own
+//! error of a closed form, every refusal carries a value that encloses it, and no finite norm is said to be infinite.
+
+use crate::common::SplitMix;
+use crate::hard::{cases, seeded};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Position, Result};
+use std::f64::consts::PI;
+use std::sync::OnceLock;
+use std::time::Instant;
+
+/// Cases of each family.
+const CASES: usize = 240;
+/// Rounding of the references, and of a closure that multiplies by a length and a size.
+const ROUNDING: f64 = 1e-13;
+/// Half of the stated errors are no larger than this many times the true ones, or rounding.
+const CAREFUL: f64 = 100.0;
+/// Share of the cases that may be refused.
+const REFUSED: f64 = 0.1;
+
+/// What was asked, what came out, and the closed form.
+struct Case {
+    what: String,
+    asked: f64,
+    found: Result<Estimate>,
+    exact: f64,
+    seconds: f64,
+}
+
+fn case(what: String, asked: f64, exact: f64, compute: impl FnOnce(f64) -> Result<Estimate>) -> Case {
+    let start = Instant::now();
+    let found = compute(asked);
+    Case { what, asked, found, exact, seconds: start.elapsed().as_secs_f64() }
+}
+
+/// The fault of a case, if any.
+fn fault(case: &Case) -> Option<String> {
+    let Case { what, asked, found, exact, .. } = case;
+    let apart = |found: &Estimate| (found.value - exact).abs() > found.error + ROUNDING * exact.abs();
+    let told = match found {
+        Ok(found) if apart(found) => format!("{found} is dishonest"),
+        Err(Error::ToleranceNotMet { best: Some(best), .. }) if apart(best) => {
+            format!("the refusal {best} is dishonest")
+        }
+        Ok(_) | Err(Error::ToleranceNotMet { .. }) => return None,
+        Err(error) => format!("wrong answer: {error}"),
+    };
+    Some(format!("{what}, asked {asked:e}: {told}; exact {exact:e}"))
+}
+
+/// Layers c e^{−d/w} cos(kd/w) at the ends beside a line, a constant and a sine, with their norms on (0, 1).
+struct Layers {
+    terms: Vec<[f64; 4]>,
+    linear: f64,
+    constant: f64,
+    sine: f64,
+    orders: Vec<f64>,
+    seminorms: Vec<f64>,
+    mean: f64,
+    l2: f64,
+}
+
+impl Layers {
+    fn at(&self, at: Position, length: f64) -> f64 {
+        let x = at.distance_to(0) / length;
+        let layer = |&[side, c, w, k]: &[f64; 4]| {
+            let d = at.distance_to(side as usize) / length / w;
+            c * (-d).exp() * (k * d).cos()
+        };
+        let layers: f64 = self.terms.iter().map(layer).sum();
+        layers + self.linear * x + self.constant + if self.sine > 0.0 { (self.sine * x).sin() } else { 0.0 }
+    }
+
+    fn shortest(&self) -> f64 {
+        self.terms.iter().map(|term| term[2]).fold(1.0, f64::min)
+    }
+}
+
+fn layers() -> &'static [Layers] {
+    static ALL: OnceLock<Vec<Layers>> = OnceLock::new();
+    ALL.get_or_init(|| {
+        let text = include_str!("../reference/layers_reference.json");
+        let all: serde_json::Value = serde_json::from_str(text).unwrap();
+        let number = |v: &serde_json::Value| v.as_f64().unwrap();
+        let list = |v: &serde_json::Value| v.as_array().unwrap().iter().map(number).collect::<Vec<_>>();
+        let cases = all["cases"].as_array().unwrap();
+        let of = |case: &serde_json::Value| Layers {
+            terms: case["terms"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|term| list(term).try_into().unwrap())
+                .collect(),
+            linear: number(&case["linear"]),
+            constant: number(&case["constant"]),
+            sine: number(&case["sine"]),
+            orders: list(&case["orders"]),
+            seminorms: list(&case["seminorms"]),
+            mean: number(&case["mean"]),
+            l2: number(&case["l2"]),
+        };
+        cases.iter().map(of).collect()
+    })
+}
+
+/// 10^u, u uniform.
+fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
+    10f64.powf(random.between(low, high))
+}
+
+fn tolerance(random: &mut SplitMix) -> f64 {
+    decades(random, -9.0, -3.0)
+}
+
+/// A length and a size; half of them one.
+fn units(random: &mut SplitMix, shortest: f64) -> (f64, f64) {
+    let deepest = (-280.0 - shortest.log10()).min(0.0);
+    let length = if random.below(2) == 0 { 1.0 } else { decades(random, deepest, 250.0) };
+    let size = if random.below(2) == 0 { 1.0 } else { decades(random, -120.0, 120.0) };
+    (length, size)
+}
+
+fn is_number(value: f64) -> bool {
+    value.abs() > 1e-280 && value.abs() < 1e280
+}
+
+fn layered(random: &mut SplitMix) -> Case {
+    loop {
+        let u = &layers()[random.below(layers().len())];
+        let (length, size) = units(random, u.shortest());
+        let asked = tolerance(random);
+        let kind = random.below(5);
+        let k = random.below(u.orders.len());
+        let (exact, name) = match kind {
+            0 => (size * u.mean, "mean".to_owned()),
+            1 => (size * (length.sqrt() * u.l2), "L2".to_owned()),
+            _ => (size * (length.powf(0.5 - u.orders[k]) * u.seminorms[k]), format!("order {}", u.orders[k])),
+        };
+        // A mean that cancels is relative to that of |u|.
+        if !is_number(exact) || kind == 0 && u.mean.abs() < 0.1 && u.sine > 0.0 {
+            continue;
+        }
+        let f = Function::from_positions(&[0.0, length], |at| size * u.at(at, length)).unwrap();
+        let what = format!(
+            "{name} of {:?} + {} x + {} + sin {} x, length {length:e}, size {size:e}",
+            u.terms, u.linear, u.constant, u.sine
+        );
+        return case(what, asked, exact, |asked| match kind {
+            0 => f.mean(asked),
+            1 => f.lp(2.0, asked),
+            _ => f.seminorm(u.orders[k], asked),
+        });
+    }
+}
+
+/// The piecewise linear function through values, of the position; some nodes are no breaks.
+fn linear_at(nodes: &[f64], lengths: &[f64], values: &[f64], at: Position) -> f64 {
+    let k = at.anchor();
+    let right = at.offset() > 0.0 || at.offset() == 0.0 && at.offset().is_sign_positive();
+    let i = if right { k.min(nodes.len() - 2) } else { k.max(1) - 1 };
+    values[k] + (values[i + 1] - values[i]) / lengths[i] * at.offset()
+}
+
+/// Piecewise linears with nodes on many scales, by positions; the same values as an array have a closed form.
+fn piecewise_linear(random: &mut SplitMix) -> Case {
+    loop {
+        let count = 2 + random.below(5);
+        let scale = decades(random, -120.0, 120.0);
+        let spread = [1.0, 10.0, 30.0, 120.0][random.below(4)];
+        let mut lengths: Vec<f64> = (0..count).map(|_| scale * decades(random, -spread, spread)).collect();
+        let middle = random.below(count);
+        // nodes are exact to either side of the one at 0
+        let left: f64 = 0.0;
+        let mut nodes = vec![left];
+        lengths[..middle].iter().rev().for_each(|h| nodes.insert(0, nodes[0] - h));
+        lengths[middle..].iter().for_each(|h| nodes.push(nodes[nodes.len() - 1] + h));
+        lengths = nodes.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let total: f64 = lengths.iter().sum();
+        if lengths.iter().any(|h| *h < 1e-280 * total || *h < 1e-280) {
+            continue;
+        }
+        let values: Vec<f64> = (0..=count)
+            .map(|_| random.between(-1.0, 1.0).round().abs() * random.between(-1.0, 1.0))
+            .collect();
+        let order = [0.1, 0.3, 0.5, 0.5, 0.7, 0.9][random.below(6)];
+        let mesh = Mesh::from_lengths(lengths.clone()).unwrap();
+        let array = Function::linears(&mesh, &values).unwrap();
+        let Ok(exact) = array.seminorm(order, 1e-12) else { continue };
+        if !is_number(exact.value) {
+            continue;
+        }
+        let by_positions =
+            Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at)).unwrap();
+        let kind = random.below(4);
+        let asked = tolerance(random);
+        let what = format!("{values:?} at {nodes:?}");
+        return match kind {
+            0 => {
+                let exact = array.lp(2.0, 1e-12).unwrap().value;
+                case(format!("L2 of {what}"), asked, exact, |asked| by_positions.lp(2.0, asked))
+            }
+            _ => case(format!("order {order} of {what}"), asked, exact.value, |asked| {
+                by_positions.seminorm(order, asked)
+            }),
+        };
+    }
+}
+
+/// Kinks, for small orders steps, that were not declared; the declared ones have a closed form.
+fn undeclared(random: &mut SplitMix) -> Case {
+    loop {
+        let (length, size) = units(random, 1.0);
+        let is_step = random.below(4) == 0;
+        let order = if is_step { random.between(0.05, 0.3) } else { random.between(0.05, 0.8) };
+        let places: Vec<f64> =
+            (0..1 + random.below(2)).map(|k| random.between(0.1, 0.5) + 0.45 * k as f64).collect();
+        let mut nodes = vec![0.0];
+        nodes.extend(&places);
+        nodes.push(1.0);
+        let values: Vec<f64> = (0..nodes.len()).map(|_| random.between(-1.0, 1.0)).collect();
+        let lengths: Vec<f64> = nodes.windows(2).map(|pair| length * (pair[1] - pair[0])).collect();
+        let mesh = Mesh::from_lengths(lengths).unwrap();
+        let known = if is_step {
+            Function::piecewise(&mesh, 0, &values[1..]).unwrap()
+        } else {
+            Function::linears(&mesh, &values).unwrap()
+        };
+        let exact = size * known.seminorm(order, 1e-12).unwrap().value;
+        if !is_number(exact) {
+            continue;
+        }
+        let f = |x: f64| {
+            let x = x / length;
+            let i = (1..nodes.len() - 1).take_while(|&k| x >= nodes[k]).count();
+            let slope = if is_step { 0.0 } else { (values[i + 1] - values[i]) / (nodes[i + 1] - nodes[i]) };
+            size * if is_step { values[i + 1] } else { values[i] + slope * (x - nodes[i]) }
+        };
+        let u = Function::from_fn(&[0.0, length], f).unwrap();
+        let asked = if is_step { decades(random, -3.0, -1.5) } else { tolerance(random) };
+        let what =
+            format!("undeclared, step {is_step}, {values:?} at {nodes:?}, length {length:e}, order {order}");
+        if random.below(4) == 0 {
+            let q = 1.0 + random.below(3) as f64;
+            let exact = size * known.lp(q, 1e-12).unwrap().value;
+            return case(format!("L{q} of {what}"), asked, exact, |asked| u.lp(q, asked));
+        }
+        return case(what, asked, exact, |asked| u.seminorm(order, asked));
+    }
+}
+
+/// x^a, lengths and sizes at random.
+fn power(random: &mut SplitMix) -> Case {
+    loop {
+        let (length, size) = units(random, 1.0);
+        let order = random.between(0.05, 0.9);
+        let a = (order - 0.5f64).max(0.0) + random.between(0.1, 2.0);
+        let exact = fractional_sobolev::closed_forms::power_seminorm(a, order).unwrap().value;
+        let exact = size * (length.powf(0.5 - order) * exact);
+        if !is_number(exact) {
+            continue;
+        }
+        let f = move |at: Position| match at.anchor() {
+            0 => size * (at.offset() / length).powf(a),
+            _ => size * (a * (at.offset() / length).ln_1p()).exp(),
+        };
+        let u = Function::from_positions(&[0.0, length], f).unwrap();
+        let asked = tolerance(random);
+        return match random.below(4) {
+            0 => {
+                let q = 1.0 + random.below(4) as f64;
+                let exact = size * (length / (a * q + 1.0)).powf(1.0 / q);
+                case(format!("L{q} of x^{a}, {length:e}, {size:e}"), asked, exact, |asked| u.lp(q, asked))
+            }
+            1 => case(format!("mean of x^{a}, {length:e}, {size:e}"), asked, size / (a + 1.0), |asked| {
+                u.mean(asked)
+            }),
+            _ => case(format!("order {order} of x^{a}, {length:e}, {size:e}"), asked, exact, |asked| {
+                u.seminorm(order, asked)
+            }),
+        };
+    }
+}
+
+/// (x/w)^m e^{−x/w} + b in L^q: factorials, for layers so thin that the other end is not felt.
+fn product(random: &mut SplitMix) -> Case {
+    loop {
+        let w = decades(random, -250.0, -2.0);
+        let (length, size) = units(random, w);
+        let (m, q) = (random.below(3), 1 + random.below(3));
+        let b = if random.below(2) == 0 { 0.0 } else { 1.0 };
+        // Σ_j C(q, j) b^{q−j} ∫ (x/w)^{mj} e^{−jx/w}
+        let factorial = |n: usize| (1..=n).map(|k| k as f64).product::<f64>();
+        let term = |j: usize| {
+            let choose = factorial(q) / factorial(j) / factorial(q - j);
+            let integral =
+                if j == 0 { 1.0 } else { w * factorial(m * j) / (j as f64).powi((m * j + 1) as i32) };
+            choose * f64::powi(b, (q - j) as i32) * integral
+        };
+        let power: f64 = (0..=q).map(term).sum();
+        let exact = size * (length.powf(1.0 / q as f64) * power.powf(1.0 / q as f64));
+        let mean = size * (b + w * factorial(m));
+        if !is_number(exact) || !is_number(mean) {
+            continue;
+        }
+        let f = move |at: Position| {
+            let d = at.distance_to(0) / length / w;
+            size * (b + if d < 700.0 { d.powi(m as i32) * (-d).exp() } else { 0.0 })
+        };
+        let u = Function::from_positions(&[0.0, length], f).unwrap();
+        let asked = tolerance(random);
+        let what = format!("(x/w)^{m} exp(-x/w) + {b}, w = {w:e}, length {length:e}, size {size:e}");
+        if random.below(3) == 0 {
+            return case(format!("mean of {what}"), asked, mean, |asked| u.mean(asked));
+        }
+        return case(format!("L{q} of {what}"), asked, exact, |asked| u.lp(q as f64, asked));
+    }
+}
+
+type Family = (&'static str, fn(&mut SplitMix) -> Case);
+
+const FAMILIES: [Family; 5] = [
+    ("layers", layered),
+    ("piecewise linears", piecewise_linear),
+    ("not declared", undeclared),
+    ("powers", power),
+    ("products in L^q", product),
+];
+
+#[test]
+fn structure_on_all_scales_is_seen_or_refused() {
+    let only = std::env::var("SIGNORINI_FAMILY").unwrap_or_default();
+    let (mut faults, mut tried, mut refused, mut careful) = (Vec::new(), 0, 0, Vec::new());
+    for (seed, (family, make)) in FAMILIES.iter().enumerate().filter(|(_, (name, _))| name.contains(&only)) {
+        let mut random = seeded(3500 + seed as u64);
+        let (mut own, mut kept, mut longest, mut seconds) = (Vec::new(), 0, 0.0_f64, 0.0);
+        for _ in 0..cases(CASES) {
+            let case = make(&mut random);
+            tried += 1;
+            longest = longest.max(case.seconds);
+            seconds += case.seconds;
+            match &case.found {
+                Ok(found) => {
+                    kept += 1;
+                    let floor = 4.0 * f64::EPSILON * case.exact.abs();
+                    let off = (found.value - case.exact).abs();
+                    own.push(found.error / off.max(floor));
+                    if std::env::var("SIGNORINI_CASES").is_ok() {
+                        let [error, off] = [found.error, off].map(|e| e / case.exact.abs());
+                        println!(
+                            "case {:.1e} asked {:.1e} error {error:.1e} off {off:.1e} {:.3} s: {}",
+                            own[own.len() - 1],
+                            case.asked,
+                            case.seconds,
+                            case.what
+                        );
+                    }
+                }
+                Err(error) => {
+                    refused += 1;
+                    if std::env::var("SIGNORINI_REFUSED").is_ok() {
+                        println!("refused: {} asked {:e}: {error}", case.what, case.asked);
+                    }
+                }
+            }
+            if case.seconds > 3.0 {
+                println!("slow: {:.1} s, {} asked {:e}", case.seconds, case.what, case.asked);
+            }
+            faults.extend(fault(&case).map(|fault| format!("{family}: {fault}")));
+        }
+        own.sort_by(f64::total_cmp);
+        let median = own.get(own.len() / 2).copied().unwrap_or(0.0);
+        let count = cases(CASES);
+        println!(
+            "{family}: {count} tried, {kept} answered, error/true {median:.1}, {seconds:.1} s, longest {longest:.2} s"
+        );
+        careful.extend(own);
+    }
+    careful.sort_by(f64::total_cmp);
+    let median = careful[careful.len() / 2];
+    println!("{tried} tried, {refused} refused, {} faults, error/true error {median:.1}", faults.len());
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+    assert!(f64::from(refused) <= REFUSED * f64::from(tried), "{refused} of {tried} refused");
+    assert!(median <= CAREFUL, "half of the errors are {median:.0} times the true ones");
+}
+
+/// One value beside the exact one.
+fn assert_near(what: &str, found: Result<Estimate>, exact: f64, asked: f64) {
+    let found = found.unwrap_or_else(|error| panic!("{what}: {error}"));
+    let off = (found.value - exact).abs();
+    assert!(
+        off <= found.error + ROUNDING * exact.abs() && off <= asked * exact.abs(),
+        "{what}: {found}, {exact:e}"
+    );
+}
+
+#[test]
+fn lengths_are_divided_out_before_anything_is_called_zero() {
+    // 40-digit quadrature of the same on (0, 1), times L^{1/2 - s}
+    for length in [1e-200, 1e-100, 1.0, 1e100] {
+        let peak = |x: f64| 1.0 / (1.0 + ((x / length - 0.3) / 0.02).powi(2));
+        let u = Function::from_fn(&[0.0, length], peak).unwrap();
+        let exact = 0.692402008432 * length.powf(0.4);
+        let found = u.seminorm(0.1, 1e-10).unwrap();
+        assert!((found.value / exact - 1.0).abs() < 2e-12, "{length:e}: {found}");
+        let exact = Function::from_fn(&[0.0, 1.0], |x| peak(x * length)).unwrap().lp(1.0, 1e-10).unwrap();
+        let found = u.lp(1.0, 1e-10).unwrap();
+        assert!((found.value / length / exact.value - 1.0).abs() < 1e-10, "{length:e}: {found}");
+        assert!(found.error > 1e-16 * found.value);
+        let l2 = Function::from_fn(&[0.0, length], |x| (-x / (0.1 * length)).exp()).unwrap().lp(2.0, 1e-8);
+        assert_near("L2", l2, (0.05 * -(-20f64).exp_m1() * length).sqrt(), 1e-8);
+        let step = Function::from_fn(&[0.0, length], |x| if x < 0.37 * length { 0.0 } else { 1.0 }).unwrap();
+        let mesh = Mesh::from_lengths(vec![0.37 * length, 0.63 * length]).unwrap();
+        let exact = Function::piecewise(&mesh, 0, &[0.0, 1.0]).unwrap().seminorm(0.3, 1e-12).unwrap().value;
+        let found = Estimate::or_best(step.seminorm(0.3, 1e-3)).unwrap();
+        assert!(
+            (found.value - exact).abs() <= found.error && found.error < 0.02 * exact,
+            "{found} {exact:e}"
+        );
+    }
+}
+
+#[test]
+fn means_see_layers_at_the_ends() {
+    for w in [1e-5, 1e-16, 1e-20, 1e-100, 1e-250] {
+        let layer = move |at: Position| (-at.distance_to(0) / w).exp();
+        let alone = Function::from_positions(&[0.0, 1.0], layer).unwrap();
+        assert_near("layer", alone.mean(1e-8), w, 1e-8);
+        assert_near("layer", alone.lp(2.0, 1e-8), (0.5 * w).sqrt(), 1e-8);
+        let beside = Function::from_positions(&[0.0, 1.0], move |at| 1.0 + layer(at) / w).unwrap();
+        assert_near("1 + layer", beside.mean(1e-8), 2.0, 1e-8);
+        assert_near("1 + layer", beside.lp(2.0, 1e-8), (3.0 + 0.5 / w).sqrt(), 1e-8);
+    }
+}
+
+#[test]
+fn seminorms_see_layers_beside_anything() {
+    // |x + e^{-x/w}|² = 1 + 2 ln 2 in the limit, at order 1/2
+    let limit = (1.0 + 2.0 * 2f64.ln()).sqrt();
+    for w in [1e-12, 1e-16, 1e-20, 1e-100, 1e-250] {
+        let layer = move |at: Position| (-at.distance_to(0) / w).exp();
+        let u = Function::from_positions(&[0.0, 1.0], move |at| at.distance_to(0) + layer(at)).unwrap();
+        let exact = limit;
+        let found = u.seminorm(0.5, 1e-8).unwrap();
+        assert!((found.value - exact).abs() <= found.error + 60.0 * w, "{w:e}: {found}, {exact}");
+        for asked in [1e-4, 1e-8] {
+            let alone = Function::from_positions(&[0.0, 1.0], layer).unwrap();
+            let found = alone.seminorm(0.5, asked).unwrap();
+            assert!(
+                (found.value - (2.0 * 2f64.ln()).sqrt()).abs() <= found.error + 3.0 * w,
+                "{w:e}: {found}"
+            );
+        }
+    }
+    let w = 1e-30;
+    let rational =
+        |at: Position| (5.0 * at.distance_to(0)).sin() + at.distance_to(0) / (at.distance_to(0) + w);
+    let u = Function::from_positions(&[0.0, 1.0], rational).unwrap();
+    let found = u.seminorm(0.5, 1e-8).unwrap();
+    assert!((found.value - 3.18842).abs() < 5e-6, "{found}");
+    let w = 1e-20_f64;
+    let scaled = |at: Position| at.distance_to(0) + w.powf(0.1) * (-at.distance_to(0) / w).exp();
+    let found = Function::from_positions(&[0.0, 1.0], scaled).unwrap().seminorm(0.6, 1e-8).unwrap();
+    assert!((found.value - 1.68272).abs() < 5e-6, "{found}");
+}
+
+#[test]
+fn short_intervals_beside_long_ones_count() {
+    for w in [1e-20, 1e-24, 1e-100, 1e-250] {
+        let hat = move |at: Position| match at.anchor() {
+            0 | 4 => 0.0,
+            1 => (at.offset() / w).max(0.0),
+            2 => 1.0 - at.offset().abs() / w,
+            _ => (-at.offset() / w).max(0.0),
+        };
+        let u = Function::from_positions(&[0.0, w, 2.0 * w, 3.0 * w, 1.0], hat).unwrap();
+        let mesh = Mesh::from_lengths(vec![w, w, w, 1.0 - 3.0 * w]).unwrap();
+        let array = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
+        for s in [0.5, 0.7] {
+            let exact = array.seminorm(s, 1e-12).unwrap().value;
+            assert_near("hat", u.seminorm(s, 1e-8), exact, 1e-8);
+        }
+    }
+    for r in [1e20, 1e22, 1e100, 1e250] {
+        let root = |at: Position| match at.anchor() {
+            1 if at.offset() > 0.0 => (at.offset() * (2.0 - at.offset())).sqrt(),
+            2 if at.offset() < 0.0 => (-at.offset() * (2.0 + at.offset())).sqrt(),
+            _ => 0.0,
+        };
+        let u = Function::from_positions(&[-r, -1.0, 1.0, r], root).unwrap();
+        assert_near("half circle", u.seminorm(0.5, 1e-7), PI, 1e-7);
+    }
+}
+
+#[test]
+fn dual_norms_of_short_loads_keep_their_length() {
+    let norm = |w: f64, s: f64, of: DualOf| {
+        let mesh = Mesh::from_lengths(vec![0.3, w, 0.7]).unwrap();
+        Function::piecewise(&mesh, 0, &[0.0, 1.0 / w, 0.0]).unwrap().dual_norm(of, s, 1e-6).unwrap()
+    };
+    // A point load from order 1/2 on, whose square grows by equal amounts from decade to decade at 1/2.
+    let squares = |w: f64| {
+        let found = norm(w, 0.5, DualOf::Slobodeckij);
+        (found.value.powi(2), 2.0 * found.value * found.error)
+    };
+    let all: Vec<(f64, (f64, f64))> = [8.0, 15.0, 17.0, 18.0, 50.0, 100.0, 200.0]
+        .map(|digits: f64| (digits, squares(10f64.powf(-digits))))
+        .to_vec();
+    for three in all.windows(3) {
+        let [(a, (x, e)), (b, (y, f)), (c, (z, g))] = [three[0], three[1], three[2]];
+        let (left, right) = ((y - x) / (b - a), (z - y) / (c - b));
+        let error = (e + f) / (b - a) + (f + g) / (c - b);
+        assert!((left - right).abs() <= error, "{a} {b} {c}: {left} {right}, {error:e}");
+    }
+    for w in [1e-17, 1e-18, 1e-50, 1e-200, 1e-280] {
+        let found = norm(w, 0.9, DualOf::Slobodeckij);
+        assert!((found.value - 1.007817359).abs() <= found.error + 1e-9, "{w:e}: {found}");
+        for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+            let (found, limit) = (norm(w, 0.9, of), norm(1e-15, 0.9, of));
+            assert!((found.value - limit.value).abs() <= found.error + limit.error, "{w:e}: {found} {limit}");
+        }
+    }
+}
+
+#[test]
+fn layers_of_any_height_and_of_moderate_width_are_within_their_error() {
+    // |c e^{−d/w}|_0.2 on (0, 1), w = 7.45e-251, c = 2.11e125: slopes overflow. 34 digits as in the references.
+    let (c, w) = (2.11e125, 7.45e-251);
+    let high = Function::from_positions(&[0.0, 1.0], |at| c * (-at.distance_to(1) / w).exp()).unwrap();
+    for asked in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
+        assert_near("high layer", high.seminorm(0.2, asked), 3.07458331060165e50, asked);
+    }
+    // Rules that left u(t − s) too few points agreed with each other, 7.5e-8 from the integral.
+    let (v, w) = (0.419, 0.00568);
+    let wide = |at: Position| {
+        let (x, d) = (at.distance_to(0), at.distance_to(1));
+        0.894 * (-x / v).exp() * (x / v).cos()
+            + 0.664 * (-d / w).exp() * (d / w).cos()
+            + 1.0
+            + (5.0 * x).sin()
+    };
+    let wide = Function::from_positions(&[0.0, 1.0], wide).unwrap();
+    for asked in [1e-5, 1e-6, 5.7e-8, 1e-8, 1e-10] {
+        assert_near("wide layer", wide.seminorm(0.9, asked), 17.353991692591034, asked);
+    }
+    // Two layers on a constant: what is constant has no moments, and the layers are not lost in its rounding.
+    let (v, w) = (2.07e-201, 2.8900000000000003e-251);
+    let two = |at: Position| {
+        let (a, b) = (at.distance_to(0) / v, at.distance_to(1) / w);
+        -1.93 * (-a).exp() + 1.88 * (-b).exp() * (3.5 * b).cos() + 1.0
+    };
+    let two = Function::from_positions(&[0.0, 1.0], two).unwrap();
+    for (order, exact) in
+        [(0.1, 2.288187060005844e-80), (0.3, 1.884611988121083e-40), (0.5, 4.63527636287699)]
+    {
+        assert_near("two layers", two.seminorm(order, 1e-4), exact, 1e-4);
+    }
+}
+
+#[test]
+fn errors_of_fields_and_dual_norms_of_formulas_divide_out_length_and_size() {
+    let of = |length: f64, size: f64| {
+        let f = move |at: Position| size * (at.distance_to(0) / length).powf(0.8);
+        let u = Function::from_positions(&[0.0, length], f).unwrap();
+        let mesh = Mesh::from_lengths(vec![length / 40.0; 40]).unwrap();
+        let values: Vec<f64> = (0..=40).map(|k| size * (f64::from(k) / 40.0).powf(0.8)).collect();
+        let field = Function::linears(&mesh, &values).unwrap();
+        let error = u.minus(&field).unwrap();
+        let s = [0.2, 0.5, 0.7].map(|s| error.seminorm(s, 1e-6).unwrap().value / size * length.powf(s - 0.5));
+        let q = [1.0, 2.0, 4.0].map(|q| error.lp(q, 1e-6).unwrap().value / size / length.powf(1.0 / q));
+        [s, q].concat()
+    };
+    let one = of(1.0, 1.0);
+    for (length, size) in [(1e-250, 1.0), (1e-100, 1e100), (1e-10, 1e-120), (1e100, 1e-100), (1e200, 1.0)] {
+        for (found, exact) in of(length, size).iter().zip(&one) {
+            assert!((found / exact - 1.0).abs() < 1e-5, "{length:e} {size:e}: {found:e} {exact:e}");
+        }
+    }
+    for length in [1e-250, 1e-100, 1e-10, 1e10, 1e100] {
+        let load = Function::from_positions(&[0.0, length], |at| at.distance_to(0) / length - 0.3).unwrap();
+        let mesh = Mesh::from_lengths(vec![length]).unwrap();
+        let array = Function::linears(&mesh, &[-0.3, 0.7]).unwrap();
+        let zero = Function::linears(&mesh, &[0.0, 0.0]).unwrap();
+        for of in [DualOf::Slobodeckij, DualOf::Interpolation] {
+            let exact = array.dual_norm(of, 0.5, 1e-8).unwrap().value;
+            assert_near("load", load.dual_norm(of, 0.5, 1e-6), exact, 1e-6);
+            assert_near("difference", load.minus(&zero).unwrap().dual_norm(of, 0.5, 1e-6), exact, 1e-6);
+        }
+    }
+}
+
+#[test]
+fn a_power_near_its_limit_keeps_its_digits() {
+    let u = Function::power(0.45).unwrap();
+    let exact = fractional_sobolev::closed_forms::power_seminorm(0.45, 0.93).unwrap().value;
+    assert_near("x^0.45", u.seminorm(0.93, 1e-10), exact, 1e-10);
+}
+
+#[test]
+fn infinite_norms_are_infinite_beside_layers() {
+    let w = 1e-30;
+    let jump = |at: Position| {
+        (-at.distance_to(0) / w).exp()
+            + if at.x() > 0.5 || at.anchor() == 1 && at.offset() > 0.0 { 1.0 } else { 0.0 }
+    };
+    let u = Function::from_positions(&[0.0, 0.5, 1.0], jump).unwrap();
+    assert!(u.seminorm(0.4, 1e-6).is_ok());
+    assert!(matches!(u.seminorm(0.5, 1e-6), Err(Error::InfiniteNorm { .. })), "{:?}", u.seminorm(0.5, 1e-6));
+}
+
+#[test]
+fn what_is_not_declared_is_resolved_or_named() {
+    let kink = Function::from_fn(&[0.0, 1.0], |x: f64| (x - 0.37).abs()).unwrap();
+    let mesh = Mesh::from_nodes(&[0.0, 0.37, 1.0]).unwrap();
+    let exact = Function::linears(&mesh, &[0.37, 0.0, 0.63]).unwrap();
+    for s in [0.2, 0.5, 0.7] {
+        assert_near("kink", kink.seminorm(s, 1e-8), exact.seminorm(s, 1e-12).unwrap().value, 1e-8);
+    }
+    assert_near("kink", kink.lp(2.0, 1e-8), exact.lp(2.0, 1e-12).unwrap().value, 1e-8);
+    let step = Function::from_fn(&[0.0, 1.0], |x: f64| if x < 0.37 { 0.0 } else { 1.0 }).unwrap();
+    for s in [0.5, 0.8] {
+        let refused = step.seminorm(s, 1e-6).unwrap_err();
+        assert!(refused.to_string().contains("declare it as a breakpoint"), "{refused}");
+    }
+}

@@ -1,0 +1,285 @@
+//! Every public function and type of the toolkit stands in an example of its documentation, which is compiled
+//! and run; and `tests/data/public-api.txt` lists what is public, so that a review sees what goes or changes.
+//!
+//! Read from the sources: `pub fn` is what can be reached from outside, since `unreachable_pub` warns of all
+//! others. A free function counts where an example calls it; a method where an example calls it and names its
+//! type, or stands in a file of that type; a constructor where an example calls it by its type.
+
+use std::path::{Path, PathBuf};
+
+/// Functions without an example, each with a reason.
+const EXCUSED: [(&str, &str); 0] = [];
+
+/// A public function: file, type, name, and whether it takes `self`.
+#[derive(Debug, Clone, PartialEq)]
+struct Function {
+    file: PathBuf,
+    of: Option<String>,
+    name: String,
+    takes_self: bool,
+}
+
+/// The sources.
+fn sources() -> Vec<(PathBuf, String)> {
+    let mut left = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+    let mut found = Vec::new();
+    while let Some(path) = left.pop() {
+        if path.is_dir() {
+            left.extend(path.read_dir().unwrap().map(|entry| entry.unwrap().path()));
+        } else if let Ok(text) = std::fs::read_to_string(&path) {
+            found.push((path, text.split("#[cfg(test)]\nmod ").next().unwrap_or("").to_owned()));
+        }
+    }
+    found.sort();
+    found
+}
+
+/// The code blocks of the documentation that are compiled.
+fn examples(text: &str) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut open: Option<(bool, String)> = None;
+    for line in text.lines().map(str::trim_start) {
+        let Some(line) = line.strip_prefix("///").or_else(|| line.strip_prefix("//!")) else {
+            open = None;
+            continue;
+        };
+        let line = line.strip_prefix(' ').unwrap_or(line);
+        match (line.strip_prefix("```"), &mut open) {
+            (Some(kind), None) => open = Some((kind.is_empty() || kind == "rust", String::new())),
+            (Some(_), Some((compiled, block))) => {
+                if *compiled {
+                    found.push(std::mem::take(block));
+                }
+                open = None;
+            }
+            (None, Some((_, block))) => {
+                block.push_str(line);
+                block.push('\n');
+            }
+            (None, None) => {}
+        }
+    }
+    found
+}
+
+/// The type of an `impl` line.
+fn implemented(line: &str) -> Option<String> {
+    let rest = line.strip_prefix("impl")?;
+    let rest = if rest.starts_with('<') { rest.split_once("> ")?.1 } else { rest.trim_start() };
+    let name = rest.rsplit(" for ").next()?.trim_start_matches('&');
+    Some(name.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect())
+}
+
+fn functions(file: &Path, text: &str) -> Vec<Function> {
+    let (mut found, mut of) = (Vec::new(), None);
+    let lines: Vec<&str> = text.lines().collect();
+    for (k, line) in lines.iter().enumerate() {
+        if let Some(name) = implemented(line) {
+            of = Some(name);
+        } else if line.starts_with('}') {
+            of = None;
+        }
+        let Some(rest) = line.trim_start().strip_prefix("pub ") else { continue };
+        let Some(rest) = rest.strip_prefix("const ").unwrap_or(rest).strip_prefix("fn ") else { continue };
+        let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
+        let signature = lines[k..lines.len().min(k + 3)].join(" ");
+        let arguments = signature.split_once(&format!("fn {name}")).unwrap().1;
+        let first = arguments.split_once('(').map_or("", |(_, rest)| rest.trim_start());
+        let first = first.split([',', ')', ':']).next().unwrap_or("");
+        let takes_self = first.split_whitespace().any(|word| word.trim_start_matches('&') == "self");
+        found.push(Function { file: file.to_owned(), of: of.clone(), name, takes_self });
+    }
+    found
+}
+
+/// Whether the text holds the word, with `before` in front of it.
+fn has(text: &str, before: &str, word: &str) -> bool {
+    let part = |c: char| c.is_alphanumeric() || c == '_';
+    text.match_indices(&format!("{before}{word}")).any(|(at, found)| {
+        let starts = !before.is_empty() || !text[..at].ends_with(part);
+        starts && !text[at + found.len()..].starts_with(part)
+    })
+}
+
+/// The functions that stand in no example.
+fn missing(sources: &[(PathBuf, String)]) -> Vec<String> {
+    let blocks: Vec<(&Path, String)> = sources
+        .iter()
+        .flat_map(|(file, text)| examples(text).into_iter().map(|block| (file.as_path(), block)))
+        .collect();
+    let of_type = |file: &Path, name: &str| {
+        let text = &sources.iter().find(|source| source.0 == file).unwrap().1;
+        text.lines().any(|line| implemented(line).as_deref() == Some(name))
+    };
+    let shown = |function: &Function| {
+        blocks.iter().any(|(file, block)| match &function.of {
+            None => has(block, "", &function.name),
+            Some(of) if function.takes_self => {
+                let called =
+                    has(block, ".", &function.name) || has(block, &format!("{of}::"), &function.name);
+                called && (has(block, "", of) || of_type(file, of))
+            }
+            Some(of) => has(block, &format!("{of}::"), &function.name),
+        })
+    };
+    let all = sources.iter().filter(|(file, _)| !file.ends_with("lib.rs"));
+    let all: Vec<Function> = all.flat_map(|(file, text)| functions(file, text)).collect();
+    assert!(all.len() > 100, "{} public functions", all.len());
+    let without = all.iter().filter(|function| !shown(function));
+    without
+        .map(|f| format!("{}{}", f.of.as_ref().map_or(String::new(), |of| format!("{of}::")), f.name))
+        .collect()
+}
+
+#[test]
+fn every_public_function_of_the_toolkit_stands_in_an_example() {
+    let missing = missing(&sources());
+    let excused = |name: &String| EXCUSED.iter().any(|(excused, _)| excused == name);
+    let left: Vec<&String> = missing.iter().filter(|name| !excused(name)).collect();
+    assert!(left.is_empty(), "{} functions without an example: {left:#?}", left.len());
+    let idle: Vec<&str> =
+        EXCUSED.iter().map(|(name, _)| *name).filter(|name| !missing.iter().any(|m| m == name)).collect();
+    assert!(idle.is_empty(), "excused, and have an example: {idle:?}");
+}
+
+/// A line that declares something public, with its type before a method: `name`, and the whole declaration up to
+/// its body.
+fn declarations(text: &str) -> Vec<(String, String)> {
+    let (mut found, mut of) = (Vec::new(), None);
+    let lines: Vec<&str> = text.lines().collect();
+    for (k, line) in lines.iter().enumerate() {
+        if let Some(name) = implemented(line) {
+            of = Some(name);
+        } else if line.starts_with('}') {
+            of = None;
+        }
+        let Some(rest) = line.trim_start().strip_prefix("pub ") else { continue };
+        if ["mod ", "use "].iter().any(|word| rest.starts_with(word)) {
+            continue;
+        }
+        let (mut whole, mut next) = (line.trim().to_owned(), k);
+        let is_function = rest.starts_with("fn ") || rest.starts_with("const fn ");
+        while is_function && !whole.ends_with(['{', ';']) && next + 1 < lines.len() {
+            next += 1;
+            whole = format!("{whole} {}", lines[next].trim());
+        }
+        let whole = whole.trim_end_matches(['{', ';', ',', ' ']).replace("( ", "(").replace(", )", ")");
+        let kind = ["struct ", "enum ", "trait "].iter().find_map(|kind| rest.strip_prefix(kind));
+        let name = kind.unwrap_or("").chars().take_while(|c| c.is_alphanumeric()).collect();
+        found.push((name, of.as_ref().map_or(whole.clone(), |of| format!("{of}: {whole}"))));
+    }
+    found
+}
+
+/// Whether the documentation of a type itself holds a compiled example.
+fn has_own_example(text: &str, name: &str) -> bool {
+    let lines: Vec<&str> = text.lines().collect();
+    let declares = |line: &str| {
+        ["struct ", "enum ", "trait "].iter().any(|kind| has(line, "pub ", &format!("{kind}{name}")))
+    };
+    lines.iter().position(|line| declares(line)).is_some_and(|at| {
+        let start = lines[..at].iter().rposition(|line| !line.starts_with("///") && !line.starts_with("#["));
+        !examples(&lines[start.map_or(0, |before| before + 1)..at].join("\n")).is_empty()
+    })
+}
+
+/// The public types that no compiled example names and that have none of their own.
+fn types_missing(sources: &[(PathBuf, String)]) -> Vec<String> {
+    let blocks: Vec<String> = sources.iter().flat_map(|(_, text)| examples(text)).collect();
+    let declared: Vec<(String, String)> = sources.iter().flat_map(|(_, text)| declarations(text)).collect();
+    let types: Vec<&String> = declared.iter().map(|(name, _)| name).filter(|name| !name.is_empty()).collect();
+    assert!(types.len() > 20, "{} public types", types.len());
+    let shown = |name: &str| {
+        blocks.iter().any(|block| has(block, "", name))
+            || sources.iter().any(|(_, text)| has_own_example(text, name))
+    };
+    types.into_iter().filter(|name| !shown(name)).cloned().collect()
+}
+
+/// Types without an example, each with a reason.
+const EXCUSED_TYPES: [(&str, &str); 0] = [];
+
+#[test]
+fn every_public_type_of_the_toolkit_stands_in_an_example() {
+    let mut missing = types_missing(&sources());
+    missing.retain(|name| !EXCUSED_TYPES.iter().any(|(excused, _)| excused == name));
+    assert!(missing.is_empty(), "{} types without an example: {missing:#?}", missing.len());
+    let mut sources = sources();
+    // A function that returns it is no example of it.
+    sources[0]
+        .1
+        .push_str("\n/// None.\npub struct Nothing;\n\npub fn nothing() -> Nothing {\n    Nothing\n}\n");
+    assert_eq!(types_missing(&sources), ["Nothing"]);
+    sources[0].1 = sources[0].1.replace("/// None.", "/// ```\n/// assert!(true);\n/// ```");
+    assert!(types_missing(&sources).is_empty());
+}
+
+/// Where the list of public items is kept. `SIGNORINI_WRITE_API=1` writes it anew.
+const API: &str = "tests/data/public-api.txt";
+
+#[test]
+fn the_list_of_public_items_is_up_to_date() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut lines: Vec<String> = Vec::new();
+    for (file, text) in sources() {
+        let file = file.strip_prefix(root.join("src")).unwrap().with_extension("");
+        let room = file.components().next().unwrap().as_os_str().to_str().unwrap().to_owned();
+        lines.extend(declarations(&text).into_iter().map(|(_, whole)| format!("{room} | {whole}")));
+    }
+    lines.sort();
+    let now = lines.join("\n") + "\n";
+    if std::env::var_os("SIGNORINI_WRITE_API").is_some() {
+        std::fs::write(root.join(API), &now).unwrap();
+    }
+    let kept = std::fs::read_to_string(root.join(API)).unwrap_or_default();
+    let gone: Vec<&str> = kept.lines().filter(|line| !lines.iter().any(|l| l == line)).collect();
+    let new: Vec<&String> = lines.iter().filter(|line| !kept.lines().any(|k| k == *line)).collect();
+    assert!(
+        gone.is_empty() && new.is_empty(),
+        "gone or changed: {gone:#?}\nnew: {new:#?}\nif meant: SIGNORINI_WRITE_API=1 cargo test -p fractional-sobolev --test interface documented, and a \
+         line in CHANGELOG.md"
+    );
+}
+
+/// Paragraphs in which Markdown takes two indices for emphasis: an underscore between a bar and a brace opens
+/// one, the next closes it; written with a backslash it does not.
+fn garbled(text: &str) -> Vec<String> {
+    let (mut found, mut paragraph, mut in_code) = (Vec::new(), String::new(), false);
+    for line in text.lines().map(str::trim_start).chain([""]) {
+        let line = line.strip_prefix("///").or_else(|| line.strip_prefix("//!"));
+        let content = line.unwrap_or("").trim();
+        in_code = line.is_some() && in_code != content.starts_with("```");
+        if !content.is_empty() && !in_code && !content.starts_with("```") {
+            paragraph.push_str(content);
+            paragraph.push('\n');
+            continue;
+        }
+        let paragraph = std::mem::take(&mut paragraph);
+        let opens = ["|_{", "‖_{", "∥_{", "'_{"].iter().any(|mark| paragraph.contains(mark));
+        if opens && paragraph.matches('_').count() > 1 {
+            found.push(paragraph);
+        }
+    }
+    found
+}
+
+#[test]
+fn no_formula_of_the_documentation_is_garbled() {
+    for (file, text) in sources() {
+        let found = garbled(&text);
+        assert!(found.is_empty(), "{}: {found:#?}", file.display());
+    }
+    assert_eq!(garbled("/// so |u|_{1/2}\n/// and |v|_{1/2}\nfn f() {}\n").len(), 1);
+    assert!(garbled("/// so |u|\\_{1/2} and |v|\\_{1/2}\n").is_empty());
+    assert!(garbled("/// ```text\n/// |u|_{1/2} and |v|_{1/2}\n/// ```\n").is_empty());
+}
+
+#[test]
+fn functions_without_an_example_are_seen() {
+    let mut sources = sources();
+    let (file, text) = sources.iter_mut().find(|(file, _)| file.ends_with("poincare/zones.rs")).unwrap();
+    assert!(functions(file, text).iter().any(|f| f.name == "from_lengths" && !f.takes_self));
+    *text = text.replace("Zones::from_lengths", "found").replace(".count()", ".length()");
+    text.push_str("pub fn length_of_nothing() {}\n");
+    assert_eq!(missing(&sources), ["Zones::from_lengths", "Zones::count", "length_of_nothing"]);
+}

@@ -1,0 +1,213 @@
+//! Closed forms of squared seminorms against references computed in multiple precision.
+
+use fractional_sobolev::{Error, Function, Order, Position, Tolerance, closed_forms};
+use serde_json::Value;
+
+/// A few hundred operations of one sign.
+const CLOSED_FORM_TOLERANCE: f64 = 1e-12;
+
+fn references() -> Vec<Value> {
+    serde_json::from_str(include_str!("../reference/closed_forms.json")).unwrap()
+}
+
+fn number(row: &Value, key: &str) -> f64 {
+    row[key].as_str().unwrap().parse().unwrap()
+}
+
+#[test]
+fn powers_have_twelve_digits() {
+    for row in references().iter().filter(|row| row["function"] == "x^a") {
+        let order: Order = row["nu"].as_str().unwrap().parse().unwrap();
+        let a = number(row, "a");
+        let estimate = closed_forms::power_seminorm_squared(a, order).unwrap();
+        let exact = number(row, "seminorm_sq");
+        let error = (estimate.value / exact - 1.0).abs();
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "a {a} nu {order}: {} against {exact}, {error:e}",
+            estimate.value
+        );
+        assert!(error < estimate.relative_error(), "a {a} nu {order}: error {error:e} beyond its estimate");
+    }
+}
+
+#[test]
+fn powers_of_the_logarithm_have_twelve_digits() {
+    for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
+        let alpha = number(row, "alpha");
+        let estimate = closed_forms::log_power_seminorm_squared(alpha).unwrap();
+        let exact = number(row, "seminorm_sq");
+        let error = (estimate.value / exact - 1.0).abs();
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "alpha {alpha}: {} against {exact}, {error:e}",
+            estimate.value
+        );
+    }
+}
+
+#[test]
+fn the_identity_has_the_elementary_value() {
+    // |x|²_ν = ∫∫ |x−y|^{1-2ν} = 2 / ((2−2ν)(3−2ν))
+    for nu in [1e-6, 0.3, 0.5, 0.7, 1.0 - 1e-6] {
+        let order = Order::new(nu).unwrap();
+        let exact = 1.0 / ((1.0 - nu) * (3.0 - 2.0 * nu));
+        let value = closed_forms::power_seminorm_squared(1.0, order).unwrap().value;
+        assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{nu}");
+    }
+}
+
+#[test]
+fn large_exponents_stay_accurate() {
+    // a = 40, ν = 1/2:
+    // ∫₀¹ ((1−t^a)/(1−t))² dt = Σ_{i,j<a} 1/(i+j+1)
+    let a = 40;
+    let exact: f64 =
+        (0..a).flat_map(|i| (0..a).map(move |j| 1.0 / f64::from(i + j + 1))).sum::<f64>() / f64::from(a);
+    let value = closed_forms::power_seminorm_squared(f64::from(a), Order::HALF).unwrap().value;
+    assert!((value / exact - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{value} {exact}");
+}
+
+#[test]
+fn infinite_norms_say_why() {
+    let order = Order::new(0.75).unwrap();
+    for outcome in [
+        closed_forms::power_seminorm_squared(0.25, order),
+        closed_forms::jump_seminorm_squared(0.5, 0.5, order),
+        closed_forms::jump_seminorm_squared(0.5, 0.5, Order::HALF),
+        closed_forms::log_power_seminorm_squared(0.5),
+    ] {
+        assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
+    }
+    assert!(closed_forms::power_seminorm_squared(f64::NAN, order).is_err());
+    assert!(closed_forms::log_power_seminorm_squared(-0.1).is_err());
+}
+
+#[test]
+fn jumps_and_hats_have_elementary_values() {
+    // ν = 1/4, p = q = 1: 2 (2 − √2) / (1/4)
+    let quarter = Order::new(0.25).unwrap();
+    let jump = closed_forms::jump_seminorm_squared(1.0, 1.0, quarter).unwrap().value;
+    assert!((jump / (8.0 * (2.0 - 2f64.sqrt())) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{jump}");
+    // ν = 1/2, hat over two unit elements alone: own cells 1 each, touching cells 2 ∫∫ (s−t)²/(s+t)²
+    let hat = closed_forms::hat_seminorm_squared(0.0, 1.0, 1.0, 0.0, Order::HALF).unwrap().value;
+    let touching = 2.0 * (3.0 - 4.0 * 2f64.ln()); // ∫∫ = ∫₀¹ ((1−η)/(1+η))² dη · (2/2) · 1 = 3 − 4 ln 2
+    assert!((hat / (2.0 + touching) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{hat} {}", 2.0 + touching);
+}
+
+/// The tolerances asked of closures, loosest first.
+const ASKED: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
+
+/// |ln x|^α, as exact near x = 1 as near 0.
+fn log_power(alpha: f64) -> impl Fn(Position) -> f64 + Sync {
+    move |at: Position| {
+        let minus_log = match at.anchor() {
+            0 => -at.log_distance(),
+            _ => -at.offset().ln_1p(),
+        };
+        minus_log.powf(alpha)
+    }
+}
+
+/// Checks a closure against the square of its seminorm, at every tolerance down to `finest`.
+fn check_closure(what: &str, u: &Function<'_>, order: Order, squared: f64, finest: f64) {
+    for asked in ASKED.into_iter().filter(|&asked| asked >= finest) {
+        let estimate = u
+            .seminorm(order, Tolerance::new(asked).unwrap())
+            .unwrap_or_else(|e| panic!("{what}, asked {asked:e}: {e}"));
+        let error = (estimate.value / squared.sqrt() - 1.0).abs();
+        println!("{what}, asked {asked:e}: {error:.1e}, estimated {:.1e}", estimate.relative_error());
+        assert!(
+            error <= asked,
+            "{what}, asked {asked:e}: {} against {}, {error:e}",
+            estimate.value,
+            squared.sqrt()
+        );
+        assert!(
+            error <= 10.0 * estimate.relative_error(),
+            "{what}: error {error:e} beyond {:e}",
+            estimate.relative_error()
+        );
+    }
+}
+
+#[test]
+fn powers_as_closures_reach_the_tolerance_asked() {
+    for row in references().iter().filter(|row| row["function"] == "x^a") {
+        let order: Order = row["nu"].as_str().unwrap().parse().unwrap();
+        let a = number(row, "a");
+        let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
+        check_closure(&format!("x^{a}, nu {order}"), &u, order, number(row, "seminorm_sq"), 1e-11);
+    }
+}
+
+#[test]
+fn powers_of_the_logarithm_as_closures_reach_the_tolerance_asked() {
+    for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
+        let alpha = number(row, "alpha");
+        // At α = 0.4 a quarter of the seminorm lies below x = 1e-300.
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        check_closure(&format!("|ln x|^{alpha}"), &u, Order::HALF, number(row, "seminorm_sq"), 1e-11);
+    }
+}
+
+#[test]
+fn truncated_logarithms_as_closures_reach_the_tolerance_asked() {
+    for row in references().iter().filter(|row| row["function"] == "min(|ln x|^alpha, N)") {
+        let (alpha, top, cut) = (number(row, "alpha"), number(row, "N"), number(row, "x_cut"));
+        let u = Function::from_positions(&[0.0, cut, 1.0], move |at: Position| {
+            let minus_log = match at.anchor() {
+                0 => return top,
+                1 if at.offset() < 0.0 => return top,
+                // ln(cut + δ) from the exact height of the cut
+                1 => top.powf(1.0 / alpha) - (at.offset() / cut).ln_1p(),
+                _ => -at.offset().ln_1p(),
+            };
+            minus_log.max(0.0).powf(alpha)
+        })
+        .unwrap();
+        check_closure(
+            &format!("min(|ln x|^{alpha}, {top})"),
+            &u,
+            Order::HALF,
+            number(row, "seminorm_sq"),
+            1e-11,
+        );
+    }
+}
+
+#[test]
+fn very_slow_logarithms_agree_with_their_closed_form() {
+    // At α = 0.49 the integrand still counts at ln x = −1e300.
+    for (alpha, asked) in [(0.45, 1e-11), (0.49, 1e-8)] {
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let exact = closed_forms::log_power_seminorm_squared(alpha).unwrap().value.sqrt();
+        let estimate = u.seminorm(Order::HALF, Tolerance::new(asked).unwrap()).unwrap();
+        let error = (estimate.value / exact - 1.0).abs();
+        println!("|ln x|^{alpha}: {error:.1e}, estimated {:.1e}", estimate.relative_error());
+        assert!(error <= asked && error <= 10.0 * estimate.relative_error(), "alpha {alpha}: {error:e}");
+    }
+    for alpha in [0.5, 0.6] {
+        let u = Function::from_log_distances(&[0.0, 1.0], log_power(alpha)).unwrap();
+        let outcome = u.seminorm(Order::HALF, Tolerance::balanced());
+        assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "alpha {alpha}: {outcome:?}");
+    }
+}
+
+#[test]
+fn a_logarithm_on_both_sides_of_a_break_agrees_with_its_extrapolation() {
+    // |ln |x|/4|^0.25 on (−1, 2): arms of different length meet at 0; the second method extrapolates from 1e-300.
+    let value = |log: f64| (4f64.ln() - log).powf(0.25);
+    let breaks = [-1.0, 0.0, 2.0];
+    let log_of = |at: Position| (if at.anchor() == 1 { at.offset() } else { at.x() }).abs().ln();
+    let extrapolated = Function::from_positions(&breaks, |at| value(log_of(at))).unwrap();
+    let followed = Function::from_log_distances(&breaks, |at: Position| {
+        value(if at.anchor() == 1 { at.log_distance() } else { log_of(at) })
+    })
+    .unwrap();
+    let asked = 1e-5;
+    let [a, b] =
+        [extrapolated, followed].map(|u| u.seminorm(Order::HALF, Tolerance::new(asked).unwrap()).unwrap());
+    println!("both sides: {a}, {b}");
+    assert!((a.value - b.value).abs() <= 2.0 * asked * a.value, "{a} against {b}");
+}

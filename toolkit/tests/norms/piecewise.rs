@@ -1,0 +1,158 @@
+//! Section 1, (1.1): norms of piecewise polynomials, each value by two methods.
+
+use fractional_sobolev::{Error, Function, Gram, Mesh, Order, Tolerance, closed_forms};
+
+/// Both methods are exact to rounding; sums of up to 1e5 terms of one sign.
+const ROUNDING_TOLERANCE: f64 = 1e-12;
+
+fn orders() -> Vec<Order> {
+    ["1e-6", "0.1", "0.4", "1/2-1e-12", "1/2", "0.7", "0.999", "0.999999"]
+        .iter()
+        .map(|t| t.parse().unwrap())
+        .collect()
+}
+
+fn meshes() -> Vec<Mesh> {
+    vec![
+        Mesh::uniform(1, 1.0).unwrap(),
+        Mesh::uniform(7, 1.0).unwrap(),
+        Mesh::geometric(40, 0.2, 1.0).unwrap(),
+        Mesh::from_lengths(vec![0.1, 1e-12, 0.4, 1e-5, 0.49999]).unwrap(),
+    ]
+}
+
+/// Wiggly values.
+fn values(count: usize) -> Vec<f64> {
+    (0..count).map(|i| (3.7 * i as f64).sin() + 0.1 * i as f64).collect()
+}
+
+fn assert_close(what: &str, value: f64, expected: f64) {
+    let error = (value / expected - 1.0).abs();
+    assert!(error <= ROUNDING_TOLERANCE, "{what}: {value:e} against {expected:e}, error {error:e}");
+}
+
+#[test]
+fn quadratic_form_closed_form_and_pairs_agree_for_linears() {
+    for partition in meshes() {
+        for order in orders() {
+            let nodal = values(partition.len() + 1);
+            let quadratic: Vec<f64> =
+                nodal.windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1]), w[1]]).collect();
+            let u = Function::linears(&partition, &nodal).unwrap();
+            let v = Function::piecewise(&partition, 2, &quadratic).unwrap();
+            let matrix = Gram::new(&partition, order, 1e-8).unwrap().to_dense().unwrap();
+            let form: f64 = (0..nodal.len())
+                .flat_map(|i| (0..nodal.len()).map(move |j| (i, j)))
+                .map(|(i, j)| nodal[i] * matrix[(i, j)] * nodal[j])
+                .sum();
+            let fast = u.seminorm(order, Tolerance::reference()).unwrap().value;
+            let slow = v.seminorm(order, Tolerance::reference()).unwrap().value;
+            let what = format!("{} elements, nu {order}", partition.len());
+            assert_close(&what, slow, fast);
+            assert_close(&what, form.sqrt(), fast);
+        }
+    }
+}
+
+#[test]
+fn quadratic_form_closed_form_and_pairs_agree_for_constants() {
+    for partition in meshes().into_iter().filter(|p| p.len() > 1) {
+        for order in orders().into_iter().filter(|order| order.offset() < 0.0) {
+            let level = values(partition.len());
+            let quadratic: Vec<f64> = level.iter().flat_map(|&v| [v; 3]).collect();
+            let u = Function::piecewise(&partition, 0, &level).unwrap();
+            let v = Function::piecewise(&partition, 2, &quadratic).unwrap();
+            let matrix = Gram::constants(&partition, order, 1e-8).unwrap().to_dense().unwrap();
+            let form: f64 = (0..level.len())
+                .flat_map(|i| (0..level.len()).map(move |j| (i, j)))
+                .map(|(i, j)| level[i] * matrix[(i, j)] * level[j])
+                .sum();
+            let fast = u.seminorm(order, Tolerance::reference()).unwrap().value;
+            let slow = v.seminorm(order, Tolerance::reference()).unwrap().value;
+            let what = format!("{} elements, nu {order}", partition.len());
+            assert_close(&what, slow, fast);
+            assert_close(&what, form.sqrt(), fast);
+        }
+    }
+}
+
+#[test]
+fn monomials_have_their_closed_form_on_any_mesh() {
+    for partition in meshes() {
+        for order in orders() {
+            for degree in 1..=6 {
+                let power = |x: f64| x.powi(degree as i32);
+                let u = Function::interpolate(&partition, degree, power).unwrap();
+                let unit = closed_forms::power_seminorm_squared(degree as f64, order).unwrap().value.sqrt();
+                // |x^k|_ν on (0, L) is L^{k+1/2−ν} times that on (0, 1).
+                let expected = unit * partition.total().powf(degree as f64 - order.offset());
+                let estimate = u.seminorm(order, Tolerance::new(1e-11).unwrap()).unwrap();
+                let what = format!("x^{degree}, {} elements, nu {order}", partition.len());
+                assert_close(&what, estimate.value, expected);
+            }
+        }
+    }
+}
+
+#[test]
+fn norms_of_order_above_one_take_the_derivative() {
+    // x² on (0,1): ||x²||² + ||2x||² + 4 |x|²_ν = 1/5 + 4/3 + 4/((1−ν)(3−2ν))
+    let nu = 0.6;
+    let order = Order::new(nu).unwrap();
+    let u = Function::interpolate(&Mesh::uniform(5, 1.0).unwrap(), 2, |x| x * x).unwrap();
+    let expected = (0.2 + 4.0 / 3.0 + 4.0 / ((1.0 - nu) * (3.0 - 2.0 * nu))).sqrt();
+    assert_close("norm", u.norm(order.plus_one(), Tolerance::reference()).unwrap().value, expected);
+}
+
+#[test]
+fn discontinuous_linears_are_finite_below_one_half_only() {
+    let partition = Mesh::from_lengths(vec![0.25, 0.75]).unwrap();
+    let u = Function::piecewise(&partition, 1, [[0.0, 1.0], [0.0, 1.0]].as_flattened()).unwrap();
+    let below = Order::new(0.3).unwrap();
+    // The jump alone is the indicator of the second element; x/h − 1/2 differs from it by a continuous
+    // function.
+    assert!(u.seminorm(below, Tolerance::reference()).is_ok());
+    for outcome in [u.seminorm(Order::HALF, Tolerance::fast()), u.norm(below.plus_one(), Tolerance::fast())] {
+        assert!(matches!(outcome, Err(Error::InfiniteNorm { .. })), "{outcome:?}");
+    }
+}
+
+#[test]
+fn restriction_drops_the_rest_of_the_interval() {
+    let u = Function::linears(&Mesh::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0]).unwrap();
+    let order = Order::new(0.75).unwrap();
+    let hat = u.restrict(1..3).unwrap().seminorm(order, Tolerance::reference()).unwrap().value;
+    let expected = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
+    assert_close("hat", hat, expected);
+}
+
+#[test]
+fn lebesgue_norms_and_means() {
+    let u =
+        Function::linears(&Mesh::from_lengths(vec![1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9]).unwrap();
+    assert_close("mean", u.mean(Tolerance::reference()).unwrap().value, (2.0 + 1e-9) / 3.0);
+    let cubic = u.lp(3.0, Tolerance::reference()).unwrap().value;
+    assert_close("L3", cubic.powi(3), 0.25 + 2.0 + 3e-9);
+    assert_close("Linf", u.lp(f64::INFINITY, Tolerance::reference()).unwrap().value, 1.0 + 1e-9);
+    let w = Function::interpolate(&Mesh::uniform(2, 1.0).unwrap(), 2, |x| x * x - 0.1).unwrap();
+    // ∫ |x² − c| = (4/3) c^{3/2} + 1/3 − c
+    let exact = 4.0 / 3.0 * 0.1f64.powf(1.5) + 1.0 / 3.0 - 0.1;
+    let estimate = w.lp(1.0, Tolerance::new(1e-10).unwrap()).unwrap();
+    assert!((estimate.value - exact).abs() <= 10.0 * estimate.error.min(1e-10), "{estimate}");
+    assert!(w.lp(0.5, Tolerance::fast()).is_err());
+}
+
+#[test]
+fn values_of_any_size_scale_out() {
+    let partition = Mesh::geometric(30, 0.3, 1.0).unwrap();
+    let base = values(32);
+    for order in orders() {
+        let unit = Function::linears(&partition, &base).unwrap();
+        let unit = unit.seminorm(order, Tolerance::reference()).unwrap().value;
+        for size in [1e-150, 1e150, 1e-290, 1e290] {
+            let scaled: Vec<f64> = base.iter().map(|v| size * v).collect();
+            let u = Function::linears(&partition, &scaled).unwrap();
+            assert_close("scaled", u.seminorm(order, Tolerance::reference()).unwrap().value, size * unit);
+        }
+    }
+}

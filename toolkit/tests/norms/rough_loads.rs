@@ -1,0 +1,400 @@
+//! Dual norms of rough loads: enclosures by partial sums of the spectral series, square waves in closed form,
+//! and other partitions of the same function.
+
+use crate::common::SplitMix;
+use crate::hard::cases;
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Tolerance, gauss_legendre};
+use std::f64::consts::PI;
+
+fn order(nu: f64) -> Order {
+    Order::new(nu).unwrap()
+}
+
+fn tolerance(relative: f64) -> Tolerance {
+    Tolerance::new(relative).unwrap()
+}
+
+/// Elements with values at both ends and two coefficients of bubbles, any of which may be zero.
+struct Pieces {
+    lengths: Vec<f64>,
+    values: Vec<[f64; 4]>,
+}
+
+impl Pieces {
+    fn random(random: &mut SplitMix) -> Self {
+        let (count, kind) = (1 + random.below(6), random.below(3));
+        let total = 10f64.powf(random.between(-1.5, 1.5));
+        let mut lengths: Vec<f64> = (0..count).map(|_| random.between(0.1, 1.0)).collect();
+        let sum: f64 = lengths.iter().sum();
+        lengths.iter_mut().for_each(|h| *h *= total / sum);
+        let mut value =
+            || if kind == 0 { (2 * random.below(2)) as f64 - 1.0 } else { random.between(-1.0, 1.0) };
+        let mut piece = || match kind {
+            0 => {
+                let v = value();
+                [v, v, 0.0, 0.0]
+            }
+            1 => [value(), value(), 0.0, 0.0],
+            _ => [value(), value(), value(), value()],
+        };
+        let values = (0..count).map(|_| piece()).collect();
+        Self { lengths, values }
+    }
+
+    fn function(&self) -> Function<'static> {
+        let partition = Mesh::from_lengths(self.lengths.clone()).unwrap();
+        let straight = self.values.iter().all(|v| v[2..] == [0.0, 0.0]);
+        let degree = if straight { 1 } else { 3 };
+        let at = |v: &[f64; 4], t: f64| {
+            v[0] * (1.0 - t) + v[1] * t + t * (1.0 - t) * (v[2] + v[3] * (2.0 * t - 1.0))
+        };
+        let points = |v| (0..=degree).map(move |k| at(v, k as f64 / degree as f64));
+        let values: Vec<f64> = self.values.iter().flat_map(points).collect();
+        Function::piecewise(&partition, degree, &values).unwrap()
+    }
+
+    fn total(&self) -> f64 {
+        self.lengths.iter().sum()
+    }
+
+    /// ∫ u² and ∫ u cos(kπx/L) or ∫ u sin(kπx/L).
+    fn integrals(&self, wave: Option<(usize, bool)>) -> f64 {
+        let rule = gauss_legendre(16).unwrap();
+        let (mut start, mut sum) = (0.0, 0.0);
+        for (&h, &[l, r, c, d]) in self.lengths.iter().zip(&self.values) {
+            let value = |t: f64| l * (1.0 - t) + r * t + t * (1.0 - t) * (c + d * (2.0 * t - 1.0));
+            let omega = wave.map_or(0.0, |(k, _)| k as f64 * PI / self.total());
+            let sine = wave.is_some_and(|(_, sine)| sine);
+            if omega * h < 4.0 {
+                for (t, w) in rule.iter() {
+                    let (s, co) = (omega * (start + h * t)).sin_cos();
+                    let factor = if wave.is_none() {
+                        value(t)
+                    } else if sine {
+                        s
+                    } else {
+                        co
+                    };
+                    sum += h * w * value(t) * factor;
+                }
+            } else {
+                // by parts, three times
+                let part = |t: f64| {
+                    let x = 2.0 * t - 1.0;
+                    let slope = (r - l - x * (c + d * x) + 2.0 * d * t * (1.0 - t)) / (h * omega);
+                    let second = (-2.0 * c - 6.0 * d * x) / (h * omega).powi(2);
+                    let third = -12.0 * d / (h * omega).powi(3);
+                    let (s, co) = (omega * (start + h * t)).sin_cos();
+                    let (even, odd) = (value(t) - second, slope - third);
+                    (if sine { odd * s - even * co } else { even * s + odd * co }) / omega
+                };
+                sum += part(1.0) - part(0.0);
+            }
+            start += h;
+        }
+        sum
+    }
+
+    /// The squared dual norm lies between these: the first coefficients, and the rest by Parseval.
+    fn enclosure(&self, zero: bool, nu: f64, coefficients: usize) -> [f64; 2] {
+        let total = self.total();
+        let (mut sum, mut rest, mut weight) = (0.0, self.integrals(None), 1.0);
+        for k in usize::from(zero)..coefficients {
+            let square = self.integrals(Some((k, zero))).powi(2) * if k == 0 { 1.0 } else { 2.0 } / total;
+            weight = (k as f64 * PI / total).hypot(1.0).powf(-2.0 * nu);
+            sum += weight * square;
+            rest -= square;
+        }
+        let rounding = 1e-13 * self.integrals(None);
+        [sum - rounding, sum + weight * rest.max(0.0) + rounding]
+    }
+}
+
+fn encloses([low, high]: [f64; 2], found: Estimate) -> bool {
+    (found.value + found.error).powi(2) >= low && (found.value - found.error).powi(2) <= high
+}
+
+#[test]
+fn spectral_sums_are_enclosed_and_a_wrong_value_is_not() {
+    let mut random = SplitMix::new(5);
+    let (mut sharp, mut heard) = (0, 0);
+    for case in 0..cases(300) {
+        let pieces = Pieces::random(&mut random);
+        let nu = [0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.98][random.below(7)];
+        for (of, zero) in [(DualOf::Interpolation, false), (DualOf::InterpolationZero, true)] {
+            let bounds = pieces.enclosure(zero, nu, 6000);
+            for asked in [1e-3, 1e-8, 1e-12] {
+                let found = pieces.function().dual_norm(of, order(nu), tolerance(asked)).unwrap();
+                assert!(encloses(bounds, found), "{case} {of:?} {nu}: {found} in {bounds:?}");
+                if asked == 1e-12 {
+                    sharp += 1;
+                    let spoiled = Estimate { value: found.value * (1.0 - 1e-4), ..found };
+                    heard += usize::from(!encloses(bounds, spoiled));
+                }
+            }
+        }
+    }
+    assert!(6 * heard > 5 * sharp, "{heard} of {sharp} spoiled values are heard");
+}
+
+/// The square wave of N elements, ±1 in turn: 4/π Σ_{odd j} sin(jNπx)/j, so that its squared norm is 8/π²
+/// Σ_{odd j} j^{-2} (1 + (jNπ)²)^{-ν}; the rest of the sum by its integral, the midpoint rule.
+fn square_wave(elements: f64, nu: f64) -> f64 {
+    let term = |j: f64| 8.0 / (PI * j).powi(2) * (PI * elements * j).hypot(1.0).powf(-2.0 * nu);
+    let last = 20_000.0f64;
+    let head: f64 = (0..10_000).rev().map(|m| term(2.0 * f64::from(m) + 1.0)).sum();
+    let tail =
+        4.0 / (PI * PI) * (PI * elements).powf(-2.0 * nu) * last.powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu);
+    (head + tail).sqrt()
+}
+
+#[test]
+fn square_waves_on_up_to_a_hundred_thousand_elements() {
+    for n in [2usize, 50, 3000, 100_000] {
+        let signs: Vec<f64> = (0..n).map(|k| if k % 2 == 0 { 1.0 } else { -1.0 }).collect();
+        let wave = Function::piecewise(&Mesh::uniform(n, 1.0).unwrap(), 0, &signs).unwrap();
+        for nu in [0.1, 0.5, 0.9] {
+            let exact = square_wave(n as f64, nu);
+            let found = wave.dual_norm(DualOf::InterpolationZero, order(nu), tolerance(1e-8)).unwrap();
+            let off = (found.value - exact).abs();
+            assert!(off <= found.error + 1e-11 * exact, "{n} {nu}: {found} against {exact:e}, {off:e}");
+        }
+    }
+}
+
+#[test]
+fn a_partition_cut_further_has_the_same_norm() {
+    let mut random = SplitMix::new(7);
+    let lengths: Vec<f64> = (0..2000).map(|_| random.between(0.01, 1.0).powi(3)).collect();
+    let values: Vec<f64> = lengths.iter().map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
+    let cut: Vec<f64> = lengths.iter().flat_map(|h| [0.3 * h, 0.7 * h]).collect();
+    let twice: Vec<f64> = values.iter().flat_map(|v| [*v, *v]).collect();
+    let whole = Function::piecewise(&Mesh::from_lengths(lengths).unwrap(), 0, &values).unwrap();
+    let halves = Function::piecewise(&Mesh::from_lengths(cut).unwrap(), 0, &twice).unwrap();
+    for nu in [0.05, 0.5, 0.95] {
+        for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
+            let [a, b] = [&whole, &halves].map(|u| u.dual_norm(of, order(nu), tolerance(1e-10)).unwrap());
+            let off = (a.value - b.value).abs();
+            assert!(off <= a.error + b.error, "{of:?} {nu}: {a} and {b}, {off:e} apart");
+            let refused = whole.dual_norm(of, order(nu), tolerance(1e-15));
+            assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
+        }
+    }
+}
+
+/// Over piecewise linears graded to every break of f: a lower bound always, and how much it rises with meshes
+/// twice as fine.
+fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (f64, f64) {
+    let breaks: Vec<f64> = std::iter::once(0.0)
+        .chain(pieces.lengths.iter().scan(0.0, |x, h| {
+            *x += h;
+            Some(*x)
+        }))
+        .collect();
+    let value = |layers: usize, ratio: f64| {
+        let mesh = Mesh::graded(&breaks, layers, ratio).unwrap();
+        let rule = gauss_legendre(4).unwrap();
+        let (mut load, mut element) = (vec![0.0; mesh.len() + 1], 0);
+        for (i, h) in mesh.lengths().iter().enumerate() {
+            // an element of f carries 2 (layers + 1) elements
+            if i > 0 && i % (2 * (layers + 1)) == 0 {
+                element += 1;
+            }
+            let first = element * 2 * (layers + 1);
+            let (start, total) = (mesh.from_left()[i] - mesh.from_left()[first], pieces.lengths[element]);
+            let [l, r, c, d] = pieces.values[element];
+            for (t, w) in rule.iter() {
+                let s = (start + h * t) / total;
+                let f = l * (1.0 - s) + r * s + s * (1.0 - s) * (c + d * (2.0 * s - 1.0));
+                load[i] += w * h * f * (1.0 - t);
+                load[i + 1] += w * h * f * t;
+            }
+        }
+        Function::load(&mesh, &load).unwrap().norm(-order(nu), tolerance(1e-11)).unwrap().value
+    };
+    let (coarse, fine) = (value(16, 0.5), value(32, 0.5f64.sqrt()));
+    (fine, 0.5 * (fine - coarse).abs())
+}
+
+#[test]
+fn the_norm_of_1_1_agrees_with_graded_meshes() {
+    let mut random = SplitMix::new(11);
+    for case in 0..cases(100) {
+        let mut pieces = Pieces::random(&mut random);
+        pieces.lengths.truncate(3);
+        pieces.values.truncate(3);
+        let nu = [0.15, 0.35, 0.5, 0.65, 0.9][case % 5];
+        let (below, missing) = from_graded_meshes(&pieces, nu);
+        let found = pieces.function().norm(-order(nu), tolerance(1e-7)).unwrap();
+        let above = found.value + found.error - below;
+        assert!(above >= -1e-11 * below, "{case} {nu}: {found} is below {below:e}");
+        assert!(
+            found.value - found.error - below <= missing,
+            "{case} {nu}: {found}, {below:e} + {missing:e}"
+        );
+    }
+}
+
+#[test]
+fn wider_tolerances_of_the_norm_of_1_1_enclose_the_sharper_value() {
+    let mut random = SplitMix::new(13);
+    let (mut asked, mut heard) = (0, 0);
+    for case in 0..cases(300) {
+        let pieces = Pieces::random(&mut random);
+        let nu = [0.25, 0.4, 0.5, 0.7, 0.9][case % 5];
+        let find = |t| Estimate::or_best(pieces.function().norm(-order(nu), tolerance(t)));
+        let fine = find(1e-6).unwrap();
+        for wide in [1e-2, 1e-3, 1e-4] {
+            let found = find(wide).unwrap();
+            let off = (found.value - fine.value).abs();
+            assert!(off <= found.error + fine.error, "{case} {nu} {wide:e}: {found} and {fine}");
+            asked += 1;
+            heard += usize::from((found.value * 1.001 - fine.value).abs() > found.error + fine.error);
+        }
+    }
+    assert!(3 * heard > 2 * asked, "{heard} of {asked} spoiled values are heard");
+}
+
+#[test]
+fn random_signs_on_a_hundred_thousand_elements() {
+    let mut random = SplitMix::new(17);
+    let values: Vec<f64> = (0..100_000).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
+    let load = Function::piecewise(&Mesh::uniform(100_000, 1.0).unwrap(), 0, &values).unwrap();
+    let find = |nu, t| load.norm(-order(nu), tolerance(t));
+    let (wide, sharp) = (find(0.9, 1e-5).unwrap(), find(0.9, 1e-9).unwrap());
+    assert!((wide.value - sharp.value).abs() <= wide.error + sharp.error, "{wide} {sharp}");
+    let half = find(0.5, 1e-5).unwrap();
+    let cosines = load.dual_norm(DualOf::Interpolation, Order::HALF, tolerance(1e-8)).unwrap();
+    assert!(half.value < cosines.value && cosines.value < 3.0 * half.value, "{half} {cosines}");
+}
+
+/// ±1 on `count` elements of random lengths.
+fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
+    let lengths = (0..count).map(|_| random.between(0.1, 1.0)).collect();
+    let values = (0..count).map(|_| (2 * random.below(2)) as f64 - 1.0).collect();
+    (lengths, values)
+}
+
+fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
+    Function::piecewise(&Mesh::from_lengths(lengths.to_vec()).unwrap(), 0, values).unwrap()
+}
+
+/// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
+/// fewer elements, compared with one β, is the other method.
+#[test]
+fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
+    let mut random = SplitMix::new(23);
+    let (mut heard, mut sharpest) = (0, 1.0f64);
+    for case in 0..cases(20) {
+        let (lengths, values) = random_signs(350 + random.below(400), &mut random);
+        let scale = [1e-3, 0.1][case % 2];
+        let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
+        let nu = random.between(0.05, 0.8);
+        let find = |u: &Function<'_>, t| Estimate::or_best(u.norm(-order(nu), tolerance(t))).unwrap();
+        let whole = find(&constants(&lengths, &values), 1e-7);
+        let cut = |h: &[f64]| h.iter().flat_map(|h| [0.25 * h, 0.45 * h, 0.3 * h]).collect::<Vec<f64>>();
+        let thrice: Vec<f64> = values.iter().flat_map(|&v| [v; 3]).collect();
+        for t in [1e-4, 1e-6, 1e-8] {
+            let pieces = find(&constants(&cut(&lengths), &thrice), t);
+            let apart = (pieces.value - whole.value).abs();
+            assert!(apart <= pieces.error + whole.error, "{case} {nu} {t:e}: {pieces} and {whole}");
+            let reach = (pieces.error + whole.error) / whole.value;
+            sharpest = sharpest.min(reach);
+            heard += usize::from(reach < 1e-5);
+        }
+    }
+    assert!(2 * heard > 3 * cases(20) && sharpest < 1e-7, "{heard} of {}, {sharpest:e}", 3 * cases(20));
+}
+
+#[test]
+fn random_signs_on_many_unequal_elements() {
+    let (lengths, values) = random_signs(cases(100_000), &mut SplitMix::new(3));
+    let load = constants(&lengths, &values);
+    for (nu, sharper) in [(0.3, 1e-7), (0.5, 1e-9)] {
+        // reached at all is the point; two tolerances take other meshes and nodes
+        let [a, b] = [1e-8, sharper].map(|t| load.norm(-order(nu), tolerance(t)).unwrap());
+        assert!(a.relative_error() <= 1e-8, "{nu}: {a}");
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{nu}: {a} {b}");
+    }
+}
+
+#[test]
+fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
+    // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.
+    let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
+    let declared = Function::from_fn(&[0.0, 0.3, 1.0], step).unwrap();
+    let cells = Mesh::from_lengths(vec![0.3, 0.7]).unwrap();
+    let exact = Function::piecewise(&cells, 0, &[1.0, -2.0]).unwrap();
+    let log = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
+    let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        for nu in [0.3, 0.5, 0.8] {
+            let [a, b] = [
+                declared.dual_norm(of, order(nu), tolerance(1e-6)).unwrap(),
+                exact.dual_norm(of, order(nu), tolerance(1e-7)).unwrap(),
+            ];
+            assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?} {nu}: {a} {b}");
+            for u in [&log, &power] {
+                let [wide, sharp] = [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
+                let off = (wide.value - sharp.value).abs();
+                assert!(off <= wide.error + sharp.error, "{of:?} {nu}: {wide} {sharp}");
+                let l2 = u.norm(0.0, tolerance(1e-3)).unwrap();
+                assert!(sharp.value < l2.value + l2.error, "{sharp} {l2}");
+            }
+        }
+    }
+}
+
+/// ∫_0^1 x^{-2/5} cos kπx dx = (kπ)^{-3/5} ∫_0^{kπ} y^{-2/5} cos y dy; by substitution y = z^{5/3}.
+#[test]
+fn a_power_has_the_norm_of_its_cosine_series() {
+    let coefficient = |k: usize| {
+        // x = z^{5/3}: ∫ (5/3) cos(kπ z^{5/3}) dz
+        let rule = gauss_legendre(12).unwrap();
+        let parts = 4 * k + 4;
+        let mut sum = 0.0;
+        for part in 0..parts {
+            for (t, w) in rule.iter() {
+                let z = (part as f64 + t) / parts as f64;
+                sum += w / parts as f64 * 5.0 / 3.0 * (k as f64 * PI * z.powf(5.0 / 3.0)).cos();
+            }
+        }
+        sum
+    };
+    let (mut sum, mut rest, mut weight) = (0.0, 5.0, 1.0);
+    for k in 0..400 {
+        let square = coefficient(k).powi(2) * if k == 0 { 1.0 } else { 2.0 };
+        weight = (k as f64 * PI).hypot(1.0).powf(-1.0);
+        sum += weight * square;
+        rest -= square;
+    }
+    let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();
+    let found = power.dual_norm(DualOf::Interpolation, Order::HALF, tolerance(1e-6)).unwrap();
+    let bounds = [sum - 1e-6, sum + weight * rest + 1e-6];
+    assert!(encloses(bounds, found), "{found} in {bounds:?}");
+    assert!(!encloses(bounds, Estimate { value: 1.01 * found.value, ..found }));
+}
+
+#[test]
+fn plain_numbers_stand_for_orders_and_tolerances() {
+    let u = Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5, 1.0]).unwrap();
+    let x = Function::from_fn(&[0.0, 1.0], |x: f64| x).unwrap();
+    let half = Order::HALF;
+    assert_eq!(u.norm(0.5, 1e-8), u.norm(half, tolerance(1e-8)));
+    assert_eq!(x.seminorm(0.5, 1e-6), x.seminorm(half, tolerance(1e-6)));
+    assert_eq!(u.lp(3.0, 1e-8), u.lp(3.0, tolerance(1e-8)));
+    let dual = |of| (u.dual_norm(of, 0.5, 1e-8).unwrap(), x.dual_norm(of, 0.5, 1e-6).unwrap());
+    for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
+        let (a, b) = dual(of);
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?}: {a} {b}");
+    }
+    for bad in [
+        u.norm(2.0, 1e-8),
+        u.dual_norm(DualOf::Slobodeckij, 1.0, 1e-8),
+        u.norm(0.5, 0.0),
+        u.norm(f64::NAN, 1e-8),
+        x.dual_norm(DualOf::Interpolation, 0.5, 2.0),
+    ] {
+        assert!(matches!(bad, Err(Error::OutOfRange { .. })), "{bad:?}");
+    }
+}
