@@ -179,3 +179,17 @@ fn bad_bounds_are_refused() {
     assert!(good.bound(0.0, 1.0, 1.0).is_err() && good.bound(0.1, 1.0, 2.0).is_err());
     assert!(good.bound(0.1, f64::INFINITY, 1.0).is_err());
 }
+
+/// On a fixed mesh the energy error of the elastic closed form grows like √λ, as the nodal bound does: no more than the
+/// bound, and not bounded.
+#[test]
+fn the_error_grows_like_the_root_of_lambda() {
+    let error = |lambda: f64| {
+        let known = KnownSolution::one_transition(Some(Lame::new(lambda, 1.0).unwrap()));
+        let problem = known.problem(32).unwrap();
+        let u = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        known.error_norms(&problem, &u.displacement).unwrap().energy
+    };
+    let decade = error(1e4) / error(1e3);
+    assert!((decade / 10f64.sqrt() - 1.0).abs() < 0.02, "{decade}");
+}
