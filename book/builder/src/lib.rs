@@ -22,23 +22,16 @@ pub mod labels;
 pub mod large;
 pub mod letters;
 pub mod live;
-pub mod local;
 pub mod markup;
-pub mod meanings;
 pub mod number;
 pub mod options;
 pub mod page;
 pub mod paper;
-pub mod pdf;
-pub mod print;
 pub mod scan;
-pub mod search;
 pub mod sentence;
 pub mod serve;
-pub mod several;
 pub mod slider;
 pub mod stale;
-mod symbol;
 pub mod tables;
 pub mod typography;
 pub mod verify;
@@ -104,10 +97,8 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     faults.extend(labels::faults(&list, &layout.repository)?);
     faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
-    faults.extend(letters::Letters::faults(&pages));
-    faults.extend(local::faults(&pages));
-    faults.extend(meanings::faults(&pages));
-    let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
+    let ideas = layout.book.join("ideas");
+    let sources = Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,
         Err(more) => {
@@ -117,11 +108,9 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     };
     none_of(faults)?;
     let output = html::build(&layout.book, &marked)?;
-    write(&output.join(search::INDEX), search::script(&output, &pages)?)?;
     for (name, csv) in &data.series {
         write(&output.join(figure::data_file(name)), csv)?;
     }
-    print::finish(&output, &pages)?;
     none_of(verify::faults(&output, &pages)?)?;
     Ok(output)
 }

@@ -1,24 +1,22 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
 //! chapters in `src/book.rs`, and nothing else. `cargo book
-//! large NAME`: makes a run of `large.toml` and keeps what it computed. `cargo book
-//! letters`: lists where each symbol of the notation page is first used, and how that page explains it.
-//! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book
+//! large NAME`: makes a run of `large.toml` and keeps what it computed.
+//! `cargo book
 //! serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo
 //! book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
-use book_builder::letters::Letters;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, html, labels, large, local, print, shown, tables};
+use book_builder::{Layout, build, check_fresh, examples, labels, large, shown, tables};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
 const USAGE: &str =
-    "usage: cargo book [build | check | labels | large NAME | letters | print | serve [--port P]]";
+    "usage: cargo book [build | check | labels | large NAME | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -29,10 +27,6 @@ fn main() -> ExitCode {
         [] => renew(&layout),
         ["build"] => layout.data().and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
-        ["print"] => {
-            let built = layout.data().and_then(|data| build(&layout, &data));
-            return said(built.and_then(|output| print::pdf(&output)));
-        }
         ["serve"] => serve(&layout, PORT),
         ["serve", "--port", port] => match port.parse() {
             Ok(port) => serve(&layout, port),
@@ -47,13 +41,6 @@ fn main() -> ExitCode {
         ["large", name] => {
             return said(large::renew(&layout, name).map(|()| layout.large().join("values.json")));
         }
-        ["letters"] => match html::chapters(&layout.book, &layout.repository) {
-            Ok(pages) => {
-                print!("{}\n{}", Letters::list(&pages), local::list(&pages));
-                return ExitCode::SUCCESS;
-            }
-            Err(error) => Err(error),
-        },
         ["-h" | "--help" | "help"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;

@@ -139,20 +139,20 @@ impl Marker<'_> {
         let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
         let begins = sentence::begins(text);
         let inline = |html: String| match example {
-            Some(_) => Snippet::Inline(live::inline(piece.text, &html, begins)),
-            None => Snippet::Inline(html),
+            Some(_) => live::inline(piece.text, &html, begins),
+            None => html,
         };
         match directive::resolve(piece.text, self.sources) {
-            Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
+            // As Markdown, so that the search of mdBook finds them.
+            Ok(Meaning::Number(number)) => text.push_str(&guarded(&inline(number.html()))),
             Ok(Meaning::Words(words)) => {
                 let words = if begins { sentence::capitalised(&words) } else { words };
-                self.marked.push(text, inline(words));
+                text.push_str(&guarded(&inline(words)));
             }
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
                 let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");
-                let html = format!("<code>{name}</code>");
-                self.marked.push(text, Snippet::Inline(html));
+                text.push_str(&guarded(&format!("<code>{name}</code>")));
             }
             Ok(Meaning::Block(html)) => {
                 let mut html = if example.is_some() { live::block(piece.text, &html) } else { html };
@@ -217,6 +217,19 @@ fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> 
         rest = &rest[start + length + 2..];
     }
     Ok(filled + rest)
+}
+
+/// HTML that Markdown leaves alone within a line.
+fn guarded(html: &str) -> String {
+    let special = |c: char| matches!(c, '*' | '_' | '`' | '[' | ']' | '\\' | '|' | '~' | '$');
+    html.chars().map(|c| if special(c) { format!("&#{};", u32::from(c)) } else { c.to_string() }).collect()
+}
+
+/// A text that was built, without marks.
+pub fn without_marks(text: &str) -> String {
+    let mut parts = text.split(MARK.0);
+    let first = parts.next().unwrap_or("").to_owned();
+    parts.fold(first, |kept, part| kept + part.split_once(MARK.1).map_or(part, |(_, behind)| behind))
 }
 
 impl Marked {

@@ -47,8 +47,8 @@ impl Fixture {
         fixture.write("book/style/slider.js", "");
         fixture.write("book/style/fit.js", "");
         fixture.write("book/style/live.js", "");
-        fixture.write("book/style/search.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
+        fixture.write("book/ideas/wave.svg", CHART);
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);

@@ -48,14 +48,7 @@ impl Book {
         };
         let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let kept = |file: &str| std::fs::read_to_string(book.join(file)).unwrap();
-        for file in [
-            "book.toml",
-            "style/book.css",
-            "style/slider.js",
-            "style/fit.js",
-            "style/live.js",
-            "style/search.js",
-        ] {
+        for file in ["book.toml", "style/book.css", "style/slider.js", "style/fit.js", "style/live.js"] {
             write(&format!("book/{file}"), &kept(file));
         }
         write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n");
