@@ -142,7 +142,8 @@ fn begins(rest: &[String], before: &[String], pattern: &[String]) -> bool {
     let behind = rest.get(pattern.len()).map_or("", String::as_str);
     let is_capital = pattern.len() == 1 && pattern[0].chars().all(char::is_uppercase);
     let is_part = matches!(last, "\\mathsf" | "\\mathcal")
-        || pattern.len() == 1 && (last == "^" || last == "_" && before.ends_with(&["\\Gamma".into(), "_".into()]))
+        || pattern.len() == 1
+            && (last == "^" || last == "_" && before.ends_with(&["\\Gamma".into(), "_".into()]))
         || behind == "_"
         || is_capital && matches!(behind, "^" | "(" | "'");
     rest.starts_with(pattern) && !is_part

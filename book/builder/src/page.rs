@@ -5,7 +5,7 @@ use crate::chapter::Page;
 use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
-use crate::formula::{self, Formula, Labels};
+use crate::formula::{self, Formula, Label, Labels};
 use crate::letters::Letters;
 use crate::live;
 use crate::markup::escape;
@@ -33,7 +33,8 @@ pub struct Marked {
     /// The built page of each page.
     html: Vec<String>,
     snippets: Vec<Snippet>,
-    labels: Labels,
+    /// Numbers and pages of the labelled formulas.
+    pub labels: Labels,
 }
 
 /// Replaces formulas and directives on all pages by marks.
@@ -200,7 +201,7 @@ impl Marker<'_> {
 }
 
 /// A formula with its values filled in.
-fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> {
+pub(crate) fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> {
     let mut filled = String::new();
     let mut rest = latex;
     while let Some(start) = rest.find("{{value:") {
@@ -276,7 +277,7 @@ impl Marked {
             return mathml.to_owned();
         }
         let mut linked = mathml.to_owned();
-        for (label, &page) in &self.labels {
+        for (label, &Label { page, .. }) in &self.labels {
             let home = &self.html[page];
             if home != name && !(page == 0 && name == "index.html") {
                 linked = linked.replace(&format!("href=\"#{label}\""), &format!("href=\"{home}#{label}\""));

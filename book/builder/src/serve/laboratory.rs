@@ -2,12 +2,12 @@
 
 use super::limits::Limits;
 use super::run::Outcome;
-use crate::Layout;
 use crate::data::{Data, names};
 use crate::decimal;
 use crate::directive::Sources;
 use crate::error::{Error, Result, read};
 use crate::html::chapters;
+use crate::layout::Layout;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};

@@ -84,11 +84,6 @@ impl Book {
         self.directory.path().join("planted").display().to_string()
     }
 
-    /// The built page as a file.
-    pub fn file(&self) -> String {
-        self.directory.path().join("book/html/first.html").display().to_string()
-    }
-
     /// Sends bytes and returns the status and the body; status 0 where the connection was closed without an
     /// answer.
     pub fn raw(&self, bytes: &[u8]) -> (u16, String) {
