@@ -27,7 +27,6 @@ pub mod markup;
 pub mod number;
 pub mod options;
 pub mod page;
-pub mod paper;
 pub mod plain;
 pub mod scan;
 pub mod sentence;
