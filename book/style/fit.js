@@ -60,4 +60,28 @@
   document.fonts.ready.then(all);
   window.addEventListener("resize", all);
   document.addEventListener("toggle", all, true);
+  // The page that holds all pages begins with a title and the contents; both show on paper only (book.css).
+  const main = document.querySelector("main");
+  const pages = main ? main.querySelectorAll("h1") : [];
+  if (pages.length > 1) {
+    const title = document.createElement("section");
+    title.className = "title-page";
+    const book = document.createElement("p");
+    book.className = "title";
+    book.textContent = document.title;
+    title.append(book);
+    const contents = document.createElement("nav");
+    contents.className = "print-contents";
+    const list = document.createElement("ol");
+    for (const page of pages) {
+      const link = document.createElement("a");
+      link.href = "#" + page.id;
+      link.textContent = page.textContent;
+      const item = document.createElement("li");
+      item.append(link);
+      list.append(item);
+    }
+    contents.append(list);
+    main.prepend(title, contents);
+  }
 })();

@@ -24,6 +24,7 @@ mod solution;
 mod solve;
 mod solver;
 mod units;
+mod vtk;
 
 pub use multigrid::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};
 pub use problem::ContactProblem;

@@ -84,3 +84,24 @@ fn the_example_has_the_terms_of_the_library() {
         }
     }
 }
+
+/// |u − v|² + 2 ∫ σ_N (v − u)_N along v = (1 + t) u_h, which stays in the cone: least at t = 0, and symmetric about it.
+#[test]
+fn the_discrete_solution_attains_the_first_infimum() {
+    let data = "fat-cantor".parse::<StripData>().unwrap();
+    let data = data.data(1.75, 64 << 7, StripKind::Scalar.sides()).unwrap();
+    let trace = EdgeTrace::of_data(&data).unwrap();
+    let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4).unwrap();
+    for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 64].map(|n| (cone, n))) {
+        let operator = problem.operator(n).unwrap().0;
+        let solution = operator.solve_contact(&problem.load(n).unwrap(), cone, None, 1e-13).unwrap();
+        let terms = FalkTerms::new(&problem, &trace, n, &solution).unwrap();
+        let along = |t: f64| {
+            let v: Vec<f64> = solution.values.iter().map(|u| (1.0 + t) * u).collect();
+            problem.error(n, &v).unwrap().value.powi(2) - 2.0 * (1.0 + t) * terms.second_infimum
+        };
+        let least = terms.first_infimum();
+        assert!((along(0.0) - least).abs() <= ROUNDING * terms.error, "{cone} {n}");
+        assert!((along(0.1) / along(-0.1) - 1.0).abs() < 1e-9 && along(0.1) > least, "{cone} {n}");
+    }
+}

@@ -203,6 +203,9 @@ impl<'a> Function<'a> {
     /// interpolant is projected in L²(t(1−t)) on every element, so that polynomials of degree p are reproduced. f is
     /// called with the distance from the left end of the mesh.
     ///
+    /// Norms of the result are norms of the interpolant: their error does not include its distance from f. For the norm
+    /// of f itself use [`Function::from_fn`].
+    ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
     /// let square = Function::interpolate(&Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
@@ -325,6 +328,9 @@ impl<'a> Function<'a> {
 
     /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
     /// 1), or constant on every element (degree 0).
+    ///
+    /// Norms are those of this function: where the values are those of another one, the error of the norm does not include
+    /// the distance from it. A second norm with half the elements shows its size.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Curve};

@@ -92,7 +92,8 @@ impl std::fmt::Debug for Gram {
 }
 
 impl Gram {
-    /// For the hat functions of all nodes of a mesh, 0 < s < 1.
+    /// For the hat functions of all nodes of a mesh, 0 < s < 1: over the square of the interval, the form of the
+    /// *regional* fractional Laplacian. That of the integral one, over the whole line, is [`Gram::zero_outside`].
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for another order or a tolerance outside its range.

@@ -2,6 +2,8 @@
 //! come from a computation (`{{value:...}}`) or be on the allow-list. The paper's own labels (Lemma 5.2,
 //! (3.15)) are no numbers.
 
+use regex::Regex;
+
 /// Highest equation number of each section of the paper: (1.1), (2.1)-(2.9), ... (6.1)-(6.2).
 const LAST_EQUATION: [(u32, u32); 6] = [(1, 1), (2, 9), (3, 15), (4, 14), (5, 9), (6, 2)];
 
@@ -22,45 +24,12 @@ pub struct Decimal<'a> {
 
 /// Decimals in a text that are neither labels of the paper nor on the allow-list.
 pub fn typed_by_hand<'a>(text: &'a str, allowed: &[String]) -> Vec<Decimal<'a>> {
-    let bytes = text.as_bytes();
-    let mut found = Vec::new();
-    let mut at = 0;
-    while at < bytes.len() {
-        if !bytes[at].is_ascii_digit() {
-            at += 1;
-            continue;
-        }
-        let end = number_end(bytes, at);
-        let token = &text[at..end];
-        let in_a_name = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
-        let is_decimal = token.contains(['.', 'e', 'E']);
-        if is_decimal && !in_a_name && !is_label(text, at, end) && !allowed.iter().any(|a| a == token) {
-            found.push(Decimal { start: at, text: token });
-        }
-        at = end;
-    }
-    found
-}
-
-/// The end of the number that starts at `at`: digits, a fraction, a power of ten.
-fn number_end(bytes: &[u8], at: usize) -> usize {
-    let digits = |mut k: usize| {
-        while bytes.get(k).is_some_and(u8::is_ascii_digit) {
-            k += 1;
-        }
-        k
-    };
-    let mut end = digits(at);
-    while bytes.get(end) == Some(&b'.') && digits(end + 1) > end + 1 {
-        end = digits(end + 1);
-    }
-    if matches!(bytes.get(end), Some(b'e' | b'E')) {
-        let sign = usize::from(matches!(bytes.get(end + 1), Some(b'+' | b'-')));
-        if digits(end + 1 + sign) > end + 1 + sign {
-            end = digits(end + 1 + sign);
-        }
-    }
-    end
+    // A number that no letter, digit or underscore precedes, with a fraction or a power of ten.
+    let number = Regex::new(r"\b[0-9]+(?:(?:\.[0-9]+)+(?:[eE][+-]?[0-9]+)?|[eE][+-]?[0-9]+)");
+    let found = number.iter().flat_map(|number| number.find_iter(text));
+    let found =
+        found.filter(|n| !is_label(text, n.start(), n.end()) && !allowed.iter().any(|a| a == n.as_str()));
+    found.map(|n| Decimal { start: n.start(), text: n.as_str() }).collect()
 }
 
 /// True for `S.k` in parentheses, in the range of the paper's equations, or after a word such as "Lemma".

@@ -37,6 +37,8 @@ pub struct Sources<'a> {
     pub examples: &'a Path,
     /// The directory of the tests.
     pub tests: &'a Path,
+    /// The directory of the pictures of ideas.
+    pub ideas: &'a Path,
     /// Decimals that may be typed by hand.
     pub allowed: &'a [String],
 }
@@ -89,7 +91,9 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
             figure::inline(full, svg, caption, data.series.contains_key(full)).map(Meaning::Block)
         }
-        ("idea", Some(caption)) if !caption.is_empty() => idea::inline(key, caption).map(Meaning::Block),
+        ("idea", Some(caption)) if !caption.is_empty() => {
+            idea::inline(sources.ideas, key, caption).map(Meaning::Block)
+        }
         ("slider", Some(rest)) => match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {
             Some((list, caption)) if !caption.is_empty() => {
                 slider::inline(key, list, caption, data).map(Meaning::Block)
@@ -235,8 +239,13 @@ mod tests {
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
-        let sources =
-            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
+        let sources = Sources {
+            data: &data,
+            examples: Path::new("none"),
+            tests: Path::new("none"),
+            ideas: Path::new("none"),
+            allowed: &[],
+        };
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
@@ -256,8 +265,13 @@ mod tests {
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
-        let sources =
-            Sources { data: &data, examples: Path::new("none"), tests: Path::new("none"), allowed: &[] };
+        let sources = Sources {
+            data: &data,
+            examples: Path::new("none"),
+            tests: Path::new("none"),
+            ideas: Path::new("none"),
+            allowed: &[],
+        };
         let bad = [
             "value:delta",
             "value:gamma:x9",

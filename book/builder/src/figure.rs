@@ -2,7 +2,6 @@
 //! and carries a label for those who do not see it.
 
 use crate::markup::{Tag, escape, tags, well_formed};
-use crate::paper::{self, Cut, Sheet};
 use std::fmt::Write as _;
 
 /// Ink written by chart writers that becomes the ink of the page.
@@ -40,7 +39,6 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
     let mut html = String::new();
     let mut copied = 0;
     let mut is_root = true;
-    let mut sheet = Sheet::default();
     for tag in tags(svg) {
         if is_root && tag.name != "svg" {
             return Err("figure does not start with <svg>".to_owned());
@@ -54,11 +52,9 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
         if matches!(tag.name, "style" | "/style") {
             // colours for a figure opened by itself; here they are the page's
         } else if is_root {
-            sheet = push_root(&mut html, &tag, svg, label)?;
-        } else if let Some(cut) = sheet.cuts.iter().find(|cut| cut.start == tag.start) {
-            push_lines(&mut html, &tag, name, (svg, cut));
+            push_root(&mut html, &tag, label)?;
         } else {
-            push_tag(&mut html, &tag, name, sheet.crowd.class(tag.start));
+            push_tag(&mut html, &tag, name);
         }
         copied = tag.end;
         is_root = false;
@@ -66,23 +62,15 @@ pub fn svg(name: &str, svg: &str, label: &str) -> Result<String, String> {
     if is_root { Err("figure is empty".to_owned()) } else { Ok(html) }
 }
 
-/// The root keeps its shape by its viewBox, with room for large letters, and takes the width of the page.
-fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result<Sheet, String> {
+/// The root keeps its shape by its viewBox and takes the width of the page.
+fn push_root(html: &mut String, tag: &Tag<'_>, label: &str) -> Result<(), String> {
     let length = |name| tag.attribute(name).map(|v| v.trim_end_matches("px"));
     let view = match (tag.attribute("viewBox"), length("width"), length("height")) {
         (Some(view), _, _) => view.to_owned(),
         (None, Some(width), Some(height)) => format!("0 0 {width} {height}"),
         _ => return Err("figure without viewBox and size".to_owned()),
     };
-    let (view, more, sheet) = match paper::view(&view) {
-        Some(view) => {
-            let sheet = Sheet::of(svg, view);
-            let fine = if paper::is_fine(view) { r#" class="fine""# } else { "" };
-            (paper::written(sheet.view), sheet.style() + fine, sheet)
-        }
-        None => (view, String::new(), Sheet::default()),
-    };
-    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}"{more}"#, escape(label));
+    let _ = write!(html, r#"<svg viewBox="{view}" role="img" aria-label="{}""#, escape(label));
     for (name, value) in tag.attributes() {
         let is_ours = matches!(name, "viewBox" | "width" | "height" | "role" | "aria-label");
         if !is_ours && !name.starts_with("xmlns") {
@@ -90,32 +78,15 @@ fn push_root(html: &mut String, tag: &Tag<'_>, svg: &str, label: &str) -> Result
         }
     }
     html.push_str(if tag.closes_itself() { "/>" } else { ">" });
-    Ok(sheet)
+    Ok(())
 }
 
-/// Words in one line for a wide screen, and in two for a narrow one.
-fn push_lines(html: &mut String, tag: &Tag<'_>, figure: &str, (svg, cut): (&str, &Cut)) {
-    let text = svg[tag.end..].split("</text>").next().unwrap_or("");
-    let (first, second) = text.split_at(cut.at - tag.end);
-    let old = format!(r#" y="{}""#, tag.attribute("y").unwrap_or("0"));
-    for (line, y) in [(first, cut.y.0), (second, cut.y.1)] {
-        let mut at = String::new();
-        push_tag(&mut at, tag, figure, Some("narrow"));
-        html.push_str(&at.replacen(&old, &format!(r#" y="{y:.1}""#), 1));
-        let _ = write!(html, "{}</text>", line.trim());
-    }
-    push_tag(html, tag, figure, Some("wide"));
-}
-
-fn push_tag(html: &mut String, tag: &Tag<'_>, figure: &str, class: Option<&str>) {
+fn push_tag(html: &mut String, tag: &Tag<'_>, figure: &str) {
     if tag.name.starts_with('/') {
         let _ = write!(html, "<{}>", tag.name);
         return;
     }
     let _ = write!(html, "<{}", tag.name);
-    if let Some(class) = class {
-        let _ = write!(html, r#" class="{class}""#);
-    }
     let prefix = figure.replace(|c: char| !c.is_ascii_alphanumeric(), "-");
     for (name, value) in tag.attributes() {
         push_attribute(html, name, value, &prefix);

@@ -6,7 +6,7 @@ use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use std::collections::BTreeMap;
 
 /// Short names for symbols of the paper, usable in every formula.
-const MACROS: [(&str, &str); 6] = [
+pub const MACROS: [(&str, &str); 6] = [
     ("R", r"\mathbb{R}"),
     ("dd", r"\,\mathrm{d}"),
     ("abs", r"\left|#1\right|"),
@@ -39,8 +39,17 @@ pub struct Refused {
     pub text: String,
 }
 
-/// Which page carries which `\label`.
-pub type Labels = BTreeMap<String, usize>;
+/// Where a `\label` stands.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Label {
+    /// Number of its page.
+    pub page: usize,
+    /// Its number in the book, without parentheses.
+    pub number: String,
+}
+
+/// The labels of the book by name.
+pub type Labels = BTreeMap<String, Label>;
 
 /// MathML for each formula, in order, and the page of each label.
 ///
@@ -55,7 +64,8 @@ pub fn convert(formulas: &[Formula]) -> Result<(Vec<String>, Labels), Vec<Refuse
             if !is_plain {
                 refused.push(refuse(k, "label not of letters, digits and hyphens", label));
             }
-            if labels.insert(label.to_owned(), formula.page).is_some() {
+            if labels.insert(label.to_owned(), Label { page: formula.page, number: String::new() }).is_some()
+            {
                 refused.push(refuse(k, "label given twice", label));
             }
         }
@@ -68,7 +78,21 @@ pub fn convert(formulas: &[Formula]) -> Result<(Vec<String>, Labels), Vec<Refuse
         }
     }
     let mut converted = Vec::new();
-    for (k, (result, formula)) in mathml(formulas).into_iter().zip(formulas).enumerate() {
+    // A reference to each label tells its number.
+    let reference = |(name, label): (&String, &Label)| Formula {
+        page: label.page,
+        line: 1,
+        latex: format!("\\eqref{{{name}}}"),
+        is_display: false,
+    };
+    let all: Vec<Formula> = formulas.iter().cloned().chain(labels.iter().map(reference)).collect();
+    let mut results = mathml(&all);
+    for (label, result) in labels.values_mut().zip(results.split_off(formulas.len())) {
+        let text = result.unwrap_or_default();
+        let number = text.split_once(">(").and_then(|(_, rest)| rest.split_once(")<"));
+        label.number = number.map_or(String::new(), |(number, _)| number.to_owned());
+    }
+    for (k, (result, formula)) in results.into_iter().zip(formulas).enumerate() {
         match result {
             Ok(mathml) => converted.push(mathml),
             Err((what, at)) => {
@@ -145,7 +169,7 @@ mod tests {
         assert!(mathml[0].contains(r##"<a href="#late">(5.2)</a>"##), "{}", mathml[0]);
         assert!(mathml[3].contains(r##"<a href="#early">(1)</a>"##), "{}", mathml[3]);
         assert!(mathml[1].contains(r#"id="early""#), "{}", mathml[1]);
-        assert_eq!(labels["late"], 1);
+        assert_eq!((labels["late"].page, &*labels["late"].number, &*labels["early"].number), (1, "5.2", "1"));
     }
 
     #[test]

@@ -4,7 +4,7 @@ use crate::chapter::Page;
 use crate::data::names;
 use crate::error::{Error, Result, read, write};
 use crate::exercises;
-use crate::page::Marked;
+use crate::page::{self, Marked};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::BookItem;
 use std::path::{Path, PathBuf};
@@ -64,6 +64,10 @@ pub fn build(root: &Path, marked: &Marked) -> Result<PathBuf> {
         let html =
             marked.unmark(&name, &read(&file)?).map_err(|what| Error::Mdbook(format!("{name}: {what}")))?;
         write(&file, html)?;
+    }
+    for name in names(&output)?.into_iter().filter(|name| name.starts_with("searchindex")) {
+        let file = output.join(&name);
+        write(&file, page::without_marks(&read(&file)?))?;
     }
     write(&output.join("fonts").join(FONT), math_font()?)?;
     Ok(output)

@@ -45,6 +45,21 @@ fn fault(body: &str, fence: &str, source: &Path) -> Option<String> {
     (is_rust && fence != "rust,ignore").then(|| "included Rust code not in a `rust,ignore` block".to_owned())
 }
 
+/// The lines that `path:anchor` names, without the marks of anchors; `None` where there are none.
+pub fn text(target: &str, source: &Path) -> Option<String> {
+    let (path, anchor) = target.trim().split_once(':').unwrap_or((target.trim(), ""));
+    let text = std::fs::read_to_string(source.join(path)).ok()?;
+    let is = |line: &str, mark: &str| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor);
+    let mut lines: Vec<&str> = text.lines().collect();
+    if !anchor.is_empty() {
+        let start = lines.iter().position(|line| is(line, "ANCHOR: "))?;
+        let end = lines.iter().position(|line| is(line, "ANCHOR_END: "))?;
+        lines = lines.get(start + 1..end)?.to_vec();
+    }
+    lines.retain(|line| !line.contains("ANCHOR: ") && !line.contains("ANCHOR_END: "));
+    Some(lines.join("\n"))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -63,5 +78,7 @@ mod tests {
         assert_eq!(check("```rust,ignore\n{{#include b.rs:run}}\n```"), [2]);
         assert_eq!(check("```rust\n{{#include a.rs:run}}\n```"), [2]);
         assert_eq!(check("\n\n{{#title x}}"), [3]);
+        assert_eq!(text("a.rs:run", directory.path()).as_deref(), Some("fn f() {}"));
+        assert_eq!(text("a.rs:none", directory.path()), None);
     }
 }

@@ -6,10 +6,10 @@
 //! runs them again: kept outcomes whose arguments are no longer those of the file are a fault, and tests of
 //! the library compute their small sizes anew.
 
-use crate::Layout;
 use crate::data::Data;
 use crate::error::{Error, Fault, Result, read};
 use crate::examples::{self, Run};
+use crate::layout::Layout;
 use serde_json::Value;
 use std::path::Path;
 
@@ -57,11 +57,11 @@ pub fn faults(runs: &[Run], kept: &Data) -> Vec<Fault> {
     missing.chain(unknown).collect()
 }
 
-/// Makes a run and keeps what it computed.
+/// Makes a run; all runs that are kept, with what this one computed.
 ///
 /// # Errors
 /// [`Error::Data`] for a name that `large.toml` does not hold, those of examples.
-pub fn renew(layout: &Layout, name: &str) -> Result<()> {
+pub fn renew(layout: &Layout, name: &str) -> Result<Data> {
     let runs = list(&layout.book)?;
     let names: Vec<&str> = runs.iter().map(|run| run.name.as_str()).collect();
     let wrong = |message: String| Error::Data { path: layout.book.join(FILE), message };
@@ -77,7 +77,7 @@ pub fn renew(layout: &Layout, name: &str) -> Result<()> {
     if let Some(outcome) = kept.examples.get_mut(name) {
         outcome["arguments"] = run.arguments.as_str().into();
     }
-    crate::shown(layout, kept)?.write(&layout.large())
+    Ok(kept)
 }
 
 #[cfg(test)]

@@ -20,25 +20,19 @@ pub mod idea;
 pub mod include;
 pub mod labels;
 pub mod large;
+pub mod layout;
 pub mod letters;
 pub mod live;
-pub mod local;
 pub mod markup;
-pub mod meanings;
 pub mod number;
 pub mod options;
 pub mod page;
-pub mod paper;
-pub mod pdf;
-pub mod print;
+pub mod plain;
 pub mod scan;
-pub mod search;
 pub mod sentence;
 pub mod serve;
-pub mod several;
 pub mod slider;
 pub mod stale;
-mod symbol;
 pub mod tables;
 pub mod typography;
 pub mod verify;
@@ -46,45 +40,20 @@ pub mod verify;
 use data::Data;
 use directive::Sources;
 use error::{Fault, Result, none_of, read, write};
+pub use layout::Layout;
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-/// Where the parts of a book are.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Layout {
-    /// The repository; faults name files relative to it.
-    pub repository: PathBuf,
-    /// The book: `book.toml`, `src`, `generated`, `allowed-decimals.txt`.
-    pub book: PathBuf,
-}
-
-impl Layout {
-    /// The layout of a repository that keeps its book in `book`.
-    pub fn of(repository: &Path) -> Self {
-        Self { repository: repository.to_owned(), book: repository.join("book") }
-    }
-
-    /// Where the committed data of the examples is.
-    pub fn generated(&self) -> PathBuf {
-        self.book.join("generated")
-    }
-
-    /// Where what large runs computed is kept.
-    pub fn large(&self) -> PathBuf {
-        self.generated().join("large")
-    }
-
-    /// All that pages may show: what examples computed, and large runs.
-    ///
-    /// # Errors
-    /// Those of [`Data::read`]; [`error::Error::Faults`] where a large run was made with other arguments.
-    pub fn data(&self) -> Result<Data> {
-        let large = Data::read(&self.large())?;
-        none_of(large::faults(&large::list(&self.book)?, &large))?;
-        let mut data = Data::read(&self.generated())?;
-        data.extend(large);
-        Ok(data)
-    }
+/// All that pages may show: what examples computed, and large runs.
+///
+/// # Errors
+/// Those of [`Data::read`]; [`error::Error::Faults`] where a large run was made with other arguments.
+pub fn committed(layout: &Layout) -> Result<Data> {
+    let large = Data::read(&layout.large())?;
+    none_of(large::faults(&large::list(&layout.book)?, &large))?;
+    let mut data = Data::read(&layout.generated())?;
+    data.extend(large);
+    Ok(data)
 }
 
 /// Builds the pages from data that is there; returns the directory of the HTML.
@@ -92,6 +61,23 @@ impl Layout {
 /// # Errors
 /// [`error::Error::Faults`] with every fault found, or what went wrong around them.
 pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
+    let (output, plain) = pages(layout, data)?;
+    plain::renew(layout, &plain)?;
+    Ok(output)
+}
+
+/// As [`build`], and fails where the committed plain pages are not what it would write.
+///
+/// # Errors
+/// Those of [`build`].
+pub fn check_pages(layout: &Layout, data: &Data) -> Result<PathBuf> {
+    let (output, plain) = pages(layout, data)?;
+    none_of(plain::stale(layout, &plain)?)?;
+    Ok(output)
+}
+
+/// The directory of the HTML, and the pages as plain Markdown.
+fn pages(layout: &Layout, data: &Data) -> Result<(PathBuf, Vec<(String, String)>)> {
     let pages = html::chapters(&layout.book, &layout.repository)?;
     let allowed = read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default();
     let list = labels::list(&layout.repository)?;
@@ -104,10 +90,8 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     faults.extend(labels::faults(&list, &layout.repository)?);
     faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
-    faults.extend(letters::Letters::faults(&pages));
-    faults.extend(local::faults(&pages));
-    faults.extend(meanings::faults(&pages));
-    let sources = Sources { data, examples: &examples, tests: &tests, allowed: &allowed };
+    let ideas = layout.book.join("ideas");
+    let sources = Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,
         Err(more) => {
@@ -117,13 +101,12 @@ pub fn build(layout: &Layout, data: &Data) -> Result<PathBuf> {
     };
     none_of(faults)?;
     let output = html::build(&layout.book, &marked)?;
-    write(&output.join(search::INDEX), search::script(&output, &pages)?)?;
     for (name, csv) in &data.series {
         write(&output.join(figure::data_file(name)), csv)?;
     }
-    print::finish(&output, &pages)?;
     none_of(verify::faults(&output, &pages)?)?;
-    Ok(output)
+    let plain = plain::edition(layout, &pages, &sources, &marked.labels)?;
+    Ok((output, plain))
 }
 
 /// Fails where committed data is not what was computed now.

@@ -1,24 +1,23 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
 //! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
 //! chapters in `src/book.rs`, and nothing else. `cargo book
-//! large NAME`: makes a run of `large.toml` and keeps what it computed. `cargo book
-//! letters`: lists where each symbol of the notation page is first used, and how that page explains it.
-//! `cargo book print`: builds the pages and prints them, as a PDF where a Chromium is installed. `cargo book
+//! large NAME`: makes a run of `large.toml` and keeps what it computed.
+//! `cargo book
 //! serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo
 //! book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::Result;
-use book_builder::letters::Letters;
 use book_builder::serve::{Laboratory, Limits, Server};
-use book_builder::{Layout, build, check_fresh, examples, html, labels, large, local, print, shown, tables};
+use book_builder::{
+    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, stale, tables,
+};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str =
-    "usage: cargo book [build | check | labels | large NAME | letters | print | serve [--port P]]";
+const USAGE: &str = "usage: cargo book [build | check | labels | large NAME | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -27,12 +26,8 @@ fn main() -> ExitCode {
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let done = match words.as_slice() {
         [] => renew(&layout),
-        ["build"] => layout.data().and_then(|data| build(&layout, &data)),
+        ["build"] => committed(&layout).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
-        ["print"] => {
-            let built = layout.data().and_then(|data| build(&layout, &data));
-            return said(built.and_then(|output| print::pdf(&output)));
-        }
         ["serve"] => serve(&layout, PORT),
         ["serve", "--port", port] => match port.parse() {
             Ok(port) => serve(&layout, port),
@@ -45,15 +40,12 @@ fn main() -> ExitCode {
             .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),
         ["large", name] => {
-            return said(large::renew(&layout, name).map(|()| layout.large().join("values.json")));
+            return said(
+                large::renew(&layout, name)
+                    .and_then(|kept| shown(&layout, kept)?.write(&layout.large()))
+                    .map(|()| layout.large().join("values.json")),
+            );
         }
-        ["letters"] => match html::chapters(&layout.book, &layout.repository) {
-            Ok(pages) => {
-                print!("{}\n{}", Letters::list(&pages), local::list(&pages));
-                return ExitCode::SUCCESS;
-            }
-            Err(error) => Err(error),
-        },
         ["-h" | "--help" | "help"] => {
             println!("{USAGE}");
             return ExitCode::SUCCESS;
@@ -81,16 +73,16 @@ fn said(done: Result<PathBuf>) -> ExitCode {
 }
 
 fn renew(layout: &Layout) -> Result<PathBuf> {
-    let committed = Data::read(&layout.generated()).unwrap_or_default();
-    let data = shown(layout, examples::gather(&layout.repository, &committed)?)?;
-    data.write(&layout.generated())?;
+    let known = Data::read(&layout.generated()).unwrap_or_default();
+    let data = shown(layout, examples::gather(&layout.repository, &known)?)?;
+    stale::kept(&known, data).write(&layout.generated())?;
     tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
-    build(layout, &layout.data()?)
+    build(layout, &committed(layout)?)
 }
 
 /// The book as a laboratory; ends when it is interrupted.
 fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
-    let data = layout.data()?;
+    let data = committed(layout)?;
     let output = build(layout, &data)?;
     let programs = examples::build(&layout.repository)?;
     let server = Server::bind(Laboratory::new(layout, data, &output, &programs, Limits::default())?, port)?;
@@ -100,8 +92,8 @@ fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
 
 /// Pages first: their faults show at once, without the examples.
 fn check(layout: &Layout) -> Result<PathBuf> {
-    let committed = Data::read(&layout.generated())?;
-    let output = build(layout, &layout.data()?)?;
-    check_fresh(layout, &committed, &examples::gather(&layout.repository, &committed)?)?;
+    let known = Data::read(&layout.generated())?;
+    let output = check_pages(layout, &committed(layout)?)?;
+    check_fresh(layout, &known, &examples::gather(&layout.repository, &known)?)?;
     Ok(output)
 }

@@ -5,7 +5,7 @@ use crate::chapter::Page;
 use crate::decimal;
 use crate::directive::{self, Meaning, Sources};
 use crate::error::Fault;
-use crate::formula::{self, Formula, Labels};
+use crate::formula::{self, Formula, Label, Labels};
 use crate::letters::Letters;
 use crate::live;
 use crate::markup::escape;
@@ -33,7 +33,8 @@ pub struct Marked {
     /// The built page of each page.
     html: Vec<String>,
     snippets: Vec<Snippet>,
-    labels: Labels,
+    /// Numbers and pages of the labelled formulas.
+    pub labels: Labels,
 }
 
 /// Replaces formulas and directives on all pages by marks.
@@ -139,20 +140,20 @@ impl Marker<'_> {
         let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
         let begins = sentence::begins(text);
         let inline = |html: String| match example {
-            Some(_) => Snippet::Inline(live::inline(piece.text, &html, begins)),
-            None => Snippet::Inline(html),
+            Some(_) => live::inline(piece.text, &html, begins),
+            None => html,
         };
         match directive::resolve(piece.text, self.sources) {
-            Ok(Meaning::Number(number)) => self.marked.push(text, inline(number.html())),
+            // As Markdown, so that the search of mdBook finds them.
+            Ok(Meaning::Number(number)) => text.push_str(&guarded(&inline(number.html()))),
             Ok(Meaning::Words(words)) => {
                 let words = if begins { sentence::capitalised(&words) } else { words };
-                self.marked.push(text, inline(words));
+                text.push_str(&guarded(&inline(words)));
             }
             Ok(Meaning::Name(name)) => {
                 // Long names may break between their words.
                 let name = escape(&name).replace("::", "::<wbr>").replace('_', "_<wbr>");
-                let html = format!("<code>{name}</code>");
-                self.marked.push(text, Snippet::Inline(html));
+                text.push_str(&guarded(&format!("<code>{name}</code>")));
             }
             Ok(Meaning::Block(html)) => {
                 let mut html = if example.is_some() { live::block(piece.text, &html) } else { html };
@@ -200,7 +201,7 @@ impl Marker<'_> {
 }
 
 /// A formula with its values filled in.
-fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> {
+pub(crate) fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> {
     let mut filled = String::new();
     let mut rest = latex;
     while let Some(start) = rest.find("{{value:") {
@@ -217,6 +218,19 @@ fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String, String)> 
         rest = &rest[start + length + 2..];
     }
     Ok(filled + rest)
+}
+
+/// HTML that Markdown leaves alone within a line.
+fn guarded(html: &str) -> String {
+    let special = |c: char| matches!(c, '*' | '_' | '`' | '[' | ']' | '\\' | '|' | '~' | '$');
+    html.chars().map(|c| if special(c) { format!("&#{};", u32::from(c)) } else { c.to_string() }).collect()
+}
+
+/// A text that was built, without marks.
+pub fn without_marks(text: &str) -> String {
+    let mut parts = text.split(MARK.0);
+    let first = parts.next().unwrap_or("").to_owned();
+    parts.fold(first, |kept, part| kept + part.split_once(MARK.1).map_or(part, |(_, behind)| behind))
 }
 
 impl Marked {
@@ -263,7 +277,7 @@ impl Marked {
             return mathml.to_owned();
         }
         let mut linked = mathml.to_owned();
-        for (label, &page) in &self.labels {
+        for (label, &Label { page, .. }) in &self.labels {
             let home = &self.html[page];
             if home != name && !(page == 0 && name == "index.html") {
                 linked = linked.replace(&format!("href=\"#{label}\""), &format!("href=\"{home}#{label}\""));

@@ -15,7 +15,13 @@ fn data() -> Data {
 fn marked(pages: &[Page]) -> Result<Marked, Vec<Fault>> {
     mark(
         pages,
-        &Sources { data: &data(), examples: Path::new("none"), tests: Path::new("none"), allowed: &[] },
+        &Sources {
+            data: &data(),
+            examples: Path::new("none"),
+            tests: Path::new("none"),
+            ideas: Path::new("none"),
+            allowed: &[],
+        },
     )
 }
 

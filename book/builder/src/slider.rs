@@ -8,7 +8,6 @@
 use crate::data::Data;
 use crate::figure;
 use crate::markup::escape;
-use crate::paper;
 use std::fmt::Write as _;
 
 /// A frame: its label, and the full name of its figure or the figure itself.
@@ -61,8 +60,7 @@ pub fn html(parameter: &str, frames: &[Frame], caption: &str) -> String {
         "<figure class=\"chart\"><figure-slider data-parameter=\"{}\" data-shown=\"{shown}\">",
         escape(parameter)
     );
-    let svgs = paper::of_one_width(&frames.iter().map(|(_, svg)| svg.as_str()).collect::<Vec<_>>());
-    for (k, ((label, _), svg)) in frames.iter().zip(svgs).enumerate() {
+    for (k, (label, svg)) in frames.iter().enumerate() {
         let hidden = if k == shown { "" } else { " hidden" };
         let _ = write!(html, "<div class=\"frame\" data-label=\"{}\"{hidden}>{svg}</div>", escape(label));
     }

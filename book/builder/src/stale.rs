@@ -63,6 +63,35 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     found
 }
 
+/// What was computed, with committed entries in place of those that say the same: other seconds and last
+/// digits change no file.
+pub fn kept(committed: &Data, mut computed: Data) -> Data {
+    let stale = compare(committed, &computed);
+    let is_same = |file: &str, name: &str| {
+        let is_part =
+            |entry: &str| entry == name || entry.strip_prefix(name).is_some_and(|r| r.starts_with('/'));
+        !stale.iter().any(|stale| stale.file == file && is_part(&stale.entry))
+    };
+    for (name, old) in &committed.examples {
+        if let Some(new) = computed.examples.get_mut(name).filter(|_| is_same("values.json", name)) {
+            new.clone_from(old);
+        }
+    }
+    let pairs = [
+        (&committed.figures, &mut computed.figures, "svg"),
+        (&committed.series, &mut computed.series, "csv"),
+    ];
+    for (old, new, end) in pairs {
+        for (name, old) in old {
+            let file = format!("figures/{name}.{end}");
+            if let Some(new) = new.get_mut(name).filter(|_| is_same(&file, name)) {
+                new.clone_from(old);
+            }
+        }
+    }
+    computed
+}
+
 /// Keys, columns and figures that hold times, memory or solver steps have a word `seconds`, `ms`, `speedup`,
 /// `iterations`, `steps`, `peak` (words joined by `.`, `_`, `-`).
 pub fn is_timed(key: &str) -> bool {

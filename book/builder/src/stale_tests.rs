@@ -42,6 +42,16 @@ fn what_differs_is_named() {
 }
 
 #[test]
+fn what_says_the_same_stays_as_it_was_committed() {
+    let old = data(OLD, r#"<path d="M1234 5678"/>"#);
+    let same =
+        data(&OLD.replace("9155661", "9155662").replace("\"0.1\"", "\"0.7\""), r#"<path d="M1235 5678"/>"#);
+    assert_eq!(kept(&old, same), old);
+    let other = data(&OLD.replace("0.29155661", "0.2916"), r#"<path d="M1244 5678"/>"#);
+    assert_eq!(kept(&old, other.clone()), other);
+}
+
+#[test]
 fn figures_are_compared() {
     let old = data(OLD, r#"<path d="M1234 5678"/>"#);
     for svg in [r#"<path d="M1244 5678"/>"#, r#"<path d="L1234 5678"/>"#] {

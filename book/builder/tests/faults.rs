@@ -2,7 +2,7 @@
 
 use book_builder::data::Data;
 use book_builder::error::Error;
-use book_builder::{Layout, build, check_fresh, shown};
+use book_builder::{Layout, build, check_fresh, check_pages, shown};
 use serde_json::json;
 use std::path::Path;
 use tempfile::TempDir;
@@ -47,8 +47,8 @@ impl Fixture {
         fixture.write("book/style/slider.js", "");
         fixture.write("book/style/fit.js", "");
         fixture.write("book/style/live.js", "");
-        fixture.write("book/style/search.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
+        fixture.write("book/ideas/wave.svg", CHART);
         fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);
@@ -151,6 +151,59 @@ fn a_sound_book_builds_and_is_complete() {
             assert!(!text.contains(reference), "{reference} in {name}");
         }
     }
+}
+
+/// Words and numbers that directives stand for are found by the search, and the index holds no mark.
+#[test]
+fn search_and_print_page_are_there() {
+    let fixture = Fixture::new();
+    fixture.build().unwrap();
+    let index = fixture.read("book/html/searchindex.js");
+    for part in ["the verdict is: holds", "It is 0.2916", "first.html#first"] {
+        assert!(index.contains(part), "{part}");
+    }
+    assert!(!index.contains(['\u{E000}', '\u{E001}']));
+    assert!(fixture.read("book/html/first.html").contains("id=\"mdbook-search-toggle\""));
+    let print = fixture.read("book/html/print.html");
+    assert!(print.contains("id=\"first\"") && print.contains("id=\"two\""));
+}
+
+/// The pages to be read without a build: numbers, formulas, pictures, code and links in plain Markdown.
+#[test]
+fn plain_pages_are_written_and_compared() {
+    let fixture = Fixture::new();
+    fixture.build().unwrap();
+    let first = fixture.read("book/pages/first.md");
+    for part in [
+        "![gamma against theta](../generated/figures/ex/chart.svg)",
+        "$$\\gamma_\\theta \\le C \\tag{5.2}$$",
+        "It is 0.2916, see",
+        "| θ |\n| --- |\n| 10<sup>−3</sup> |",
+    ] {
+        assert!(first.contains(part), "{part} is not in {first}");
+    }
+    let second = fixture.read("book/pages/second.md");
+    for part in [
+        "![A wave](../ideas/wave.svg)",
+        "By [(5.2)](first.md) and Lemma 5.2 the verdict is: holds.",
+        "```rust\nfn main() {}\n```",
+        "```rust\nfn walk() {}\n```",
+        "(chart: one; also [two](../generated/figures/ex/other.svg))",
+        "[`ex`](../../examples/ex.rs) and `lemma::holds`",
+    ] {
+        assert!(second.contains(part), "{part} is not in {second}");
+    }
+    let layout = fixture.layout();
+    let check = || check_pages(&layout, &Data::read(&layout.generated()).unwrap()).map(|_| ());
+    check().unwrap();
+    fixture.write("book/pages/first.md", &first.replace("0.2916", "0.2917"));
+    fixture.write("book/pages/third.md", "");
+    let message = check().unwrap_err().to_string();
+    let line = 1 + first.lines().position(|line| line.contains("0.2916")).unwrap();
+    assert!(message.starts_with(&format!("book/pages/first.md:{line}: not what")), "{message}");
+    assert!(message.contains("book/pages/third.md:1: no page of the book"), "{message}");
+    fixture.build().unwrap();
+    check().unwrap();
 }
 
 #[test]

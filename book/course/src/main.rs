@@ -58,11 +58,13 @@ fn course(here: &Path) -> Result<Vec<PathBuf>> {
     // All formulas at once, so that references have the numbers of the book.
     let own = pages.len();
     pages.extend(html::chapters(&layout.book, &layout.repository)?);
-    let mut data = layout.data()?;
+    let mut data = book_builder::committed(&layout)?;
     data.options.clear();
     let allowed = decimal::allow_list(&read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default());
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
-    let sources = Sources { data: &data, examples: &examples, tests: &tests, allowed: &allowed };
+    let ideas = layout.book.join("ideas");
+    let sources =
+        Sources { data: &data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
     let marked = page::mark(&pages, &sources).map_err(Error::Faults)?;
     let output = layout.book.join("html");
     let mut files = Vec::new();

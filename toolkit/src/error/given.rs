@@ -24,6 +24,11 @@ use super::Result;
 /// assert!(energy(&x, 1.5, 1e-8).is_err());
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a plain number or a value for this parameter",
+    note = "orders, tolerances and places are `f64`: write 0.5 (not 1/2, an integer, nor 0.5_f32), \
+            zones are ranges: 0.2..0.25, from start to end"
+)]
 pub trait Given<T> {
     /// The parameter.
     ///

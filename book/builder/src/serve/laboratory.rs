@@ -2,12 +2,12 @@
 
 use super::limits::Limits;
 use super::run::Outcome;
-use crate::Layout;
 use crate::data::{Data, names};
 use crate::decimal;
 use crate::directive::Sources;
 use crate::error::{Error, Result, read};
 use crate::html::chapters;
+use crate::layout::Layout;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
@@ -100,7 +100,8 @@ impl Laboratory {
     pub(super) fn with_sources<T>(&self, data: &Data, then: impl FnOnce(&Sources<'_>) -> T) -> T {
         let repository = &self.layout.repository;
         let (examples, tests) = (repository.join("examples"), repository.join("tests"));
-        then(&Sources { data, examples: &examples, tests: &tests, allowed: &self.allowed })
+        let ideas = self.layout.book.join("ideas");
+        then(&Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &self.allowed })
     }
 
     /// An outcome that is kept.

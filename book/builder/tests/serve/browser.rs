@@ -24,21 +24,6 @@ fn page(browser: &str, address: &str) -> Option<String> {
     Some(String::from_utf8_lossy(&output.stdout).into_owned()).filter(|html| html.contains("</html>"))
 }
 
-#[test]
-fn words_are_looked_up_in_a_book_of_files() {
-    let Some(browser) = browser() else { return };
-    let book = Book::serve(short());
-    let page = |query: &str| page(browser, &format!("file://{}?search={query}", book.file())).unwrap();
-    let found = page("it%20is%20said");
-    assert!(found.contains("1 section<") && found.contains("href=\"first.html#first\""), "{found}");
-    assert!(page("nowhere").contains("0 sections"));
-    // Opened as a file, the page says how to start the server.
-    assert!(
-        found.contains("cargo book serve</code> in the repository") && found.contains("disabled=\"\""),
-        "{found}"
-    );
-}
-
 /// A Chromium, if there is one.
 fn browser() -> Option<&'static str> {
     let is_there =

@@ -1,7 +1,7 @@
 //! Requests that a page of the book would never send: each is refused and starts no program.
 
 use super::http::{Book, answer, short};
-use super::lists::{BODIES, EXAMPLES, HOSTS, METHODS, NAMES, ORIGINS, PAGES, PATHS, VALUES};
+use super::lists::{BODIES, EXAMPLES, HOSTS, METHODS, NAMES, ORIGINS, PAGES, PATHS, VALUES, words};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::net::TcpStream;
@@ -27,44 +27,44 @@ fn attempts(book: &Book) -> Vec<Attempt> {
     let with_port = |text: &str| text.replace("PORT", &port);
     let mut all: Vec<Attempt> = Vec::new();
     let mut push = |what: String, bytes: Vec<u8>| all.push((what, bytes));
-    for name in HOSTS.map(with_port) {
+    for name in words(HOSTS).iter().map(|name| with_port(name)) {
         let get = format!("GET / HTTP/1.1\r\nHost: {name}\r\nConnection: close\r\n\r\n");
         push(format!("GET, host {name}"), get.into_bytes());
         push(format!("POST, host {name}"), changed(book, &format!("Host: {host}"), &format!("Host: {name}")));
     }
-    for origin in ORIGINS.map(with_port) {
+    for origin in words(ORIGINS).iter().map(|name| with_port(name)) {
         let (from, to) = (format!("Origin: http://{host}"), format!("Origin: {origin}"));
         push(format!("origin {origin}"), changed(book, &from, &to));
     }
     push("no origin".into(), changed(book, &format!("Origin: http://{host}\r\n"), ""));
     push("two origins".into(), changed(book, "Origin:", &format!("Origin: http://{host}\r\nOrigin:")));
     push("two hosts".into(), changed(book, "Host:", &format!("Host: {host}\r\nHost:")));
-    for path in PATHS {
+    for path in words(PATHS) {
         let get = format!("GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n");
         push(format!("path {path}"), get.into_bytes());
     }
     for path in ["/run?x=1", "/run/", "/RUN", "/", "/first.html", "/../run", "/run/../run"] {
         push(format!("POST {path}"), changed(book, "POST /run ", &format!("POST {path} ")));
     }
-    for method in METHODS {
-        push(method.to_owned(), changed(book, "POST", method));
+    for method in words(METHODS) {
+        push(method.clone(), changed(book, "POST", &method));
     }
     for (name, values) in VALUES {
-        for &value in values.iter().filter(|value| value.trim() != "0.5" && value.trim() != "block") {
+        for value in words(values).iter().filter(|value| value.trim() != "0.5" && value.trim() != "block") {
             // A value of blanks alone is the default.
-            let value = if value.trim().is_empty() { "8,8" } else { value };
+            let value = if value.trim().is_empty() { "8,8" } else { value.as_str() };
             let value = if value == "wait\n" { "wait\nx" } else { value };
             push(format!("{name} = {value:?}"), asked(book, "planted", "first.html", &json!({name: value})));
         }
     }
-    for name in NAMES {
+    for name in words(NAMES) {
         push(format!("option {name:?}"), asked(book, "planted", "first.html", &json!({name: "0.4"})));
     }
-    for example in EXAMPLES {
-        push(format!("example {example:?}"), asked(book, example, "first.html", &json!({})));
+    for example in words(EXAMPLES) {
+        push(format!("example {example:?}"), asked(book, &example, "first.html", &json!({})));
     }
-    for page in PAGES {
-        push(format!("page {page:?}"), asked(book, "planted", page, &json!({})));
+    for page in words(PAGES) {
+        push(format!("page {page:?}"), asked(book, "planted", &page, &json!({})));
     }
     for body in BODIES {
         push(format!("body {body}"), book.post(body));

@@ -48,14 +48,7 @@ impl Book {
         };
         let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let kept = |file: &str| std::fs::read_to_string(book.join(file)).unwrap();
-        for file in [
-            "book.toml",
-            "style/book.css",
-            "style/slider.js",
-            "style/fit.js",
-            "style/live.js",
-            "style/search.js",
-        ] {
+        for file in ["book.toml", "style/book.css", "style/slider.js", "style/fit.js", "style/live.js"] {
             write(&format!("book/{file}"), &kept(file));
         }
         write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n");
@@ -89,11 +82,6 @@ impl Book {
     /// The program that is run.
     pub fn program(&self) -> String {
         self.directory.path().join("planted").display().to_string()
-    }
-
-    /// The built page as a file.
-    pub fn file(&self) -> String {
-        self.directory.path().join("book/html/first.html").display().to_string()
     }
 
     /// Sends bytes and returns the status and the body; status 0 where the connection was closed without an
