@@ -43,8 +43,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { nu => mesh_0, best_0, mesh_1, best_1, h1 });
         out.check("first line").at_most(best_0, 1.0, "printed");
         out.check("second line, seminorm").at_most(best_1, 1.0, "printed");
-        out.check("by_definition over C₀").near(best_0.recip() * mesh_0, 1.0, 3e-3, "M, A, E");
-        out.check("by_definition over C₁").near(best_1.recip() * mesh_1, 1.0, 3e-3, "M, A, E");
+        out.check("values, by_definition over C₀").near(best_0.recip() * mesh_0, 1.0, 3e-3, "M, A, E");
+        out.check("slopes, by_definition over C₁").near(best_1.recip() * mesh_1, 1.0, 3e-3, "M, A, E");
         out.stronger("first line, constant 0.16").at_most(best_0, 0.16, "ν → 0");
         out.stronger("second line, seminorm, constant 0.51").at_most(best_1, 0.51, "ν → 0");
         let full =
