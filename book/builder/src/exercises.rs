@@ -3,7 +3,7 @@
 //! A table per exercise, under the name of its page: `kind` is `why`, `prove`, `number` or `try`; `ask` and
 //! `answer` are Markdown as on a page, `hint` may be left out. The answer of a `number` is one that an
 //! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to
-//! four, and asks at least one "why".
+//! eight, and asks at least one "why".
 
 use crate::chapter::Page;
 use crate::error::{Error, Fault, Result, read};
@@ -119,8 +119,8 @@ pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book:
         if !pages.iter().any(|page| page.html.strip_suffix(".html") == Some(name)) {
             fault("exercises of a page that is not there");
         }
-        if !(2..=4).contains(&list.len()) {
-            fault("a page has two to four exercises");
+        if !(2..=8).contains(&list.len()) {
+            fault("a page has two to eight exercises");
         }
         if !list.iter().any(|exercise| exercise.kind == Kind::Why) {
             fault("no exercise asks why");
@@ -176,6 +176,6 @@ mod tests {
         assert_eq!(what(GOOD), 0);
         assert_eq!(what(&GOOD.replace("'why'", "'try'")), 1);
         assert_eq!(what(&GOOD.replace("[[one]]", "[[two]]")), 1);
-        assert_eq!(what(&GOOD.repeat(3)), 1);
+        assert_eq!(what(&GOOD.repeat(5)), 1);
     }
 }

@@ -1,4 +1,4 @@
-//! What is made from lists, between two lines of a file: the tables of the README, of `src/with_contact.md`
+//! What is made from lists, between two lines of a file: the tables of CONTRIBUTING, of `src/with_contact.md`
 //! and of the lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from
 //! `SUMMARY.md`.
 
@@ -32,7 +32,7 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     let groups = groups(labels);
     if !labels.is_empty() {
         let all: Vec<&Label> = groups.iter().flat_map(|(_, members)| members).copied().collect();
-        table("README.md", None, readme_table(&all, repository));
+        table("CONTRIBUTING.md", None, readme_table(&all, repository));
         table("src/with_contact.md", None, contents_table(&all));
         for (group, members) in &groups {
             table("book/src/lemma_cards.md", Some(group), cards_table(members));
@@ -204,7 +204,7 @@ mod tests {
         put(LIST, LABELS);
         put("examples/ex.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
-        put("README.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
+        put("CONTRIBUTING.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
         put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
@@ -221,13 +221,13 @@ mod tests {
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
         let cards = "book/src/lemma_cards.md";
-        assert_eq!(stale_files(), ["README.md", "src/with_contact.md", cards, cards, CHAPTERS]);
+        assert_eq!(stale_files(), ["CONTRIBUTING.md", "src/with_contact.md", cards, cards, CHAPTERS]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
         let contents = text("src/with_contact.md");
         assert!(contents.contains("| Lemma 1: so | [`a::f`] |\n<!-- end"), "{contents}");
-        let readme = text("README.md");
+        let readme = text("CONTRIBUTING.md");
         let row = "| Lemma 1: so | [ex](examples/ex.rs) | [lemma](tests/lemma.rs): it holds | \
                    [lemma](book/src/lemma.md) | [a.rs](src/a.rs) |\n| Lemma 2: so too |  |  |  |  |\n| Remark";
         assert!(readme.contains(row) && readme.ends_with("b\n"), "{readme}");
