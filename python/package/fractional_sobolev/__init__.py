@@ -520,8 +520,8 @@ class Contact:
         )
 
     def to_vtk(self, path: str | Path) -> None:
-        """Writes displacement, stress and contact pressure as a VTK file, which ParaView and meshio open."""
-        self._solved.to_vtk(str(path))
+        """Writes displacement, stress and contact pressure as a `.vtu` file, which ParaView and meshio open."""
+        Path(path).write_text(self._solved.to_vtu(), encoding="utf-8")
 
 
 def _edges(given, nodes: NDArray, outer: NDArray) -> NDArray[np.uintp]:
