@@ -69,6 +69,12 @@ impl Solved {
     fn converged(&self) -> bool {
         self.solution.status.is_converged()
     }
+
+    /// The text of a `.vtu` file.
+    fn to_vtu(&self, py: Python<'_>) -> PyResult<String> {
+        let found = py.detach(|| self.problem.to_vtu(&self.solution));
+        found.map_err(|error| Failure::from(error).raise(py))
+    }
 }
 
 /// Boundary edges, the domain on their left, with what happens on them.

