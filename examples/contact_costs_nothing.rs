@@ -60,7 +60,7 @@ fn restricted(data: &EdgeData, n: usize) -> Vec<f64> {
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column(
         "over_interpolation",
-        "/interpolation",
+        "/interp.",
         "|u − u^h|_a/|u − I^h u|_a on the finest mesh, ±: its change over two halvings",
     );
     out.column("over_best", "/best", "|u − u^h|_a over the error of the best approximation");

@@ -129,7 +129,7 @@ fn intensity(pressed: &[(f64, f64)]) -> f64 {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("mesh", "mesh", "its end of contact, the middle of a segment");
-    out.column("zero", "zero of F²", "predicted end of contact");
+    out.column("zero", "zero", "of F², the predicted end of contact");
     out.column("pole", "pole", "distance of the nearest pole of P/Q from the samples");
     out.column("K_fit", "K, fit", "from the pressure");
     out.column("misfit", "misfit", "of P/Q to F², relative");

@@ -77,7 +77,7 @@ fn faults(row: &[String], values: &Value) -> Vec<String> {
     let [label, _, page, decides, test] = row else { return vec![format!("{row:?}: not five cells")] };
     let mut faults = Vec::new();
     let file = page.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map_or("", |(file, _)| file);
-    if read(&format!("book/src/{file}")).is_empty() {
+    if read(&format!("book/src/{}", file.split('#').next().unwrap_or(""))).is_empty() {
         faults.push(format!("{label}: no page {file}"));
     }
     let keys = directives(decides, "finding");
