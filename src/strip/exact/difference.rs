@@ -1,8 +1,9 @@
 //! g − P g_h by modes: interpolation from a coarse edge is diagonal up to aliasing, so that no transform of
 //! the fine length is needed once ĝ is known.
 //!
-//! P interpolates linearly from n to N = r n cells; its kernel is the hat of width r, whose transform is the
-//! square of Dirichlet's kernel over r. With the periods P and p = P/r of the (evenly extended) edges
+//! P interpolates linearly from n to N = r n cells; its kernel is the hat function of width r, whose
+//! transform is the square of Dirichlet's kernel over r. With the periods P and p = P/r of the (evenly
+//! extended) edges
 //!
 //! (P g_h)^(k) = s(k) ĝ_h(k mod p),  s(k) = sin²(πk/p) / (r sin²(πk/P)) for k ≠ 0,  s(0) = r.
 //!

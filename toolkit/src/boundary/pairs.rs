@@ -18,12 +18,12 @@ use crate::order::Order;
 use crate::quadrature::Rule;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Points of a rule at most: enough for pieces as long as their distance.
+/// Largest number of points of a rule: enough for pieces as long as their distance.
 const MOST_POINTS: usize = 16;
 
-/// What one cut counts as.
+/// Kernel evaluations that one cut counts as.
 const OF_CUT: u64 = 4;
-/// Why the work allowed is not enough.
+/// Message: the work limit is exceeded.
 const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): two sides without a common corner, or at a \
      small angle, are so near each other that elements are cut in pieces as short as that distance; elements graded \
      towards that place take fewer";
@@ -58,12 +58,12 @@ impl<'a> CurvePairs<'a> {
         })
     }
 
-    /// The same with so many evaluations of the kernel at most for elements that are cut in pieces.
+    /// The same with at most this many kernel evaluations for elements that are cut in pieces.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { left: AtomicU64::new(evaluations), ..self }
     }
 
-    /// Whether so many evaluations are left, which are then taken.
+    /// Deducts this many evaluations; false if fewer are left.
     fn spend(&self, count: u64) -> bool {
         let left = self.left.load(Ordering::Relaxed);
         self.left.store(left.saturating_sub(count), Ordering::Relaxed);
@@ -71,7 +71,7 @@ impl<'a> CurvePairs<'a> {
     }
 
     /// # Errors
-    /// [`Error::ToleranceNotMet`] when what was visited is not all.
+    /// [`Error::ToleranceNotMet`] if not all pairs were visited.
     pub(super) fn require_all(&self) -> Result<()> {
         if self.left.load(Ordering::Relaxed) > 0 {
             return Ok(());

@@ -1,4 +1,5 @@
-//! Moments of a function on a tree of clusters, and what two clusters apart add to a squared seminorm.
+//! Moments of a function on a cluster tree, and the contribution of two separated clusters to a squared
+//! seminorm.
 //!
 //! On a cluster A of length L with points x_a = L ξ_a (ξ_a Chebyshev) and Lagrange polynomials ℓ_a,
 //!

@@ -1,6 +1,6 @@
-//! The halves of the intervals between breaks.
+//! The halves of the intervals between breakpoints.
 
-/// Half of the interval between two breaks: the points c + sign δ, 0 < δ < length.
+/// Half of the interval between two breakpoints: the points c + sign δ, 0 < δ < length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Arm {
     pub(crate) anchor: usize,

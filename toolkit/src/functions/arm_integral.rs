@@ -1,9 +1,9 @@
-//! ∫₀^∞ ℓ(t) dt along an arm, for integrands that decay like exponentials or like powers of t.
+//! ∫₀^∞ ℓ(t) dt along a side, for integrands that decay like exponentials or like powers of t.
 //!
-//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
-//! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
-//! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`] and
-//! [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
+//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells
+//! shrink geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays
+//! too slowly for that, wide cells down to the depth of the side feed [`crate::quadrature::extrapolate`]
+//! and [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
 //!
 //! The rest beyond a cell is bounded from both sides of the law ℓ may follow ([`super::rest`]).
 
@@ -15,7 +15,7 @@ use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
 
-/// What an integral along an arm needs to know.
+/// What an integral along a side needs to know.
 pub(crate) struct ArmIntegral {
     level: Level,
     rule: Rule,
@@ -32,13 +32,13 @@ pub(crate) struct ArmIntegral {
 const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
-/// Why the end of an arm is not known.
+/// Why the end of a side is not known.
 const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
 /// Times the distance of a geometric rest from that by chords.
 const BETWEEN: f64 = 4.0;
 /// Of a rest: what is not seen of it at a few points.
 const UNSEEN: f64 = 0.1;
-/// Depth before which no tail is believed: e^{-6} of the arm.
+/// Depth before which no tail is believed: e^{-6} of the side.
 const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
 const BLOCK: f64 = 42.0;
@@ -48,7 +48,7 @@ const BLOCK_CELLS: usize = 3;
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
-    /// `spread`: ln of the largest quotient of arm lengths; `order`: ν, for messages.
+    /// `spread`: ln of the largest quotient of side lengths; `order`: ν, for messages.
     pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.
@@ -64,8 +64,8 @@ impl ArmIntegral {
         })
     }
 
-    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is
-    /// known, `samples` are (t, ℓ) on all scales of the arm where ℓ is known there, else nothing.
+    /// The integral; `scale` is what else the result will be added to, `tail` the end of the side where it
+    /// is known, `samples` are (t, ℓ) on all scales of the side where ℓ is known there, else nothing.
     pub(crate) fn integrate(
         &self,
         depth: f64,

@@ -1,5 +1,5 @@
-//! ∫ f(u) for functions with structure on many scales: Gauss rules on cells of t = ln(R/δ) along every arm, from
-//! the middle of an interval down to the smallest distance, halved wherever two rules differ.
+//! ∫ f(u) for functions with structure on many scales: Gauss rules on cells of t = ln(R/δ) along every
+//! side, from the middle of an interval down to the smallest distance, halved wherever two rules differ.
 
 use super::arm::Arm;
 use super::function::SingularFunction;

@@ -1,17 +1,17 @@
-//! The end of an arm beyond binary64: ∫_{t₀}^∞ ℓ(t) dt for functions known by the logarithm of the distance
+//! The end of a side beyond binary64: ∫_{t₀}^∞ ℓ(t) dt for functions known by the logarithm of the distance
 //! to their break.
 //!
-//! Where t = ln(R/δ) is large, ℓ feels only points of depth t − s with s = O(1), since other breaks
+//! Where t = ln(R/δ) is large, ℓ feels only points of depth t − s with s = O(1), since other breakpoints
 //! contribute O(e^{−t}): ℓ(t) = δ^{1−2ν} (A + B),
 //!
 //! A = ∫₀^∞ (f(t)−f(t−s))² e^s (e^s−1)^{−1−2ν} ds,  B = ∫₀^∞ (f(t)−g(t−s))² ρ (1+ρ)^{−1−2ν} ds,  ρ = (R′/R)
 //! e^s,
 //!
-//! with g on the other arm (of length R′) of the same break. What decays like a power of t decays
-//! exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no digits:
-//! f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided difference is Σ
-//! c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) − T_k(y))/(x − y), at x −
-//! y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
+//! with g on the other side (of length R′) of the same break. What decays like a power of t decays
+//! exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no
+//! digits: f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided
+//! difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) −
+//! T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -30,7 +30,7 @@ const LAST: f64 = 700.0;
 const REACH: f64 = 50.0;
 /// e^{−36} is rounding.
 const NOTHING: f64 = 36.0;
-/// A larger reach than a quarter of the depth of an arm is of no use.
+/// A larger reach than a quarter of the depth of a side is of no use.
 const DEEPEST_START: f64 = 170.0;
 /// What grows with t may still come down, as δ^a with a small does, until τ has grown by this.
 const SETTLED: f64 = 40.0;
@@ -52,10 +52,10 @@ const BEYOND: &str = "contributions near a break exceed binary64";
 const NEAR: f64 = 2.0;
 const FAR_CELL: f64 = 3.0;
 
-/// A depth difference s and the weight of ((f(t)−f(t−s))/s)², or across the break of (f(t)−g(t−s))².
+/// A depth difference s and the weight of ((f(t)−f(t−s))/s)², or across the breakpoint of (f(t)−g(t−s))².
 type Node = (f64, f64);
 
-/// The rules in s for one arm, and its break's other arm.
+/// The rules in s for one side, and its breakpoint's other side.
 pub(crate) struct DeepTail<'a> {
     function: &'a SingularFunction<'a>,
     arm: Arm,
@@ -66,7 +66,7 @@ pub(crate) struct DeepTail<'a> {
     /// coefficients of an interpolant
     terms: usize,
     reach: f64,
-    /// 1 − 2ν, and ln of the arm's length in the unit of the energy
+    /// 1 − 2ν, and ln of the side's length in the unit of the energy
     decay: f64,
     log_length: f64,
 }

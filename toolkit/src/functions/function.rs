@@ -1,4 +1,4 @@
-//! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
+//! Functions given by a closure, with declared breakpoints: everything that is not smooth happens at these.
 
 use super::arm::Arm;
 use super::budget::Budget;
@@ -7,10 +7,10 @@ use crate::estimate::Tolerance;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
-/// Points of an arm at which the size of a function is looked at.
+/// Points of a side at which the size of a function is looked at.
 const SAMPLES: usize = 16;
 
-/// A point of the interval, known by its distance to the nearest break point.
+/// A point of the interval, known by its distance to the nearest breakpoint.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Position};
@@ -36,18 +36,18 @@ impl Position<'_> {
         self.x
     }
 
-    /// Index of the break point this position is given from: the nearest one.
+    /// Index of the breakpoint this position is given from: the nearest one.
     pub fn anchor(&self) -> usize {
         self.anchor
     }
 
-    /// x minus the coordinate of that break point, exact; a zero with the right sign where it underflows.
+    /// x minus the coordinate of that breakpoint, exact; a zero with the right sign where it underflows.
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
-    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, for the others
-    /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
+    /// |x − c_k| for any breakpoint c_k, with all its digits: |offset| for the nearest one, for the others
+    /// the sum of offset and the distance of two breakpoints. One formula then serves all breakpoints.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -60,7 +60,7 @@ impl Position<'_> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// NaN where there is no break k, which the norms report.
+    /// NaN where there is no breakpoint k, which the norms report.
     pub fn distance_to(&self, k: usize) -> f64 {
         if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
     }
@@ -93,11 +93,11 @@ impl Position<'_> {
 ///
 /// # Method
 ///
-/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
-/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
-/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
-/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
-/// that takes a [`Position`] sees the distance itself, or its logarithm.
+/// The interval between two neighbouring breakpoints is cut in the middle into two *sides*, each belonging
+/// to one breakpoint. A point of a side of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and
+/// logarithm of the distance to the breakpoint is a smooth function, and double integrals are taken over
+/// pairs (t, t′) (`log_energy`). A closure of x alone knows its distance to a breakpoint c ≠ 0 only to an
+/// ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
 #[doc(alias(
     "Gagliardo",
     "Slobodeckij",
@@ -112,7 +112,7 @@ pub(crate) struct SingularFunction<'a> {
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
     pub(super) budget: Budget,
-    /// the unit of length, a power of two, in which the breaks are given
+    /// the unit of length, a power of two, in which the breakpoints are given
     pub(super) unit: f64,
 }
 
@@ -138,16 +138,18 @@ impl std::fmt::Debug for SingularFunction<'_> {
 }
 
 impl<'a> SingularFunction<'a> {
-    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
+    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
-    /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
+    /// [`Error::CountOutOfRange`] with fewer than two breakpoints, [`Error::NotFinite`],
+    /// [`Error::EntryOutOfRange`] unless they increase strictly and lie at least 1e-290 and 1e-290 of the
+    /// interval apart.
     pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
 
-    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
+    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a breakpoint as
+    /// 1e-290.
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
@@ -159,8 +161,8 @@ impl<'a> SingularFunction<'a> {
     /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln
     /// x|^α at ν = 1/2.
     ///
-    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
-    /// are.
+    /// Along each side the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln
+    /// d| are.
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
@@ -194,7 +196,7 @@ impl<'a> SingularFunction<'a> {
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
     }
 
-    /// The break points.
+    /// The breakpoints.
     pub(crate) fn breaks(&self) -> &[f64] {
         &self.breaks
     }
@@ -204,8 +206,8 @@ impl<'a> SingularFunction<'a> {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 
-    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
-    /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
+    /// (S, u/S) with S a power of two near the largest value at some points of every side, so that squares
+    /// and powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
     ///
     /// What is asked of u/S counts against the work that the tolerance allows.
     pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
@@ -257,7 +259,7 @@ impl<'a> SingularFunction<'a> {
         Ok(Normalized { size, length, u })
     }
 
-    /// The arms, from left to right.
+    /// The sides, from left to right.
     pub(crate) fn arms(&self) -> Vec<Arm> {
         let mut arms = Vec::with_capacity(2 * self.breaks.len());
         for (i, pair) in self.breaks.windows(2).enumerate() {
@@ -281,7 +283,7 @@ impl<'a> SingularFunction<'a> {
         Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
     }
 
-    /// The value at distance δ from the anchor of an arm.
+    /// The value at distance δ from the anchor of a side.
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
         let offset = arm.sign * delta;
         self.value_at(arm.anchor, offset, None)
@@ -299,7 +301,7 @@ impl<'a> SingularFunction<'a> {
         self.sight == Sight::LogDistance
     }
 
-    /// The value at an offset from a break, the ln of its size where it underflows.
+    /// The value at an offset from a breakpoint, the ln of its size where it underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };

@@ -1,10 +1,10 @@
-//! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a break,
-//! short intervals beside long ones, kinks and peaks that were not declared.
+//! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a
+//! breakpoint, short intervals beside long ones, kinks and peaks that were not declared.
 //!
-//! Every arm is cut at R/2^k towards its break as deep as u differs there from one polynomial by more than
-//! counts, at all scales ([`Profile`]); cells away from the break are halved likewise. A difference ε at the
-//! scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise polynomial, which uses
-//! lengths alone and is right on all scales.
+//! Every side is cut at R/2^k towards its breakpoint as deep as u differs there from one polynomial by more
+//! than counts, at all scales ([`Profile`]); cells away from the breakpoint are halved likewise. A
+//! difference ε at the scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise
+//! polynomial, which uses lengths alone and is right on all scales.
 //!
 //! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. That counts every cell as if its
 //! residual e had the sign of p; but e is orthogonal to polynomials of lower degree, and |u|² − |p|² = 2(p, e)_ν +
@@ -25,9 +25,9 @@ use crate::quadrature::Rule;
 
 /// Rounds of cells, each for a tenth of what the one before left, or less.
 const ROUNDS: usize = 4;
-/// Cells of one arm at most.
+/// Cells of one side at most.
 const MOST: usize = 6000;
-/// Halvings of a cell away from the break at most.
+/// Halvings of a cell away from the breakpoint at most.
 const HALVINGS: u32 = 50;
 /// What rounding leaves of values of size 1.
 const FLOOR: f64 = 64.0 * f64::EPSILON;
@@ -49,22 +49,22 @@ const BELOW: f64 = 0.01;
 
 /// Why more is not known.
 const LIMIT: &str = "structure on so many scales leaves no more digits";
-/// Why nothing is known of a function that is not smooth between its breaks.
+/// Why nothing is known of a function that is not smooth between its breakpoints.
 pub(super) const UNDECLARED: &str =
     "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
-/// Why there is no limit at a break.
+/// Why there is no limit at a breakpoint.
 const ENDLESS: &str = "contributions do not end as close to a break as the function can be evaluated";
 /// Why it takes too much.
 const TOO_MANY: &str = "the function has structure on more scales and at more places than 6000 cells resolve";
 
-/// A cell of an arm, δ from its break, with its polynomial from left to right.
+/// A cell of a side, δ from its breakpoint, with its polynomial from left to right.
 struct Cell {
     near: f64,
     far: f64,
     piece: Piece,
     /// |u − p| at points between, less rounding
     residual: f64,
-    /// Σ ε² δ^{1−2ν} over the scales of the end of an arm, over |u|²_ν
+    /// Σ ε² δ^{1−2ν} over the scales of the end of a side, over |u|²_ν
     rest: f64,
 }
 
@@ -90,7 +90,7 @@ impl Fit<'_> {
 /// What is known of |u|_ν by one choice of cells.
 pub(super) struct Found {
     pub(super) value: Estimate,
-    /// not smooth at a point between breaks
+    /// not smooth at a point between breakpoints
     pub(super) is_rough: bool,
 }
 
@@ -98,7 +98,7 @@ impl SingularFunction<'_> {
     /// |u|_ν of a function of size 1 on an interval of length 1.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_by_scales(
         &self,
         profile: &Profile,
@@ -225,7 +225,7 @@ impl SingularFunction<'_> {
         Ok(Found { value: Estimate::new(found.value, found.error + error, work)?, is_rough })
     }
 
-    /// The cells of an arm from its break on, and whether one is not resolved.
+    /// The cells of a side from its breakpoint on, and whether one is not resolved.
     fn graded_cells(&self, index: usize, arm: &Arm, fit: &Fit) -> Result<(Vec<Cell>, bool)> {
         let least = arm.delta(arm.depth);
         let (mut far, mut halvings) = (arm.length, Vec::new());
@@ -266,7 +266,8 @@ impl SingularFunction<'_> {
         Ok((cells, is_rough))
     }
 
-    /// Σ ε² δ^{1−2ν} over the samples below a cell at the break; nothing where all of them are within what is allowed.
+    /// Σ ε² δ^{1−2ν} over the samples below a cell at the breakpoint; nothing where all of them are within
+    /// what is allowed.
     fn rest(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> Option<f64> {
         let at_break = if arm.sign > 0.0 { cell.piece.left } else { cell.piece.right };
         let mut inside = fit.profile.samples(index).filter(|(delta, _)| *delta < cell.far);
@@ -353,7 +354,7 @@ impl Cell {
         self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
     }
 
-    /// How far the value at the break may be off its limit.
+    /// How far the value at the breakpoint may be off its limit.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.piece.size();
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);

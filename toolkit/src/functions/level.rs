@@ -1,4 +1,4 @@
-//! What integrals along an arm take and give.
+//! What integrals along a side take and give.
 
 use crate::quadrature::Limit;
 use std::ops::Add;
@@ -26,7 +26,7 @@ impl Add for Density {
     }
 }
 
-/// An integral along an arm: its limit, and the rounding of what was summed.
+/// An integral along a side: its limit, and the rounding of what was summed.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ArmValue {
     pub(crate) limit: Limit,

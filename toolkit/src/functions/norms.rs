@@ -1,4 +1,4 @@
-//! Norms of functions with declared break points.
+//! Norms of functions with declared breakpoints.
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
@@ -37,21 +37,24 @@ impl SingularFunction<'_> {
     /// # Method
     ///
     /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
-    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
-    /// the *coarser* one), plus what the limits along the arms, rounding, and waves between the points of the
-    /// rules leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
+    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error
+    /// of the *coarser* one), plus what the limits along the sides, rounding, and waves between the points
+    /// of the rules leave. Cost: a seminorm takes about (sides)² 10⁵ kernel values at 1e-8.
     ///
-    /// A function with many waves is interpolated on short cells instead, and takes O(cells). So is one with structure
-    /// on several scales: every arm is looked at once per unit of ln δ, down to the smallest distance, and a layer
-    /// e^{−δ/w} at a break counts whatever else there is, w ≥ 1e-290. A layer narrower than 1/50 of an interval away
-    /// from the breaks may not be seen: declare its place as a break, and give the function by positions.
+    /// A function with many waves is interpolated on short cells instead, and takes O(cells). So is one
+    /// with structure on several scales: every side is looked at once per unit of ln δ, down to the
+    /// smallest distance, and a layer e^{−δ/w} at a breakpoint counts whatever else there is, w ≥ 1e-290. A
+    /// layer narrower than 1/50 of an interval away from the breakpoints may not be seen: declare its place
+    /// as a breakpoint, and give the function by positions.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
-    /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
+    /// [`Error::InfiniteNorm`] when the contributions near a breakpoint do not decay,
+    /// [`Error::ToleranceNotMet`], [`Error::NotFinite`] when the closure returns NaN or an infinite value
+    /// between the breakpoints.
     ///
-    /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
-    /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
+    /// Refused are a function of the coordinate with a singularity at a breakpoint that is not 0, where x
+    /// is rounded ([`SingularFunction::from_positions`] serves), and what takes more than
+    /// [`Tolerance::with_work`] allows.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let normalized = self.normalized(tolerance)?;
         let found = normalized.u.seminorm_of_normalized(order, tolerance);
@@ -126,7 +129,7 @@ impl SingularFunction<'_> {
         self.lq_norm(2.0, tolerance)
     }
 
-    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Zeros of u should be breakpoints, for q = ∞ its jumps.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].

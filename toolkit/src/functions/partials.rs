@@ -1,4 +1,4 @@
-//! What is known of an integral along an arm up to some depth, and what that says of the rest.
+//! What is known of an integral along a side up to some depth, and what that says of the rest.
 
 use super::two_rates::TwoRates;
 use crate::quadrature::{Limit, extrapolate};
@@ -18,7 +18,7 @@ pub(super) struct Partials {
     pub(super) rounding: f64,
 }
 
-/// What t, ln t and ln ℓ grow by on a part of the arm.
+/// What t, ln t and ln ℓ grow by on a part of the side.
 #[derive(Clone, Copy)]
 struct Growth {
     length: f64,

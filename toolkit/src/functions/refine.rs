@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 
 /// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
-/// analytic up to their breaks.
+/// analytic up to their breakpoints.
 const LEVELS: [Level; 11] = [
     Level { points: 4, width: 1.5 },
     Level { points: 6, width: 1.4 },
@@ -35,15 +35,16 @@ const ROUNDED: &str = "x is rounded near a break that is not 0, and the distance
 /// Two levels differ by no more than this many times what the coarser one is seen to be off.
 const EXPLAINED: f64 = 4.0;
 
-/// Levels after which what the ends of the arms and rounding leave should have fallen, and by how much.
+/// Levels after which what the ends of the sides and rounding leave should have fallen, and by how much.
 const TRIED: usize = 4;
 const FALLS: f64 = 0.3;
 
 /// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
 /// that the number made of it meets the tolerance.
 ///
-/// Ends where finer rules no longer help: where the error as a whole no longer falls, and where what does not
-/// come of the rules alone, rounding and the limit at a break, is above the tolerance and stays there.
+/// Ends where finer rules no longer help: where the error as a whole no longer falls, and where what does
+/// not come of the rules alone, rounding and the limit at a breakpoint, is above the tolerance and stays
+/// there.
 pub(super) fn refine(
     u: &SingularFunction,
     asked: Tolerance,

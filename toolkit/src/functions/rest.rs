@@ -1,4 +1,4 @@
-//! What is left of an integral along an arm, from a few values of ℓ beyond.
+//! What is left of an integral along a side, from a few values of ℓ beyond.
 //!
 //! Where ln ℓ is concave, as for t^p e^{−wt}, p ≥ 0, cells fall faster and faster, and the rest of a geometric
 //! sequence is too large. Where ln ℓ is convex, as for sums of such laws with different w (a slow power
@@ -6,8 +6,9 @@
 //!
 //! ∫ ℓ ≤ Σ (t_{k+1} − t_k) (ℓ_k − ℓ_{k+1}) / ln(ℓ_k/ℓ_{k+1}),
 //!
-//! whatever the t_k are, with equality for one exponential. The true rest lies between nothing and the larger
-//! of the two. Beyond the last t the last chord goes on: where an arm ends ℓ is nothing, or has settled.
+//! whatever the t_k are, with equality for one exponential. The true rest lies between nothing and the
+//! larger of the two. Beyond the last t the last chord goes on: where a side ends ℓ is nothing, or has
+//! settled.
 
 use super::level::Density;
 use crate::error::{Error, Result};

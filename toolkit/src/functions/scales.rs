@@ -1,7 +1,7 @@
-//! A function looked at on all scales, once: one value per unit of t = ln(R/δ) along every arm, down to the
-//! smallest distance at which it can be evaluated.
+//! A function looked at on all scales, once: one value per unit of t = ln(R/δ) along every side, down to
+//! the smallest distance at which it can be evaluated.
 //!
-//! What is seen is a crude profile of the integrand along an arm: of |u|²_ν
+//! What is seen is a crude profile of the integrand along a side: of |u|²_ν
 //!
 //! e(t) = δ^{1−2ν} max_s e^{−2νs} |u(t−s) − u(t−s−1)|²,
 //!
@@ -26,20 +26,20 @@ const BEND: f64 = 0.3;
 const COUNTS: f64 = 0.01;
 /// ln of a size that needs no unit.
 const MODERATE: f64 = 7.0;
-/// ln of what a profile falls by over half of an arm where it ends.
+/// ln of what a profile falls by over half of a side where it ends.
 const FADES: f64 = 3.0;
 /// Differences of so many ulps are rounding.
 const ULPS: f64 = 16.0 * f64::EPSILON;
 /// A neighbouring interval longer than this many times: the shorter one is a layer beside it.
 const UNEQUAL: f64 = 1e8;
 
-/// Values of u at t = 1/2, 3/2, ... along every arm.
+/// Values of u at t = 1/2, 3/2, ... along every side.
 pub(super) struct Profile {
     arms: Vec<Arm>,
     values: Vec<Vec<f64>>,
 }
 
-/// ln of a profile along every arm.
+/// ln of a profile along every side.
 pub(super) type Logs = Vec<Vec<f64>>;
 
 /// t of sample k.
@@ -61,7 +61,7 @@ impl Profile {
         Self { arms, values }
     }
 
-    /// (δ, u) of the samples of an arm, from its far end on.
+    /// (δ, u) of the samples of a side, from its far end on.
     pub(super) fn samples(&self, arm: usize) -> impl Iterator<Item = (f64, f64)> {
         let place_of = move |k: usize| self.arms[arm].delta(place(k));
         self.values[arm].iter().enumerate().map(move |(k, &value)| (place_of(k), value))
@@ -158,7 +158,7 @@ pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
     })
 }
 
-/// Whether contributions that count go on to the smallest distance without falling over half of the arm.
+/// Whether contributions that count go on to the smallest distance without falling over half of the side.
 pub(super) fn is_endless(logs: &Logs, tolerance: f64) -> bool {
     let counts = log_sum(logs) + (COUNTS * tolerance).ln();
     logs.iter().any(|arm| match arm.last() {

@@ -1,4 +1,4 @@
-//! What a function sees of its breaks, for others made of it.
+//! What a function sees of its breakpoints, for others made of it.
 
 use super::function::{Position, Sight, SingularFunction};
 use crate::error::Result;
@@ -9,17 +9,17 @@ impl<'a> SingularFunction<'a> {
         self.budget.left()
     }
 
-    /// The size of the rounded coordinates near break k; 0 where the function sees offsets.
+    /// The size of the rounded coordinates near breakpoint k; 0 where the function sees offsets.
     pub(crate) fn blur(&self, k: usize) -> f64 {
         self.coordinate_if_seen(k).abs()
     }
 
-    /// The coordinate of break k where that is what the function sees, else 0.
+    /// The coordinate of breakpoint k where that is what the function sees, else 0.
     pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
         if self.sight == Sight::Coordinate { self.breaks()[k] } else { 0.0 }
     }
 
-    /// Whether the distance to some break is only known up to the rounding of a coordinate.
+    /// Whether the distance to some breakpoint is only known up to the rounding of a coordinate.
     pub(super) fn has_rounded_distances(&self) -> bool {
         self.sight == Sight::Coordinate && self.breaks().iter().any(|&at| at != 0.0)
     }
@@ -43,7 +43,7 @@ impl<'a> SingularFunction<'a> {
         Ok(found)
     }
 
-    /// The smallest distance to a break at which the function is asked, in units of the breaks.
+    /// The smallest distance to a breakpoint at which the function is asked, in units of the breakpoints.
     pub(crate) fn closest(&self) -> f64 {
         1e-290 * self.unit.recip().max(1.0)
     }

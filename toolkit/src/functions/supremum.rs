@@ -1,9 +1,9 @@
-//! max |u| of a function with break points, by samples in the logarithm of the distance to the breaks.
+//! max |u| of a function with breakpoints, by samples in the logarithm of the distance to the breakpoints.
 //!
-//! Along an arm |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden
-//! sections; steps are halved until two agree. What lies beyond the depth of the arm is the limit of the
+//! Along a side |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden
+//! sections; steps are halved until two agree. What lies beyond the depth of the side is the limit of the
 //! values at depth/4, depth/2 and depth where their differences fall, and infinite where they do not. Cost:
-//! 700 values per arm and unit of 1/step.
+//! 700 values per side and unit of 1/step.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -21,7 +21,7 @@ const FALLS: f64 = 1.0 - 1e-9;
 /// Rounding of a value of u, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The largest value on one arm or several, with its uncertainty.
+/// The largest value on one side or several, with its uncertainty.
 #[derive(Debug, Clone, Copy, Default)]
 struct Peak {
     value: f64,
@@ -30,7 +30,7 @@ struct Peak {
 }
 
 impl SingularFunction<'_> {
-    /// max |u|, the essential supremum where u is continuous between its breaks.
+    /// max |u|, the essential supremum where u is continuous between its breakpoints.
     pub(super) fn largest(&self, tolerance: Tolerance) -> Result<Estimate> {
         let mut work = Work::default();
         let mut best: Option<Estimate> = None;

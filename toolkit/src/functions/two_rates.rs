@@ -1,4 +1,4 @@
-//! The end of an arm on which ℓ decays with two rates whose difference is known.
+//! The end of a side on which ℓ decays with two rates whose difference is known.
 //!
 //! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of its
 //! own depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is nothing beside u(x), give

@@ -1,9 +1,10 @@
-//! Functions with many waves between their breaks, as piecewise polynomials.
+//! Functions with many waves between their breakpoints, as piecewise polynomials.
 //!
-//! Each half of an interval between breaks is halved until a polynomial p of degree d agrees with the
+//! Each half of an interval between breakpoints is halved until a polynomial p of degree d agrees with the
 //! function on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of
-//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells
-//! in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`], O(cells)).
+//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many
+//! cells in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`],
+//! O(cells)).
 //!
 //! The error is | |u|_ν − |p|_ν | ≤ |u − p|_ν, bounded in [`super::resolution`].
 //!
@@ -23,16 +24,17 @@ use crate::quadrature::Rule;
 
 /// Fewer cells than these are no waves.
 const MANY: usize = 32;
-/// More cells of one arm than the finest rules in logarithmic coordinates resolve.
+/// More cells of one side than the finest rules in logarithmic coordinates resolve.
 const BEYOND_RULES: usize = 512;
 /// Cells at most: 3 d values and some 100 numbers each.
 const MOST: usize = 1 << 17;
-/// Halvings of an arm at most.
+/// Halvings of a side at most.
 const DEEPEST: u32 = 40;
 /// A cell has none of GRADED times its length within REACH times its length, unless cells are graded.
 const GRADED: f64 = 8.0;
 const REACH: f64 = 64.0;
-/// The cell at a break is so many times longer than the shortest one, unless that one lies at the break.
+/// The cell at a breakpoint is so many times longer than the shortest one, unless that one lies at the
+/// breakpoint.
 const INSIDE: f64 = 4.0;
 /// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
 const UNSEEN: f64 = 2.0;
@@ -48,9 +50,9 @@ const LIMIT: &str = "rounding of the values is all that shorter cells show";
 
 /// What the cells say of a function.
 pub(super) enum Waves {
-    /// Few cells, or cells that shrink towards a break.
+    /// Few cells, or cells that shrink towards a breakpoint.
     None,
-    /// Cells that shrink towards a point between the breaks.
+    /// Cells that shrink towards a point between the breakpoints.
     Inside,
     /// Resolved by so many cells that rules in logarithmic coordinates would not do.
     Resolved(Box<Resolved>),
@@ -74,7 +76,7 @@ pub(super) struct Resolved {
     points: u64,
 }
 
-/// A cell of an arm, δ from its break: its ends, polynomial and residual.
+/// A cell of a side, δ from its breakpoint: its ends, polynomial and residual.
 struct Cell {
     near: f64,
     far: f64,
@@ -97,7 +99,7 @@ impl SingularFunction<'_> {
     /// |u|_ν of a function of size 1 with many waves; where the structure of all others lies.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<OfWaves> {
         let asked = tolerance.relative();
         let mut best: Option<Estimate> = None;
@@ -205,7 +207,7 @@ impl SingularFunction<'_> {
         Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
     }
 
-    /// The cells of an arm from its break on, and whether all are resolved; `None` beyond `most`.
+    /// The cells of a side from its breakpoint on, and whether all are resolved; `None` beyond `most`.
     fn cells_of(&self, arm: &Arm, fit: &Fit, most: usize) -> Result<Option<(Vec<Cell>, bool)>> {
         let mut cells = Vec::new();
         let mut is_resolved = true;
@@ -259,8 +261,8 @@ impl SingularFunction<'_> {
 }
 
 impl Cell {
-    /// How far the value at the break may be off its limit: what it is not evaluated close enough, and what x
-    /// is rounded.
+    /// How far the value at the breakpoint may be off its limit: what it is not evaluated close enough, and
+    /// what x is rounded.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.ends[0].abs().max(self.ends[1].abs()).max(1.0);
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
@@ -268,7 +270,7 @@ impl Cell {
     }
 }
 
-/// Whether the shortest cell of an arm, from its break on, lies away from the break.
+/// Whether the shortest cell of a side, from its breakpoint on, lies away from the breakpoint.
 fn shrinks_inside(cells: &[Cell]) -> bool {
     let length = |cell: &Cell| cell.far - cell.near;
     let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);

@@ -20,7 +20,7 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// For hats: everything but the pairs of cells that do not touch.
+    /// For hat functions: everything but the pairs of cells that do not touch.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();

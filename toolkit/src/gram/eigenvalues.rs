@@ -1,8 +1,8 @@
 //! The smallest positive and the largest eigenvalue of A x = λ M x.
 //!
-//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of the largest
-//! eigenvalues of the tridiagonal pencil (K, M) as start, with hats where a_ii/m_ii is largest, and (κM − K)⁻¹ as
-//! preconditioner, κ just above the largest eigenvalue of (K, M).
+//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of
+//! the largest eigenvalues of the tridiagonal pencil (K, M) as start, with hat functions where a_ii/m_ii is
+//! largest, and (κM − K)⁻¹ as preconditioner, κ just above the largest eigenvalue of (K, M).
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};

@@ -1,10 +1,10 @@
 //! Two squares of side 1 at an offset Δ, each cut from bottom left to top right: integrals of products of
-//! their four hats.
+//! their four hat functions.
 //!
 //! S_ab = ∫∫ φ_a(x) φ_b(x) k, C_ab = ∫∫ φ_a(x) φ_b(y) k, k = |x−y|^{-2-2s}, x in the square at 0, y in that
-//! at Δ. Near squares go through [`super::means`]. For others k is interpolated on q × q Chebyshev points of
-//! both squares: on a uniform grid it takes only (2q−1)² values, and the moments of hats and of their
-//! products are known once for all.
+//! at Δ. Near squares go through [`super::means`]. For others k is interpolated on q × q Chebyshev points
+//! of both squares: on a uniform grid it takes only (2q−1)² values, and the moments of hat functions and of
+//! their products are known once for all.
 
 use super::far::Nodes;
 use super::kernel::InversePower;

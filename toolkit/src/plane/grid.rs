@@ -134,7 +134,7 @@ impl GridOperator {
         image
     }
 
-    /// The transforms of the images of the hats 0 and 1, and 2 and 3, packed.
+    /// The transforms of the images of the hat functions 0 and 1, and 2 and 3, packed.
     fn multiplied(&self, packed: &[Spectrum; 2]) -> [Spectrum; 2] {
         let [n, m] = self.torus.size();
         let i = Complex64::i();

@@ -27,8 +27,8 @@ const COARSE_POINTS: usize = 6;
 const COARSE_FUNCTIONS: usize = 2;
 const COARSE_DIGITS: f64 = 6.0;
 
-/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hats where there is a
-/// `local` group.
+/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hat functions where
+/// there is a `local` group.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
     local: Option<&Local>,
@@ -112,7 +112,7 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    /// In the local group hats are differences of steps, which need all their digits.
+    /// In the local group hat functions are differences of steps, which need all their digits.
     fn is_coarse(&self, i: usize) -> bool {
         self.space.functions(i) <= COARSE_FUNCTIONS && !self.classes(i, i).0
     }
