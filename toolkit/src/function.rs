@@ -468,9 +468,9 @@ impl<'a> Function<'a> {
 
     /// The norm of u in L^q, (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane q = 2.
     ///
-    /// Of values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree are bisected
-    /// until a Gauss rule and its two halves agree. Of a formula the zeros should be breakpoints, for q = ∞ the jumps:
-    /// |u|^q is not smooth there.
+    /// For values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree
+    /// are bisected until a Gauss rule and its two halves agree. For a formula, declare the zeros (for q =
+    /// ∞ the jumps) as breakpoints, because |u|^q is not smooth there.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`Function::norm`].

@@ -61,8 +61,8 @@ impl BoundaryFunction {
         &self.ends
     }
 
-    /// |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 < ν < 1: the
-    /// norm that traces have on a Lipschitz curve, up to equivalence.
+    /// The seminorm |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 <
+    /// ν < 1; on a Lipschitz curve equivalent to the seminorm of the trace space.
     ///
     /// # Method
     ///

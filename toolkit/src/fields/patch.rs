@@ -56,9 +56,8 @@ pub(super) fn patch<'a>(
     function.seen_likewise(&breaks, difference)
 }
 
-/// |u − u_h|_ν on a patch from polynomials: where u is as smooth at the breakpoint as elsewhere and
-/// rounding is
-/// most of what is seen of the difference, [`SingularFunction::seminorm`] takes rounding for waves.
+/// |u − u_h|_ν on a patch from polynomials: where u is smooth at the breakpoint and rounding dominates the
+/// difference, [`SingularFunction::seminorm`] would take rounding for oscillations.
 pub(super) fn by_polynomials(
     difference: &Difference,
     parts: &[Part],

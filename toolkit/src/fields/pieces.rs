@@ -31,7 +31,7 @@ enum Part<'a> {
 }
 
 impl FieldError<'_> {
-    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ what is between the points of a patch is judged as for
+    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ the maximum between the points of a patch is estimated as in
     /// [`SingularFunction::lq_norm`].
     ///
     /// # Errors

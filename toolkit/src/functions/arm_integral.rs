@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
 
-/// What an integral along a side needs to know.
+/// Parameters of an integral along a side.
 pub(crate) struct ArmIntegral {
     level: Level,
     rule: Rule,
-    /// relative accuracy asked of the integral
+    /// requested relative accuracy of the integral
     tolerance: f64,
     /// cells of width h are needed up to here
     structured: f64,
@@ -32,19 +32,20 @@ pub(crate) struct ArmIntegral {
 const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
-/// Why the end of a side is not known.
+/// Message: the integrand grows towards the breakpoint.
 const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
-/// Times the distance of a geometric rest from that by chords.
+/// Safety factor for the difference between the geometric remainder and the one by chords.
 const BETWEEN: f64 = 4.0;
-/// Of a rest: what is not seen of it at a few points.
+/// Relative uncertainty of a remainder that is sampled at a few points.
 const UNSEEN: f64 = 0.1;
-/// Depth before which no tail is believed: e^{-6} of the side.
+/// Smallest depth at which a tail is accepted: e^{-6} of the side.
 const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
 
-/// Where a tail takes over: fewer digits of differences are lost before it than the tolerance needs.
+/// Depth from which the tail formula is used: up to it, differences keep the digits that the tolerance
+/// requires.
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
@@ -64,8 +65,8 @@ impl ArmIntegral {
         })
     }
 
-    /// The integral; `scale` is what else the result will be added to, `tail` the end of the side where it
-    /// is known, `samples` are (t, ℓ) on all scales of the side where ℓ is known there, else nothing.
+    /// The integral; `scale` is the size of the other terms of the sum, `tail` the tail of the side if it
+    /// is known, `samples` the values (t, ℓ) on all scales of the side if they are known, else empty.
     pub(crate) fn integrate(
         &self,
         depth: f64,
@@ -85,8 +86,8 @@ impl ArmIntegral {
         Ok(ArmValue { limit, rounding, is_settled: settled.get() > 0.0 })
     }
 
-    /// As [`ArmIntegral::integrate`], for a density that is told its weight; the rounding of the sum, and that
-    /// of the last density.
+    /// As [`ArmIntegral::integrate`], for a density that receives its quadrature weight; with the rounding
+    /// of the sum and of the last density.
     fn limit(
         &self,
         depth: f64,
@@ -225,7 +226,7 @@ impl ArmIntegral {
         Ok(Limit { value: found.sum() + rest.limit.value, error: rest.limit.error })
     }
 
-    /// Wide blocks from where everything is smooth on the scale of t.
+    /// Wide blocks, from the depth at which the integrand is smooth on the scale of t.
     fn deep(
         &self,
         depth: f64,
@@ -259,7 +260,7 @@ impl ArmIntegral {
         Ok(None)
     }
 
-    /// The limit of what was summed, or why there is none.
+    /// The limit of the partial sums, or the reason why there is none.
     fn decide(&self, found: &Partials) -> Result<Limit> {
         if found.diverges() {
             return Err(Error::InfiniteNorm {

@@ -1,4 +1,4 @@
-//! Functions given by a closure, with declared breakpoints: everything that is not smooth happens at these.
+//! Functions given by code with declared breakpoints, between which they are smooth.
 
 use super::arm::Arm;
 use super::budget::Budget;
@@ -7,7 +7,7 @@ use crate::estimate::Tolerance;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
-/// Points of a side at which the size of a function is looked at.
+/// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
 
 /// A point of the interval, known by its distance to the nearest breakpoint.
@@ -26,7 +26,7 @@ pub struct Position<'a> {
     x: f64,
     anchor: usize,
     offset: f64,
-    /// ln of the distance where that is not a number of binary64
+    /// ln of the distance where the distance underflows
     depth: Option<f64>,
 }
 
@@ -36,12 +36,12 @@ impl Position<'_> {
         self.x
     }
 
-    /// Index of the breakpoint this position is given from: the nearest one.
+    /// Index of the nearest breakpoint, from which this position is given.
     pub fn anchor(&self) -> usize {
         self.anchor
     }
 
-    /// x minus the coordinate of that breakpoint, exact; a zero with the right sign where it underflows.
+    /// x minus the coordinate of that breakpoint, exact; a signed zero where it underflows.
     pub fn offset(&self) -> f64 {
         self.offset
     }
@@ -60,7 +60,7 @@ impl Position<'_> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// NaN where there is no breakpoint k, which the norms report.
+    /// NaN if there is no breakpoint k, which the norms report.
     pub fn distance_to(&self, k: usize) -> f64 {
         if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
     }
@@ -75,7 +75,7 @@ impl Position<'_> {
         self.breaks.get(k).map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
     }
 
-    /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    /// ln |offset|, also where the offset underflows, down to −10^{300}.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Position};
@@ -89,15 +89,15 @@ impl Position<'_> {
     }
 }
 
-/// A real function on an interval whose singular points are declared.
+/// A real function on an interval with declared singular points.
 ///
 /// # Method
 ///
 /// The interval between two neighbouring breakpoints is cut in the middle into two *sides*, each belonging
 /// to one breakpoint. A point of a side of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and
 /// logarithm of the distance to the breakpoint is a smooth function, and double integrals are taken over
-/// pairs (t, t′) (`log_energy`). A closure of x alone knows its distance to a breakpoint c ≠ 0 only to an
-/// ulp of c; one that takes a [`Position`] sees the distance itself, or its logarithm.
+/// pairs (t, t′) (`log_energy`). A function of x alone is given the distance to a breakpoint c ≠ 0 only to
+/// an ulp of c; a function of the [`Position`] is given the distance itself, or its logarithm.
 #[doc(alias(
     "Gagliardo",
     "Slobodeckij",
@@ -116,14 +116,15 @@ pub(crate) struct SingularFunction<'a> {
     pub(super) unit: f64,
 }
 
-/// A function over a unit, on an interval over a unit of length: both powers of two near its size and length.
+/// A function divided by its unit, on an interval divided by a unit of length: both units are powers of two
+/// near its size and length.
 pub(crate) struct Normalized<'a> {
     pub(crate) size: f64,
     pub(crate) length: f64,
     pub(crate) u: SingularFunction<'a>,
 }
 
-/// What the closure sees of a point.
+/// The argument with which the function is called.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Sight {
     Coordinate,
@@ -157,9 +158,9 @@ impl<'a> SingularFunction<'a> {
         Self::build(breaks, Box::new(f), Sight::Offset)
     }
 
-    /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
-    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln
-    /// x|^α at ν = 1/2.
+    /// As [`SingularFunction::from_positions`] for a function that is accurate also where offsets
+    /// underflow, by [`Position::log_distance`]: for singularities so weak that distances below 1e-300
+    /// contribute, such as |ln x|^α at ν = 1/2.
     ///
     /// Along each side the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln
     /// d| are.
@@ -209,7 +210,7 @@ impl<'a> SingularFunction<'a> {
     /// (S, u/S) with S a power of two near the largest value at some points of every side, so that squares
     /// and powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
     ///
-    /// What is asked of u/S counts against the work that the tolerance allows.
+    /// Evaluations of u/S count against the work limit of the tolerance.
     pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
@@ -236,8 +237,8 @@ impl<'a> SingularFunction<'a> {
         ))
     }
 
-    /// u over its size, on its interval over its length: no quantity that is compared with a number then has a
-    /// unit. The closure is asked at the points of the interval as it was given, offsets exact.
+    /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
+    /// dimensionless. The function is called at the points of the original interval, with exact offsets.
     pub(crate) fn normalized(&self, tolerance: Tolerance) -> Result<Normalized<'_>> {
         let (size, u) = self.of_moderate_size(tolerance)?;
         let length = power_of_two(self.length());

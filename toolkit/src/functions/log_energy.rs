@@ -20,9 +20,9 @@ use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 
-/// Where a point of a side is so deep that other breakpoints are as good as infinitely far in t.
+/// Depth of a point at which other breakpoints are effectively infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
-/// Two rules that differ by no more than this many times their rounding agree.
+/// Two rules agree if they differ by at most this many times their rounding.
 const NOISE: f64 = 4.0;
 
 /// Values of u on one cell of one side.
@@ -78,7 +78,7 @@ impl<'a> LogEnergy<'a> {
         })
     }
 
-    /// The squared seminorm to about the relative `tolerance`, as far as this level allows.
+    /// The squared seminorm to about the relative `tolerance`, within the accuracy of this level.
     pub(crate) fn compute(mut self, tolerance: f64) -> Result<LevelValue> {
         let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
         let spread = (self.unit / shortest).ln();
@@ -179,8 +179,8 @@ impl<'a> LogEnergy<'a> {
         Ok(self.against(x, other, &cell))
     }
 
-    /// The rest of a side whose function cannot be evaluated closer to its breakpoint: as if constant
-    /// there.
+    /// The remainder of a side whose function cannot be evaluated closer to its breakpoint: it is continued
+    /// by a constant.
     fn blurred_rest(&mut self, x: Outer, other: usize) -> Result<Density> {
         let arm = &self.arms[other];
         let from = (arm.depth / self.level.width).floor().max(1.0) * self.level.width;

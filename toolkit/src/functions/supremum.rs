@@ -1,9 +1,9 @@
 //! max |u| of a function with breakpoints, by samples in the logarithm of the distance to the breakpoints.
 //!
-//! Along a side |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden
-//! sections; steps are halved until two agree. What lies beyond the depth of the side is the limit of the
-//! values at depth/4, depth/2 and depth where their differences fall, and infinite where they do not. Cost:
-//! 700 values per side and unit of 1/step.
+//! Along a side |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is refined by
+//! golden-section search; steps are halved until two agree. Beyond the depth of the side the supremum is
+//! the limit of the values at depth/4, depth/2 and depth if their differences decrease, and infinite
+//! otherwise. Cost: 700 values per side and unit of 1/step.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -14,9 +14,10 @@ use crate::root::accept;
 
 /// Samples per unit of t, in turn.
 const DENSITIES: [f64; 4] = [4.0, 8.0, 16.0, 32.0];
-/// Width to which a maximum is located: u is flat there, so that its square is what u is off by.
+/// Width to which a maximum is located; the error of u is of the order of its square.
 const WIDTH: f64 = 1e-8;
-/// Differences that fall by less than this do not fall: ln t grows by equal amounts when t doubles.
+/// Differences that decrease by less than this count as not decreasing: ln t grows by equal amounts when t
+/// doubles.
 const FALLS: f64 = 1.0 - 1e-9;
 /// Rounding of a value of u, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;

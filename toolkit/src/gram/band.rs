@@ -7,10 +7,10 @@ use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use rayon::prelude::*;
 
-/// Entries dealt out together.
+/// Number of entries computed by one task.
 const TOGETHER: usize = 64;
 
-/// Rows worth a thread of their own.
+/// Number of rows from which on threads are used.
 const PARALLEL: usize = 1 << 14;
 
 /// A symmetric band matrix: diagonal and off-diagonals.

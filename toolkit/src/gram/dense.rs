@@ -29,8 +29,8 @@ pub(crate) fn gram_constants(partition: &Mesh, order: Order) -> Result<DMatrix<f
     Ok(symmetric(&rows))
 }
 
-/// What the exterior of the interval adds to the form of functions that vanish there, 2 ∫ u v ∫_{ext} |x−y|^{-1-2ν},
-/// for the hat functions of the inner nodes: diagonal and off-diagonal.
+/// The contribution of the exterior to the form of functions that vanish outside the interval, 2 ∫ u v
+/// ∫_{ext} |x−y|^{-1-2ν}, for the hat functions of the inner nodes: diagonal and off-diagonal.
 pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec<f64>) {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -123,8 +123,8 @@ pub(crate) fn diagonal_constant(partition: &Mesh, cells: &CellPairs, i: usize) -
     2.0 * (touching(outside[0]) + touching(outside[1]))
 }
 
-/// What cell e contributes to the entries of its two hat functions with the hat functions of nodes e + 2, e +
-/// 3, ...
+/// The contributions of cell e to the entries of its two hat functions with the hat functions of nodes e +
+/// 2, e + 3, ...
 pub(crate) struct FarRow {
     /// `values[k]` = contributions of (node e + 1, node e) with node e + 2 + k
     pub(crate) values: Vec<[f64; 2]>,

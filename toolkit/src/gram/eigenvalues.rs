@@ -14,7 +14,7 @@ use crate::numeric::block_iteration::{Pencil, smallest};
 /// Vectors of a block.
 const BLOCK: usize = 3;
 
-/// Steps at most.
+/// Largest number of steps.
 const STEPS: usize = 300;
 
 /// κ above the largest eigenvalue of (K, M), relative.

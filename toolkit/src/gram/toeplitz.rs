@@ -2,7 +2,7 @@
 //!
 //! On elements of equal length the entries of two hat functions (or indicators) that are apart depend on i
 //! − j alone; the half hat functions at the two ends have rows of their own; the diagonal and its
-//! neighbours feel the distance to the ends and are kept as they are. The Toeplitz part is embedded in a
+//! neighbours depend on the distance to the ends and are stored. The Toeplitz part is embedded in a
 //! circulant ([`super::circulant`]). Setup O(N) integrals; product O(N log N), memory about 12 N numbers.
 
 use super::circulant::Circulant;

@@ -8,7 +8,7 @@ use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use crate::root::accept;
 
-/// Bisections of one element before the error is taken as it is.
+/// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
 /// Rounding of a compensated mean, relative to the mean of the sizes of the pieces.
 const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;

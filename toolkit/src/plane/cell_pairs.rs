@@ -20,9 +20,9 @@ pub(super) const HATS: usize = 4;
 pub(super) const CORNERS: [[usize; 2]; HATS] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 /// Both triangles.
 const HALVES: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-/// Offsets up to this in both coordinates are integrated by cutting.
+/// Largest offset in both coordinates that is integrated by subdivision.
 const NEAR: usize = 4;
-/// Chebyshev points at least and at most.
+/// Smallest and largest number of Chebyshev points.
 const POINTS: (usize, usize) = (3, 12);
 
 pub(super) type Square = [[f64; HATS]; HATS];

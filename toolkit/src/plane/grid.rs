@@ -12,7 +12,7 @@ use crate::order::Order;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
-/// Accuracy of entries beyond which they are not asked.
+/// Highest accuracy of the entries that is requested.
 const FINEST: f64 = 1e-14;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
@@ -55,8 +55,8 @@ impl GridOperator {
     /// For the grid of [`super::Triangles::grid`]; entries to the relative tolerance.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
-    /// [`Error::OutOfRange`] unless h > 0.
+    /// [`Error::CountOutOfRange`] for a grid without squares, [`Error::TooLarge`] if the memory does not
+    /// suffice, [`Error::OutOfRange`] unless h > 0.
     pub(crate) fn new(squares: [usize; 2], h: f64, order: Order, tolerance: Tolerance) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {

@@ -2,9 +2,9 @@
 
 use super::geometry::{Point, length, minus, twice_area};
 
-/// Boxes that are compared all with all.
+/// Number of boxes up to which all pairs are compared.
 const FEW: usize = 24;
-/// Cuts of a set of boxes at most.
+/// Largest depth of subdivision of a set of boxes.
 const DEEPEST: u32 = 40;
 /// Of the smaller height of two triangles: how deep they may lie in each other by rounding.
 const ROUNDING: f64 = 1e-6;

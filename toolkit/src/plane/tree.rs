@@ -1,11 +1,11 @@
-//! A binary tree of clusters of triangles, and the pairs of clusters into which the square of the polygon
-//! falls.
+//! A binary tree of clusters of triangles, and the pairs of clusters that make up the square of the
+//! polygon.
 
 use super::geometry::{Point, length};
 
-/// Triangles of a leaf at most.
+/// Largest number of triangles of a leaf.
 const LEAF: usize = 4;
-/// Two clusters are apart when neither box has a diagonal longer than this multiple of their distance.
+/// Two clusters are separated if neither box has a diagonal longer than this multiple of their distance.
 const APART: f64 = 1.0;
 
 /// Triangles first..end of the order of the tree, in the box from `low` to `high`.

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
 
-/// Orders below this may be continued.
+/// Largest order that is continued.
 const SMALL: f64 = 1e-3;
 /// Largest order used, and the share of it that is left out below.
 const LARGEST: f64 = 0.04;
@@ -31,7 +31,8 @@ pub(crate) struct Continuation {
 }
 
 impl Continuation {
-    /// For zones and parts beside them of length `shortest` at least; `None` for orders that are not small.
+    /// The continuation for zones and gaps of length at least `shortest`; `None` for orders that are not
+    /// small.
     pub(crate) fn to(order: Order, shortest: f64, tolerance: Tolerance) -> Option<Self> {
         let order = order.value();
         if order >= SMALL {
@@ -47,7 +48,8 @@ impl Continuation {
         Some(Self { order, nodes: (0..count).map(node).collect(), tolerance })
     }
 
-    /// What `solve` finds at the points: sharper than asked, or as asked where rounding forbids that.
+    /// The results of `solve` at the points, to a smaller tolerance, or to the given one where rounding
+    /// does not permit that.
     pub(crate) fn at_points<T: Send>(
         &self,
         solve: impl Fn(Order, Tolerance) -> Result<T> + Sync,
@@ -63,7 +65,7 @@ impl Continuation {
         parallel::over(&self.nodes, at).into_iter().collect()
     }
 
-    /// The positive quantity at the order, given it at the points.
+    /// The positive quantity at the order, from its values at the points.
     pub(crate) fn value(&self, points: &[Estimate]) -> Result<Estimate> {
         let logarithm = |count: usize| -> (f64, f64) {
             self.weights(count).iter().zip(points).fold((0.0, 0.0), |(sum, error), (weight, point)| {

@@ -33,7 +33,7 @@ pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> 
     Ok(limit)
 }
 
-/// B(ν) with the error that is reached, be it above the tolerance.
+/// B(ν) with its error, even above the tolerance.
 pub(super) fn reached(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     let (nu, p) = (order.value(), order.one_minus_twice());

@@ -1,11 +1,10 @@
-//! What rounding does to γ, as far as it is known beforehand.
+//! A priori estimates of the rounding error of γ.
 
 use super::constraint::Constraint;
 use super::slopes::local::{SHORT, negligible_for_jumps};
 use crate::Order;
 
-/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is
-/// exact.
+/// Relative error of assembly, factorization and quotient: the largest observed for an exact space is 1.3e-13.
 pub(super) const ROUNDING: f64 = 2e-13;
 
 /// The same for a short zone inside, where energies at all distances add up: two unrelated bases differ by

@@ -10,7 +10,7 @@ use crate::{Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The last increments: other α on the same mesh use them.
+/// Cache of the last increments, for other α on the same mesh.
 static LAST: Mutex<Option<Arc<EndIncrements>>> = Mutex::new(None);
 
 /// N(0, θ) at the nodes θ of a mesh.

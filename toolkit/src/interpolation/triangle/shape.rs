@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 /// Barycentric coordinates.
 pub(super) type Barycentric = [f64; 3];
 
-/// A triangle for interpolation; its size and place do not matter to digits.
+/// A triangle for interpolation; its size and position do not affect the accuracy.
 ///
 /// # Method
 ///

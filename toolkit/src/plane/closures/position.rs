@@ -1,4 +1,4 @@
-//! Points of a triangulation as a closure sees them: near a declared corner the offset from it is exact.
+//! Points of a triangulation, with exact offsets from declared corners.
 
 use crate::error::{Error, Result};
 use crate::plane::geometry::{Point, dot, length, minus, product_difference};
@@ -23,8 +23,8 @@ pub(super) struct Corners {
 
 /// A point of a triangle.
 ///
-/// In the triangles at a declared corner the offset from it is exact as close as 1e-290; the coordinates
-/// themselves are rounded.
+/// In the triangles at a declared corner the offset from it is exact down to 1e-290; the coordinates are
+/// rounded.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Triangles};
@@ -66,7 +66,7 @@ impl<'a> PlanePosition<'a> {
         self.triangle
     }
 
-    /// x minus the declared corner with this number; NaN when there is none.
+    /// x minus the declared corner with this number; NaN if there is none.
     pub fn offset(&self, corner: usize) -> [f64; 2] {
         match (self.anchor, self.corners.all.get(corner)) {
             (Some((anchor, offset)), _) if anchor == corner => offset,
@@ -81,7 +81,7 @@ impl<'a> PlanePosition<'a> {
     }
 
     /// φ, the angle at the declared corner with this number, counterclockwise from the side of the polygon
-    /// where its inside begins; from the first axis when the corner lies inside the polygon. Continuous on
+    /// at which the interior begins; from the first axis if the corner is an interior point. Continuous on
     /// every triangle, in [0, 2π] on those at the corner.
     pub fn angle(&self, corner: usize) -> f64 {
         let Some(known) = self.corners.all.get(corner) else { return f64::NAN };

@@ -4,7 +4,7 @@ use super::piece::{Piece, View};
 use super::radial::Points;
 use crate::plane::geometry::{Point, distance_from_segment, length, minus, product_difference};
 
-/// An edge seen from P is cut until it is no longer than this times its distance.
+/// Largest ratio of the length of a piece of an edge to its distance from P.
 const LONGEST: f64 = 1.1;
 
 /// A triangle seen from P, in units of length.

@@ -113,7 +113,7 @@ impl Cell {
     }
 }
 
-/// Singularities further off than this, in lengths of the panel, are as good as absent.
+/// Distance, in lengths of the panel, beyond which singularities have no effect.
 const FAR: f64 = 20.0;
 /// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that
 /// point.

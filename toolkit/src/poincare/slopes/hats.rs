@@ -1,5 +1,5 @@
 //! The basis of the group around a short zone: hat functions in place of steps, and what the matrix of the
-//! seminorm assembled with the shifted kernel of [`super::local`] still lacks in it.
+//! seminorm assembled with the shifted kernel of [`super::local`] still lacks in this basis.
 
 use super::kernel::{kernel, power_increment};
 use super::local::Local;

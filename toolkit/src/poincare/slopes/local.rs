@@ -9,8 +9,8 @@
 //! * neighbouring steps are replaced by their differences, continuous hat functions; the last step of G
 //!   stays (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and
-//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do
-//!   not see what is subtracted; the last step gets it back.
+//! K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and are
+//! not affected by the subtraction; for the last step it is added back.
 //!
 //! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good
 //! basis (a wide plateau of many short hat functions would have next to no energy compared with theirs);
