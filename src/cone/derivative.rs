@@ -1,4 +1,4 @@
-//! An increasing piecewise linear derivative F' that is reflected, added to and cut off at its zero.
+//! An increasing piecewise linear derivative F' with reflection, addition and truncation at its zero.
 //!
 //! The pieces are kept in a deque in coordinates that absorb reflection and addition, so that each is created
 //! and removed once: n steps cost O(n).
@@ -44,7 +44,7 @@ impl Derivative {
         self.shift -= d * (self.offset + self.sigma * z);
     }
 
-    /// Puts zero in the place of the positive part; returns where F' vanishes.
+    /// Replaces the positive part by zero; returns the zero of F'.
     ///
     /// F_i' ← min(F_i', 0): the derivative of t ↦ F_i(min(t, m_i)); the minimiser m_i is returned. Amortised O(1):
     /// each piece is removed once.

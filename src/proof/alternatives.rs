@@ -17,7 +17,7 @@ use super::theta::checked_theta;
 use crate::edge::{EdgeTrace, Interval, SegmentNorms};
 use crate::error::Result;
 
-/// Which cases hold on a segment; at least one does.
+/// The cases that hold on a segment; at least one does.
 ///
 /// ```
 /// use signorini::edge::{EdgeTrace, Interval};
@@ -37,7 +37,7 @@ pub enum Alternative {
     Second,
     /// Both cases.
     Both,
-    /// No case: would contradict the paper.
+    /// No case, which would contradict the paper.
     Neither,
 }
 

@@ -1,10 +1,10 @@
-//! The unknowns that a contact set leaves free, on a level and on the coarser ones.
+//! The free unknowns of a contact set, on a level and on the coarser ones.
 //!
-//! Active nodes of the nodal cone have no u_N left. On a run of active segments of the midpoint cone one
-//! amplitude of the sawtooth (−1)^i is left: one unknown with many nodes. Coarse functions keep their u_N
-//! where they vanish at every node of a run: so the coarse spaces lie in the fine one, and a cycle corrects
-//! exactly. What this takes from a coarse level lies within a coarse mesh size of the ends of contact, and
-//! the next finer level has it.
+//! At active nodes of the nodal cone u_N is fixed. On a contact interval of the midpoint cone one amplitude
+//! of the sawtooth (−1)^i is free: one unknown with many nodes. Coarse functions keep u_N if they vanish at
+//! all nodes of the contact intervals, so that the coarse spaces are subspaces of the fine one. The
+//! functions omitted on a coarse level lie within a coarse mesh size of the ends of contact and are
+//! represented on the next finer level.
 
 use super::super::problem::ContactProblem;
 use super::level::Level;
@@ -54,13 +54,13 @@ impl Sawtooth {
     }
 }
 
-/// A contact set as the unknowns see it.
+/// The free and fixed unknowns of a contact set.
 pub(super) struct FreePart {
-    /// Nodes of the contact edge whose u_N is not free by itself.
+    /// Nodes of the contact edge whose u_N is not an independent unknown.
     pub(super) held: Vec<bool>,
     /// The amplitudes.
     pub(super) sawtooths: Vec<Sawtooth>,
-    /// What to add to u_N along the edge so that the active constraints hold.
+    /// The change of u_N along the edge that satisfies the active constraints.
     pub(super) change: Vec<f64>,
 }
 

@@ -11,7 +11,7 @@
 //!   β/(2μ) times the scalar one, and the normal stress Re Z' is the scalar ∂u/∂n: same σ_N, same load.
 //!
 //! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
-//! ν < p − 1/2. For p = 3/2 no load would be left.
+//! ν < p − 1/2. For p = 3/2 the load vanishes.
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
@@ -31,7 +31,7 @@ pub(super) struct Power {
     pub(super) lame: Option<Lame>,
 }
 
-/// Which function of the edge.
+/// A function on the contact edge.
 ///
 /// Both are multiples of r^{p−1} on one side of the transition and 0 on the other.
 ///
@@ -182,8 +182,8 @@ impl Power {
         Ok(Function::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
-    /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in
-    /// the gap.
+    /// The edge load besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in the
+    /// gap.
     pub(super) fn loads(&self) -> [f64; 2] {
         let slope = self.sign() * self.power;
         [-slope - self.pressure(), slope * (PI * self.power).cos()]

@@ -64,7 +64,7 @@ impl Interpolated<'_> {
     }
 }
 
-/// By how much rounding of the modes `exact` of period P moves the square root of Σ S |ĝ − ĝ_h|² γ/P.
+/// The effect of the rounding of the modes `exact` of period P on the square root of Σ S |ĝ − ĝ_h|² γ/P.
 ///
 /// ε log₂ P (γ max S)^{1/2} ‖g‖₂: absolute, in the energy norm.
 pub(super) fn rounding(exact: &[Complex<f64>], largest_symbol: f64) -> f64 {
