@@ -42,8 +42,8 @@ pub enum Error {
     },
     /// A body without Dirichlet boundary: the solution is not unique.
     #[error(
-        "the body of {triangles} triangles with node {node} at ({}, {}) is not held: no edge of it is on the Dirichlet \
-         part of the boundary",
+        "the body of {triangles} triangles with node {node} at ({}, {}) has no edge on the Dirichlet boundary: the \
+         solution is not unique",
         place[0], place[1]
     )]
     NotHeld {

@@ -126,7 +126,7 @@ impl ProofConstants {
         if self.tau > 2.0 {
             return Ok(self.factors.printed);
         }
-        let range = "the zones these constants were made for";
+        let range = "the zones of these constants";
         self.gammas.get(&theta.to_bits()).copied().ok_or(Error::Toolkit(ToolkitError::OutOfRange {
             name: "theta",
             value: theta,

@@ -83,7 +83,7 @@ pub fn worst_ratio(
             return Ok(Estimate::new(value, change, work)?);
         }
     }
-    let why = "the cells were halved as often as the matrices can hold";
+    let why = "the largest number of bisections is reached";
     let best = Estimate::new(before, change, work)?;
     Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
 }

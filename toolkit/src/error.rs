@@ -58,7 +58,7 @@ pub enum Error {
         range: &'static str,
     },
     /// A count that requires more memory than the machine has.
-    #[error("{name} = {count} takes {needed:.3e} GB: this machine has {available:.1} GB")]
+    #[error("{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB")]
     TooLarge {
         /// What is counted.
         name: &'static str,
@@ -80,7 +80,7 @@ pub enum Error {
         expected: &'static str,
     },
     /// Two choices that cannot be combined.
-    #[error("{what} {given} and {with} do not go together: expected {expected}")]
+    #[error("{what} {given} cannot be combined with {with}: expected {expected}")]
     Incompatible {
         /// What is chosen.
         what: &'static str,
@@ -130,7 +130,7 @@ pub enum Error {
         why: &'static str,
     },
     /// The tolerance could not be met; carries the best estimate and the limiting factor.
-    #[error("{what}: relative error {reached:.1e} reached, {asked:e} asked{}: {why}", value_of(best))]
+    #[error("{what}: relative error {reached:.1e}, requested {asked:e}{}: {why}", value_of(best))]
     ToleranceNotMet {
         /// The quantity.
         what: &'static str,

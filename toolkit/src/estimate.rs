@@ -17,7 +17,7 @@ pub struct Tolerance {
 }
 
 /// Message: the work limit is reached.
-pub(crate) const SPENT: &str = "the limit of work is reached (Tolerance::with_work)";
+pub(crate) const SPENT: &str = "the work limit is reached; raise Tolerance::with_work";
 
 impl Tolerance {
     /// Default limit of function and kernel evaluations of an integral, see [`Tolerance::with_work`]: about

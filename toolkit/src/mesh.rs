@@ -65,7 +65,7 @@ impl Mesh {
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
         require_finite("node", nodes)?;
         for (k, pair) in nodes.windows(2).enumerate() {
-            require_entry("node", k + 1, pair[1], "numbers above the node before", pair[0] < pair[1])?;
+            require_entry("node", k + 1, pair[1], "the numbers above the previous node", pair[0] < pair[1])?;
         }
         let left = nodes.first().copied().unwrap_or(0.0);
         Self::at(left, nodes.windows(2).map(|pair| pair[1] - pair[0]).collect())

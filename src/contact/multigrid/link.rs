@@ -19,7 +19,7 @@ impl Link {
         let place = |node: u32| {
             let outside = Error::Toolkit(ToolkitError::Node {
                 node: node as usize,
-                reason: "is the parent of a contact node, and is none",
+                reason: "is the parent of a contact node, but not a contact node",
             });
             places.get(&(node as usize)).copied().ok_or(outside)
         };

@@ -84,7 +84,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
         lines.expect_end(header)?;
     }
     if format.is_none() {
-        return Err(lines.fault("no $MeshFormat section: this is no .msh file of Gmsh"));
+        return Err(lines.fault("no $MeshFormat section: not a .msh file of Gmsh"));
     }
     raw.triangulation(lines.number())
 }
@@ -107,7 +107,7 @@ fn read_format(lines: &mut Lines<'_>) -> Result<Format> {
         (Some("2.2"), Some("0")) => Ok(Format::Two),
         (version, _) => {
             let found = quoted(version.unwrap_or(""));
-            let why = format!("format 4.1 or 2.2 is read, found {found}: save as ASCII in one of these");
+            let why = format!("found format {found}, expected 4.1 or 2.2: save as ASCII in one of these");
             Err(lines.fault(&why))
         }
     }

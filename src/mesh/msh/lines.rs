@@ -54,7 +54,7 @@ impl<'a> Lines<'a> {
     }
 
     fn number_of<T: FromStr>(&self, word: &str) -> Result<T> {
-        word.parse().map_err(|_| self.fault(&format!("{} is not a number of the right kind", quoted(word))))
+        word.parse().map_err(|_| self.fault(&format!("{} is not an admissible number", quoted(word))))
     }
 
     /// The `N` numbers of the next line.
@@ -72,7 +72,7 @@ impl<'a> Lines<'a> {
 
     /// A count in a block of mixed numbers.
     pub(super) fn count(&self, given: i64) -> Result<u64> {
-        u64::try_from(given).map_err(|_| self.fault(&format!("{given} is no count")))
+        u64::try_from(given).map_err(|_| self.fault(&format!("{given} is not a count")))
     }
 
     /// Skips a section that is not read.

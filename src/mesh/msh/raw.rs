@@ -97,7 +97,7 @@ impl Raw {
         }
         let places: Vec<(usize, [f64; 3])> = tags.iter().map(|tag| self.nodes[tag]).collect();
         if let Some(node) = places.iter().position(|(_, place)| place[2] != places[0].1[2]) {
-            let reason = "has another z: the body must lie in a plane z = const";
+            let reason = "has a different z: the body must lie in a plane z = const";
             let tag = tags[node] as usize;
             return Err(at(places[node].0, Error::Toolkit(ToolkitError::Node { node: tag, reason })));
         }

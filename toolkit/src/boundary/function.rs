@@ -17,7 +17,7 @@ const MOST: usize = 20_000;
 /// Relative accuracy of the kernel over that of the seminorm.
 const SHARE: f64 = 0.5;
 /// Message: what limits the accuracy.
-const LIMIT: &str = "rounding of the values beside their differences";
+const LIMIT: &str = "rounding of the values limits the accuracy of their differences";
 
 /// A function on a [`Curve`]: continuous and linear on every element, or constant on every element.
 #[doc(alias("H1/2", "H-1/2", "trace", "boundary element", "BEM", "Gagliardo"))]

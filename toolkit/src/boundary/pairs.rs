@@ -24,9 +24,8 @@ const MOST_POINTS: usize = 16;
 /// Kernel evaluations that one cut counts as.
 const OF_CUT: u64 = 4;
 /// Message: the work limit is exceeded.
-const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): two sides without a common corner, or at a \
-     small angle, are so near each other that elements are cut in pieces as short as that distance; elements graded \
-     towards that place take fewer";
+const NEEDLES: &str = "the work limit is reached: two sides are so close to each other that elements are subdivided to \
+     that distance; grade the elements towards that place, or raise Tolerance::with_work";
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {

@@ -74,7 +74,7 @@ impl SingularFunction<'_> {
                 break;
             }
         }
-        let why = "what a piecewise polynomial leaves of the function, or its own dual norm";
+        let why = "error of the piecewise polynomial approximation or of its dual norm";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }

@@ -147,7 +147,7 @@ impl PiecewisePolynomial {
             }
             count *= 2;
         }
-        let why = "a million elements do not suffice for its jumps, or rounding of the form";
+        let why = "2^20 elements do not resolve the jumps, or rounding of the form dominates";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }

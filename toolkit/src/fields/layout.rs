@@ -108,7 +108,7 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     // Two breaks may lie closer than nodes are known.
     let expected = breaks.len() - 1;
     if gaps.len() != expected {
-        let (name, given) = ("breaks that are nodes of the field or lie between them", gaps.len());
+        let (name, given) = ("breakpoints at or between the nodes of the field", gaps.len());
         return Err(Error::LengthMismatch { name, given, expected });
     }
     let mut cells = Vec::new();

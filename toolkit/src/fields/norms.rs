@@ -18,7 +18,8 @@ const SHARE: f64 = 0.2;
 /// Standard deviations by which independent roundings may exceed their expectation.
 const ROUNDING_SAFETY: f64 = 4.0;
 /// Message: what limits the accuracy.
-pub(super) const LIMIT: &str = "rounding of the function beside a small difference, or the limit at a break";
+pub(super) const LIMIT: &str =
+    "rounding of the function dominates a small difference, or the limit at a breakpoint is not resolved";
 
 /// u − u_h for a function with declared breakpoints and a field on many elements: an interpolant, a finite
 /// element solution. Its norms are those of other functions.

@@ -130,7 +130,11 @@ fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<P
                 found.push(Part::Cell(part.length, ends, &piece.bubbles, 0.25 * rest.abs() + noise));
             }
             (None, Content::Singular(_)) => {
-                return Err(Error::CountOutOfRange { name: "cell at no break", value: k, range: "none" });
+                return Err(Error::CountOutOfRange {
+                    name: "cell at no breakpoint",
+                    value: k,
+                    range: "none",
+                });
             }
         }
     }

@@ -33,7 +33,8 @@ const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
 /// Message: the integrand grows towards the breakpoint.
-const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
+const GROWS: &str = "contributions still grow at the smallest distance from a breakpoint at which the function \
+     can be evaluated";
 /// Safety factor for the difference between the geometric remainder and the one by chords.
 const BETWEEN: f64 = 4.0;
 /// Relative uncertainty of a remainder that is sampled at a few points.
@@ -265,7 +266,7 @@ impl ArmIntegral {
         if found.diverges() {
             return Err(Error::InfiniteNorm {
                 order: self.order,
-                why: "the contributions near a break point do not decay",
+                why: "the contributions near a breakpoint do not decay",
             });
         }
         if found.still_grows() {

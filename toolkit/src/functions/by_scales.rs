@@ -23,7 +23,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Ratio of errors above which they count as not decreasing.
 const FALLS: f64 = 0.99;
 /// Message: the integral may diverge.
-const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
+const GROWS: &str = "contributions still grow at the smallest distance from a breakpoint at which the function \
+     can be evaluated";
 
 /// An integral over a cell by the coarse rule, by the fine rule, and by the fine rule with the error at the
 /// ends.

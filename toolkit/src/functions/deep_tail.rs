@@ -47,8 +47,8 @@ const MORE_TERMS: f64 = 60.0;
 /// with a limit.
 const ALGEBRAIC: f64 = 1e-6;
 /// Message: no value is returned.
-const UNSEEN: &str = "so close to the limit of finiteness only points nearer than exp(-1e300) decide";
-const BEYOND: &str = "contributions near a break exceed binary64";
+const UNSEEN: &str = "so close to the limit of finiteness the value depends on distances below exp(-1e300)";
+const BEYOND: &str = "contributions near a breakpoint exceed the range of binary64";
 /// The part (0, 2) of s next to the singularity; cells of width 3 beyond.
 const NEAR: f64 = 2.0;
 const FAR_CELL: f64 = 3.0;

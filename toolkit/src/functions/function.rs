@@ -181,18 +181,18 @@ impl<'a> SingularFunction<'a> {
     ) -> Result<Self> {
         if breaks.len() < 2 {
             return Err(Error::CountOutOfRange {
-                name: "break points",
+                name: "breakpoints",
                 value: breaks.len(),
-                range: ">= 2, the ends of the interval among them",
+                range: "[2, inf), including the ends of the interval",
             });
         }
         let total = breaks[breaks.len() - 1] - breaks[0];
-        require_finite("break point", breaks)?;
+        require_finite("breakpoint", breaks)?;
         for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
-            require_entry("break point", k + 1, pair[1], range, admissible)?;
+            let range = "the numbers above the previous breakpoint by 1e-290 and by 1e-290 of the interval";
+            require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
     }
@@ -307,7 +307,7 @@ impl<'a> SingularFunction<'a> {
         self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
-        require_finite_at("function value near break", anchor, value)?;
+        require_finite_at("function value near breakpoint", anchor, value)?;
         Ok(value)
     }
 }

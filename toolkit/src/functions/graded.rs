@@ -48,14 +48,15 @@ const COMPARED: usize = 400;
 const BELOW: f64 = 0.01;
 
 /// Message: what limits the accuracy.
-const LIMIT: &str = "structure on so many scales leaves no more digits";
+const LIMIT: &str = "structure on many scales limits the accuracy";
 /// Message: the function is not smooth between its breakpoints.
 pub(super) const UNDECLARED: &str =
     "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
 /// Message: no limit at a breakpoint.
-const ENDLESS: &str = "contributions do not end as close to a break as the function can be evaluated";
+const ENDLESS: &str = "contributions do not decay down to the smallest distance from a breakpoint at which the \
+     function can be evaluated";
 /// Message: too many cells.
-const TOO_MANY: &str = "the function has structure on more scales and at more places than 6000 cells resolve";
+const TOO_MANY: &str = "the structure of the function is not resolved by 6000 cells";
 
 /// A cell of a side, δ from its breakpoint, with its polynomial from left to right.
 struct Cell {

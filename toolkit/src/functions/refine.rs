@@ -25,12 +25,11 @@ const LEVELS: [Level; 11] = [
 const ZERO: f64 = 2e-28;
 
 /// Message: what limits the accuracy of a function given by code.
-pub(super) const LIMIT: &str =
-    "rounding of the values, or the limit at a break, is all that finer rules show";
+pub(super) const LIMIT: &str = "rounding of the values, or the limit at a breakpoint, dominates the error";
 
 /// Message: the rounding of x = c + δ limits the accuracy.
-const ROUNDED: &str = "x is rounded near a break that is not 0, and the distance to it is all that counts there: \
-     from_positions gives the distance";
+const ROUNDED: &str = "x is rounded near a breakpoint other than 0, where the function depends on the distance to it: \
+     use from_positions";
 
 /// Largest ratio of the difference of two levels to the estimated error of the coarser one.
 const EXPLAINED: f64 = 4.0;

@@ -61,7 +61,12 @@ impl SingularFunction<'_> {
             coarse = Some(whole.value);
         }
         let best = best.map_or_else(|| Estimate::new(0.0, 0.0, work), Ok)?;
-        accept("L^inf norm", best, tolerance, "samples do not settle: a peak between breaks is narrow")
+        accept(
+            "L^inf norm",
+            best,
+            tolerance,
+            "samples do not converge: there is a narrow peak between breakpoints",
+        )
     }
 
     fn peak(&self, arm: &Arm, density: f64) -> Result<Peak> {
@@ -95,7 +100,10 @@ fn beyond([first, middle, last]: [f64; 3]) -> Result<(f64, f64)> {
     }
     let ratio = after / before;
     if !(ratio > 0.0 && ratio < FALLS) {
-        return Err(Error::InfiniteNorm { order: 0.0, why: "the function grows without bound near a break" });
+        return Err(Error::InfiniteNorm {
+            order: 0.0,
+            why: "the function grows without bound near a breakpoint",
+        });
     }
     let rest = after * ratio / (1.0 - ratio);
     Ok((last + rest, rest))

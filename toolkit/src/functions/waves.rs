@@ -43,9 +43,10 @@ const ROUNDS: usize = 4;
 const FLOOR: f64 = 64.0 * f64::EPSILON;
 
 /// Message: the oscillations are not resolved.
-const TOO_MANY: &str = "the function has more structure between its breaks than 100000 cells resolve";
+const TOO_MANY: &str =
+    "the structure of the function between its breakpoints is not resolved by 100000 cells";
 /// Message: the oscillations are not resolved to the tolerance.
-const LIMIT: &str = "rounding of the values is all that shorter cells show";
+const LIMIT: &str = "rounding of the values dominates the error";
 
 /// The classification of a function by its cells.
 pub(super) enum Waves {

@@ -200,6 +200,6 @@ fn found(
         "eigenvalue",
         tolerance.relative(),
         estimate,
-        "the block iteration took its last step",
+        "the block iteration reached the largest number of steps",
     ))
 }

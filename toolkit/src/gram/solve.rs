@@ -68,5 +68,10 @@ pub(crate) fn solve(
     if converged {
         return Ok((x, energy));
     }
-    Err(Error::not_met("energy", tolerance.relative(), energy, "conjugate gradients took their last step"))
+    Err(Error::not_met(
+        "energy",
+        tolerance.relative(),
+        energy,
+        "conjugate gradients reached the largest number of steps",
+    ))
 }

@@ -11,7 +11,7 @@ use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 
 /// Message: what limits the accuracy of a quadratic form.
-const LIMIT: &str = "rounding of the form; fewer elements or a smoother function have more digits";
+const LIMIT: &str = "rounding of the form dominates: use fewer elements or a smoother function";
 
 impl PiecewisePolynomial {
     /// The seminorm |u|_ν.

@@ -33,8 +33,8 @@ const MOST: usize = 44;
 const PATIENCE: usize = 2_000_000;
 
 /// Message: the work limit is exceeded.
-const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): triangles much thinner than they are long \
-     take as many pieces as they are longer than wide; a mesh with wider triangles has none";
+const NEEDLES: &str = "the work limit is reached: thin triangles are subdivided in proportion to their aspect ratio; use a \
+     mesh with less elongated triangles, or raise Tolerance::with_work";
 
 /// Barycentric coordinates (of corners 1 and 2) and weights of sum one.
 type Points = Vec<([f64; 2], f64)>;

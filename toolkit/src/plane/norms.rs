@@ -20,7 +20,7 @@ const LEAST_SHARPER: f64 = 1e-4;
 /// Default number of kernel evaluations per triangle.
 const PER_TRIANGLE: u64 = 1 << 26;
 /// Message: what limits the accuracy of a sum over pairs.
-const LIMIT: &str = "finer rules and clusters no longer help: the rest is rounding";
+const LIMIT: &str = "rounding dominates: finer rules and clusters do not help";
 
 impl PlaneFunction {
     /// The seminorm |w|_s.

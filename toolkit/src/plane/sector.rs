@@ -57,7 +57,7 @@ pub(crate) struct SectorPower {
 /// Points in each direction, and those of the rule for the error estimate.
 const POINTS: [usize; 2] = [16, 22];
 /// Message: what limits the accuracy.
-const LIMIT: &str = "the rules have no more points, and rounding of a + 1 - s grows as it falls";
+const LIMIT: &str = "the largest number of quadrature points is reached, or rounding of a + 1 - s dominates";
 /// Largest cells.
 const CELL: f64 = 0.5;
 /// Largest opening angle; beyond it the two sides come close to each other.

@@ -43,7 +43,7 @@ pub fn gamma(
         Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
         let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
         if reached > tolerance.relative() {
-            let why = "so near to order 1/2 it is decided nearer to the point than binary64 reaches";
+            let why = "so close to order 1/2 the constant depends on distances below the range of binary64";
             return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
         }
     }

@@ -119,7 +119,7 @@ impl Law {
             }
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
-            Form::Unknown => Err(self.no_formula("not 1/2 for a zone inside (0,1)")),
+            Form::Unknown => Err(self.no_formula("orders other than 1/2 for a zone inside (0,1)")),
         }
     }
 

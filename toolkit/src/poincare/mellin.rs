@@ -27,7 +27,7 @@ const ROUNDING: f64 = 1e-14;
 pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
-        let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";
+        let why = "rounding of the order nu limits the digits of 1 - 2 nu";
         return Err(Error::not_met("limit of the Poincare constant", asked, limit, why));
     }
     Ok(limit)

@@ -116,7 +116,13 @@ impl Zones {
             let gap = start - before;
             if k > 0 {
                 let apart = gap > TOUCHING * start;
-                require_entry("start of interval", k, start, "beyond the interval before", apart)?;
+                require_entry(
+                    "start of interval",
+                    k,
+                    start,
+                    "above the end of the previous interval",
+                    apart,
+                )?;
             }
             lengths.extend([gap, end - start]);
             before = end;

@@ -84,7 +84,7 @@ fn refine(
     ))
 }
 
-const WHY: &str = "quadrature and polynomials of degree 30 do not reach it";
+const WHY: &str = "polynomials of degree 30 and the quadrature do not suffice";
 
 fn missed(tolerance: Tolerance, best: Estimate) -> Error {
     Error::not_met(WHAT, tolerance.relative(), best, WHY)

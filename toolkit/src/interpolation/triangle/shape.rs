@@ -44,7 +44,7 @@ impl TriangleShape {
             signed.abs() / (first * second)
         });
         let least = sines.iter().copied().fold(f64::INFINITY, f64::min);
-        Error::require("least sine of an angle", least, "[0.1, 1]", least >= THINNEST)?;
+        Error::require("smallest sine of an angle", least, "[0.1, 1]", least >= THINNEST)?;
         let gradients = edges.map(|e| [-e[1] / signed, e[0] / signed]);
         Ok(Self { corners: unit, size, twice: signed.abs(), gradients })
     }

@@ -10,8 +10,8 @@ use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled, scaled_root};
 
 /// Message: what limits the accuracy.
-const LIMIT: &str =
-    "the rules have no more points: it is not as smooth as declared, or what is left is rounding";
+const LIMIT: &str = "the largest number of quadrature points is reached: the function is less smooth than declared, or \
+     rounding dominates";
 
 /// The estimate, unless it misses the tolerance.
 fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {

@@ -103,7 +103,7 @@ impl Corners {
         for &(node, exponent) in declared {
             Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
             if !mesh.triangles().iter().any(|corners| corners.contains(&node)) {
-                return Err(Error::Node { node, reason: "is no corner of a triangle" });
+                return Err(Error::Node { node, reason: "is not a corner of a triangle" });
             }
             if all.iter().any(|corner| corner.node == node) {
                 return Err(Error::Node { node, reason: "is declared twice" });
