@@ -5,8 +5,8 @@ use std::ops::Range;
 /// The set of constraints that hold with equality: nodes (nodal cone) or segments (midpoint cone), in the
 /// order of the edge.
 ///
-/// A contact interval is a maximal run of active indices; on a closed edge a contact interval through node
-/// 0 is listed as two, one at either end of the numbering.
+/// A contact interval is a maximal range of consecutive active indices; on a closed edge a contact interval
+/// through node 0 is listed as two, one at either end of the numbering.
 ///
 /// ```
 /// use signorini::cone::{Cone, ContactSet, Ends};

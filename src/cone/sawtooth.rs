@@ -52,8 +52,8 @@ impl EdgeCone {
         free
     }
 
-    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` says at which nodes
-    /// forces are unknown (end nodes of an open edge).
+    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` marks the nodes at
+    /// which forces are unknown (end nodes of an open edge).
     pub(crate) fn multipliers(
         self,
         active: &[bool],

@@ -5,10 +5,10 @@
 //! Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
 //! * nodal cone: all violated constraints are exchanged (M. Hintermüller, K. Ito, K. Kunisch, SIAM J.
-//! Optim. 13 (2002));
+//!   Optim. 13 (2002));
 //! * midpoint cone: the constraints active at the exact projection onto the cone. Exchanging single
-//! constraints leads to checkerboard patterns there, because the constraints of neighbouring segments are
-//! coupled through B B'.
+//!   constraints leads to checkerboard patterns there, because the constraints of neighbouring segments are
+//!   coupled through B B'.
 //!
 //! A set that reproduces itself solves the problem. Between a fixed node and a non-contact interval the
 //! multipliers of a contact interval may contain a sawtooth in the kernel of B': half of them are negative,

@@ -9,9 +9,9 @@
 //!
 //! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of the working set changes its sign;
 //! that constraint is dropped. The least energy subject to the working set increases from one set to the
-//! next, so that no set recurs: finite for every symmetric positive definite S, in exact arithmetic,
-//! whatever the loads. The constraint added is the one with the largest violation in the energy norm, (c'w
-//! − g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the root of that of B S⁻¹B', n^{3/2} in the
+//! next, so that no set recurs: finite for every symmetric positive definite S, in exact arithmetic, for
+//! all loads. The constraint added is the one with the largest violation in the energy norm, (c'w −
+//! g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the root of that of B S⁻¹B', n^{3/2} in the
 //! midpoint cone.
 //!
 //! No initial guess is needed: sawtooths of multipliers, which slow an exchange method down, are dropped

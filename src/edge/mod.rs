@@ -13,14 +13,14 @@
 //! The consistency term is computed in three ways, one per kind of data, none of which replaces another:
 //!
 //! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. Used for computed
-//! solutions, and for the sums over the segments of a case.
+//!   solutions, and for the sums over the segments of a case.
 //! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
-//! exact, so all levels together cost O(N) where segment by segment each costs O(N). It equals the sum of
-//! the first over all segments up to rounding: the two are independent computations (tests of Theorems 3.1
-//! and 4.1).
+//!   exact, so all levels together cost O(N) where segment by segment each costs O(N). It equals the sum of
+//!   the first over all segments up to rounding: the two are independent computations (tests of Theorems 3.1
+//!   and 4.1).
 //! * [`SegmentNorms`]: densities. The inequalities of the proofs contain ‖σ_N‖₀ and |σ_N|_ν, which are
-//! infinite for a point force and finite for a force spread over its cells; the consistency term of the
-//! spread force differs from that of the point force.
+//!   infinite for a point force and finite for a force spread over its cells; the consistency term of the
+//!   spread force differs from that of the point force.
 //!
 //! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 

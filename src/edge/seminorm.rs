@@ -75,8 +75,7 @@ mod tests {
     use crate::strip::LateralCondition;
     use fractional_sobolev::{Rule, gauss_legendre};
 
-    /// What is asked of the quadrature, with a factor for the cancellation in nearly
-    /// constant traces.
+    /// The tolerance of the quadrature, with a factor for the cancellation in nearly constant traces.
     const METHODS: f64 = 1e-8;
 
     /// Which trace of a segment.

@@ -170,7 +170,7 @@ fn parts_in(intervals: &[Interval], segment: Interval) -> impl DoubleEndedIterat
     intervals[from..to.max(from)].iter().filter_map(move |i| i.intersection(&segment))
 }
 
-/// Maximal runs of nodes with a property, as closed intervals.
+/// Maximal ranges of consecutive nodes with a property, as closed intervals.
 fn runs(nodes: &[f64], has: impl Fn(usize) -> bool) -> Vec<Interval> {
     let mut found: Vec<Interval> = Vec::new();
     let mut open = false;

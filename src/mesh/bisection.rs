@@ -1,4 +1,4 @@
-//! Local refinement by halving longest edges.
+//! Local refinement by longest-edge bisection.
 //!
 //! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved,
 //! too, until nothing changes. Then every triangle is cut at its longest edge and the two pieces at their

@@ -13,7 +13,8 @@ use crate::mesh::{Outline, polar_rings};
 
 /// The data of the test problem.
 ///
-/// At the origin clamped and contact sides meet at the angle π. Nodes: about `angles` · ln(1/`smallest`)/`step`.
+/// At the origin the Dirichlet and the contact boundary meet at the angle π. Nodes: about `angles` ·
+/// ln(1/`smallest`)/`step`.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, mesh::Outline, problems::DirichletEnd};

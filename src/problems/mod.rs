@@ -10,7 +10,7 @@
 //! | [`StripData`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip_data`, `contact_sets`, `gap_data` |
 //! | names and parameters | one block per test problem; grammar, reading, writing | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
-//! | [`DirichletEnd`] | a body clamped up to the end of its contact edge, on polar rings | `dirichlet_end` |
+//! | [`DirichletEnd`] | a body whose Dirichlet and contact boundary meet, on polar rings | `dirichlet_end` |
 //! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors against it | `known` |
 //!
 //! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with

@@ -8,7 +8,7 @@
 //!
 //! Section 4 (midpoint cone): C_T = {u_N = 0} ∩ [a, b]; *first case* when diam C_T ≤ h_e θ, *second case*
 //! when diam C_T ≥ h_e θ. The paper leaves equality open; here it belongs to both, and the empty C_T (no
-//! contact, nothing to estimate) to the first.
+//! contact) to the first.
 //!
 //! "Within" is strict and "on a piece" is up to single points, as measure zero does not matter for σ_N in L².
 

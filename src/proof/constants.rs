@@ -117,7 +117,8 @@ impl ProofConstants {
         1.0 - 1.0 / self.q
     }
 
-    /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end, whatever θ.
+    /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end,
+    /// independent of θ.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for θ that is not one of the zones of

@@ -15,7 +15,7 @@
 //!   equals |u−u_h|² + 2∫σ_N u_{h,N}: with it (4.5) is an equality for K̄^h, and for K^h it exceeds |u−u_h|²
 //!   by 2∫σ_N u_{h,N} ≥ 0.
 //! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative if ū_h
-//! is open where σ_N < 0.
+//!   is open where σ_N < 0.
 //! * (4.8): −∫σ_N ū_h ≤ −∫(σ_N − π^hσ_N)(ū_h − u)_N − ∫(σ_N − π^hσ_N)u_N, since π^hσ_N ≤ 0 has ∫π^hσ_N ū_h ≥
 //!   0.
 //!

@@ -64,7 +64,7 @@ impl fmt::Display for ConvergenceOrder {
 const LEVELS: usize = 5;
 /// Share of the probability within the uncertainty: a little more than the 95 % that are claimed.
 const WITHIN: f64 = 0.96;
-/// The order of linear elements in the energy norm, whatever the regularity.
+/// The largest order of linear elements in the energy norm.
 const ONE: f64 = 1.0;
 /// Largest power tried for the leading singularity: a transition inside a straight edge has 3/2.
 const LARGEST: f64 = 1.5;

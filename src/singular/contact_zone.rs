@@ -1,4 +1,4 @@
-//! The contact zone at a clamped end, in closed form.
+//! The contact interval at an end on the Dirichlet boundary, in closed form.
 //!
 //! Half plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, closed without friction
 //! on (0, ℓ), free for x > ℓ, loaded by the far field only. With Muskhelishvili's potential, σ_yy − iσ_xy =
@@ -20,7 +20,7 @@ use crate::error::{Error, Result};
 use crate::numeric::search::sign_change;
 use std::f64::consts::PI;
 
-/// The field of one contact zone at a clamped end, in units of its real factor; μ = 1.
+/// The field of one contact interval at an end on the Dirichlet boundary, in units of its real factor; μ = 1.
 ///
 /// ```
 /// use signorini::singular::ContactZone;
@@ -58,8 +58,8 @@ impl ContactZone {
 
     /// −σ_N at the distance r; 0 off the zone.
     ///
-    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the clamped end and vanishes like
-    /// (ℓ − r)^{1/2} at the transition.
+    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the Dirichlet end
+    /// and vanishes like (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
             return 0.0;

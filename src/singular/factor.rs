@@ -6,8 +6,8 @@
 //! | cosine | cos(λ w) | scalar, clamped/free |
 //! | mixed | 4κ cos²(λω) + (κ − 1)² − 4 λ² sin²ω | clamped/free |
 //!
-//! The mixed one is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form in which nothing cancels as κ → 1.
-//! All are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which
+//! The mixed one is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form without cancellation as κ → 1. All
+//! are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which
 //! the argument of f is known to turn by less than a right angle.
 
 use super::real::{Real, sine_cosine};

@@ -13,7 +13,8 @@
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
 //! | [`Wedge::exponents_on_arc`] | an independent computation: an eigenvalue problem on the arc | `arc` |
-//! | [`ContactZone`] | the contact zone at a clamped end, in closed form | `contact_zone` |
+//! | [`ContactZone`] | the contact interval at an end on the Dirichlet boundary, in closed form |
+//! `contact_zone` |
 //! | [`Wedge::sign_condition`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
 //! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,

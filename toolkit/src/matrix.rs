@@ -25,8 +25,8 @@ const BALANCED: f64 = 1e-8;
 /// Products are computed by FFT on uniform meshes and grids, by H²-matrices on other meshes: O(N log N) to
 /// O(N log²(1/τ)) at the relative tolerance τ; memory about 10 N numbers on a uniform mesh, 60 N on other
 /// meshes, 200 N on a grid. On an interval the fast product is prepared at its first use; the dense matrix
-/// has entries exact to rounding, sums of a few integrals of one sign each, and costs O(N²) kernel values
-/// and nothing else. Constants are removed from x before a product, since A maps them to zero.
+/// has entries exact to rounding, sums of a few integrals of one sign each, and costs O(N²) kernel values.
+/// Constants are removed from x before a product, since A maps them to zero.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};

@@ -22,7 +22,7 @@ const BYTES: usize = 48;
 /// Distances between elements are sums of lengths, never differences of coordinates: an element of length
 /// 1e-300 may be adjacent to one of length 1 anywhere in the interval, and every distance keeps full
 /// relative accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
-/// relative error about 1 ulp whatever the count.
+/// relative error about 1 ulp for every number of elements.
 ///
 /// ```
 /// use fractional_sobolev::Mesh;

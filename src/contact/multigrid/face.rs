@@ -10,10 +10,10 @@ use super::super::problem::ContactProblem;
 use super::level::Level;
 use crate::cone::{ContactSet, Coordinates, EdgeCone};
 
-/// One unknown: the sawtooth on a run.
+/// One unknown: the sawtooth on a contact interval.
 #[derive(Debug, Clone)]
 pub(super) struct Sawtooth {
-    /// Place and sign of every node of the run.
+    /// Place and sign of every node of the contact interval.
     pub(super) nodes: Vec<(usize, f64)>,
     /// s'K over the unit, as (place, value).
     row: Vec<(usize, f32)>,
@@ -38,7 +38,8 @@ impl Sawtooth {
         }
     }
 
-    /// The part of the residual that moves the amplitude, ± its mean on the run, times a factor.
+    /// The part of the residual that moves the amplitude, ± its mean on the contact interval, times a
+    /// factor.
     pub(super) fn force(&self, residual: &[f64], factor: f64, out: &mut [f32]) {
         let sum: f64 = self.nodes.iter().map(|&(place, sign)| sign * residual[place]).sum();
         let mean = factor * sum / self.nodes.len() as f64;
@@ -65,7 +66,7 @@ pub(super) struct FreePart {
 }
 
 impl FreePart {
-    /// For the active constraints `set` and B w ≤ `bound` for a change w of u_N; nothing moves at fixed
+    /// For the active constraints `set` and B w ≤ `bound` for a change w of u_N that vanishes at fixed
     /// nodes.
     pub(super) fn new<L: Level>(
         problem: &ContactProblem,

@@ -11,7 +11,7 @@
 //!
 //! * *three sides held*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
-//! they are open. The normal, and with it the load, is discontinuous at the corners; u is continuous.
+//!   they are open. The normal, and with it the load, is discontinuous at the corners; u is continuous.
 
 use super::super::transition_powers::TransitionPowers;
 use crate::error::{Error, Result};

@@ -139,12 +139,12 @@ impl std::fmt::Debug for SingularFunction<'_> {
 }
 
 impl<'a> SingularFunction<'a> {
-    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
+    /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breakpoints, [`Error::NotFinite`],
-    /// [`Error::EntryOutOfRange`] unless they increase strictly and lie at least 1e-290 and 1e-290 of the
-    /// interval apart.
+    /// [`Error::CountOutOfRange`] for fewer than two breakpoints, [`Error::NotFinite`],
+    /// [`Error::EntryOutOfRange`] unless they increase by at least 1e-290 and by at least 1e-290 times the
+    /// length of the interval.
     pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }

@@ -7,9 +7,9 @@
 //!
 //! ∫ ℓ ≤ Σ (t_{k+1} − t_k) (ℓ_k − ℓ_{k+1}) / ln(ℓ_k/ℓ_{k+1}),
 //!
-//! whatever the t_k are, with equality for one exponential. The true remainder lies between zero and the
-//! larger of the two. Beyond the last t the last chord is continued: at the end of a side ℓ is negligible
-//! or follows its asymptotic law.
+//! for every choice of the t_k, with equality for one exponential. The true remainder lies between zero and
+//! the larger of the two. Beyond the last t the last chord is continued: at the end of a side ℓ is
+//! negligible or follows its asymptotic law.
 
 use super::level::Density;
 use crate::error::{Error, Result};

@@ -1,8 +1,9 @@
 //! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat
 //! functions.
 //!
-//! Every integrand below has one sign, so every value has full relative accuracy, whatever p, q, d ≥ 1e-303
-//! of each other. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s + t.
+//! Every integrand below has one sign, so that every value has full relative accuracy for p, q, d with
+//! ratios down to 1e-303. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s +
+//! t.
 //!
 //! - separate cells (d > 0): the inner integral in closed form ([`PowerKernel::hats`]), the outer one by
 //!   Gauss rules on pieces that grow away from the other cell; a tensor rule when both cells are shorter than

@@ -1,4 +1,5 @@
-//! Orders so small that ν|u|_ν², a difference of terms of order one, has no digits left: γ from larger ones.
+//! γ for orders so small that ν|u|_ν², a difference of terms of order one, loses all digits, from larger
+//! orders.
 //!
 //! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where 1/|x−y| takes the
 //! place of the kernel), so ln γ is interpolated by a polynomial in Chebyshev points ν_k ∈ [h/40, h] and
@@ -17,8 +18,8 @@ const SMALL: f64 = 1e-3;
 /// Largest order used, and the share of it that is left out below.
 const LARGEST: f64 = 0.04;
 const LEAST_SHARE: f64 = 1.0 / 40.0;
-/// The points contribute about ten times their errors together: share of the tolerance that is asked of each,
-/// and the tolerance that rounding permits.
+/// The points contribute about ten times their errors together: the share of the tolerance for each, and
+/// the tolerance that rounding permits.
 const SHARE_OF_POINT: f64 = 0.05;
 const SHARPEST: f64 = 1e-11;
 

@@ -2,7 +2,7 @@
 //! first element, where the least energy has its singular part.
 //!
 //! With ψ = 1 − η, η(0) = 0, the energy is e₁₁ − 2 r·η + η·Mη, the entries formed from differences of the
-//! basis: constants cost nothing and nothing cancels.
+//! basis: constants have no energy and there is no cancellation.
 
 use super::angular_kernel::AngularKernel;
 use crate::closed_forms;

@@ -1,8 +1,8 @@
 //! Pairs of pieces that do not touch, and the L² norm: rules on single pieces.
 //!
 //! A piece longer than twice its distance is subdivided first. On a piece at a declared corner, x = ρ e(t),
-//! cells of ln ρ go down to where r^{2a+2} and r² are nothing; t runs over parts of the edge no longer than
-//! their distance from the corner.
+//! cells of ln ρ extend to where r^{2a+2} and r² are negligible; t runs over parts of the edge no longer
+//! than their distance from the corner.
 
 use super::piece::{Piece, View};
 use super::radial::{self, Approach, Points};

@@ -108,8 +108,8 @@ impl Series {
 
     /// h at w and its error, with the number of terms that minimises the sum of rounding and remainder.
     ///
-    /// The larger of two neighbours of the d_m falls from m = 2 on (seen to m = 40, not proved): the
-    /// remainder after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
+    /// The larger of two neighbours of the d_m decreases from m = 2 on (observed up to m = 40, not proved):
+    /// the remainder after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
     fn at(&self, w: f64) -> (f64, f64) {
         let (mut value, mut rounding, mut power) = (0.0, 0.0, 1.0);
         let mut best = (0.0, f64::INFINITY);

@@ -5,7 +5,7 @@
 //! * (1−s)^ν (1 + ν s + ... + (ν)_12 s¹²/12!), flat at 0: 1 less the rest of a Taylor series;
 //! * (1−s)^ν s^β P_i(2s−1), β ∈ (1, 2) the first exponent at a free end, A s^β = 0 on the half line;
 //! * (1−s)^{ν+j} ((1−s)^{j(2ν−1)} − 1)/(2ν−1) s⁴ P_i(2s−1), the singular response of the zone; at ν = 1/2
-//! the quotient is j ln(1−s).
+//!   the quotient is j ln(1−s).
 //!
 //! In y = ln(s/(1−s)) the pairs y ± d are taken together: their sum is d^{1−2ν} times an analytic function,
 //! integrated by a rule for that power on (0, 1) and Gauss rules beyond. Differences near the free end are

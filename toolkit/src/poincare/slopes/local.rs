@@ -9,12 +9,12 @@
 //! * neighbouring steps are replaced by their differences, continuous hat functions; the last step of G
 //!   stays (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and
-//! K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and are
-//! not affected by the subtraction; for the last step it is added back.
+//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and are
+//!   not affected by the subtraction; for the last step it is added back.
 //!
-//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good
+//! All entries then have the size of their scale, uniformly in θ. For p well below 0 steps are the good
 //! basis (a wide plateau of many short hat functions would have next to no energy compared with theirs);
-//! there the group only serves to see near points from far as P.
+//! there the group only serves to replace near points by P in distant interactions.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;
@@ -40,7 +40,7 @@ pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
 }
 /// Least energy of a plateau of hat functions, relative to theirs, for which f64 has digits to spare.
 const WELL_CONDITIONED: f64 = 1e-4;
-/// A point this much nearer to P than another is P itself, as seen from the other.
+/// Ratio of distances from P below which the nearer point is replaced by P.
 const INDISTINCT: f64 = 1e-15;
 
 /// The group G and its point P.
