@@ -67,7 +67,7 @@ pub enum Error {
         format: &'static str,
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: String,
     },
     /// A text follows its format, but a line has invalid content.

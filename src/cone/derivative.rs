@@ -5,8 +5,7 @@
 
 use std::collections::VecDeque;
 
-/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t +
-/// (intercept + shift).
+/// One piece, between breakpoints, in stored coordinates: F' = (slope + count)·t + (intercept + shift).
 #[derive(Clone, Copy)]
 struct Piece {
     left: f64,
@@ -87,8 +86,7 @@ impl Derivative {
         zero
     }
 
-    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it
-    /// does.
+    /// Truncates F' at the first node of a chain, with a jump to zero at `limit`, and returns its zero.
     pub(super) fn cut_first(&mut self, limit: f64) -> f64 {
         let zero = self.cut();
         if zero <= limit {

@@ -76,7 +76,7 @@ impl Cone {
 }
 
 impl EdgeCone {
-    /// Which cone.
+    /// The kind of cone.
     pub const fn kind(self) -> Cone {
         self.cone
     }

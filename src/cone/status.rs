@@ -22,7 +22,7 @@ pub enum Status {
         /// The largest of the residuals of balance, sign, gap and complementarity.
         residual: f64,
     },
-    /// The same contact set came back after `period` steps and the iteration could not leave the cycle.
+    /// The contact set recurred after `period` steps and the iteration could not leave the cycle.
     Cycled {
         /// Steps between the two visits.
         period: usize,

@@ -51,7 +51,7 @@ pub(super) struct EdgeOutcome {
     pub(super) state: EdgeState,
     /// Its set.
     pub(super) set: ContactSet,
-    /// How the iteration ended.
+    /// The termination status.
     pub(super) status: Status,
     /// The sets visited, in order, the last one included.
     pub(super) history: Vec<ContactSet>,

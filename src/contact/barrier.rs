@@ -101,7 +101,7 @@ pub(super) fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Resu
     Ok(iterate.outcome(Status::StepLimit { steps: STEPS }, STEPS))
 }
 
-/// The same for loads and bounds over `unit`, scaled back.
+/// The solution for loads and bounds divided by `unit`, scaled back.
 fn solve_in_unit(problem: &EdgeProblem<'_>, sizes: &[f64], unit: f64) -> Result<EdgeOutcome> {
     let over = |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v / unit).collect() };
     let (load, bound) = (over(problem.load), over(problem.bound));

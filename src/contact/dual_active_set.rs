@@ -238,7 +238,7 @@ impl Turn {
         [self.cos * a + self.sin * b, self.cos * b - self.sin * a]
     }
 
-    /// On columns k and k + 1.
+    /// Applies the rotation to columns k and k + 1.
     fn apply(self, columns: &mut [Vec<f64>], k: usize) {
         let [left, right] = &mut columns[k..k + 2] else { return };
         for (a, b) in left.iter_mut().zip(right) {

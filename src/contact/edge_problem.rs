@@ -163,13 +163,13 @@ pub(super) struct Sizes<'a> {
 }
 
 impl Sizes<'_> {
-    /// At the nodes of a constraint, as a force.
+    /// The size at the nodes of a constraint, as a force.
     pub(super) fn force(&self, constraint: usize) -> f64 {
         let support = self.problem.edge_cone().support(constraint);
         support.map(|node| self.terms[node]).fold(0.0, f64::max)
     }
 
-    /// The same as a displacement, by the diagonal of S, and the bound of the constraint.
+    /// The size as a displacement: the force divided by the diagonal of S, and the bound of the constraint.
     pub(super) fn gap(&self, constraint: usize) -> f64 {
         let alone = |node: usize| self.terms[node] / self.problem.stiffness[(node, node)];
         let support = self.problem.edge_cone().support(constraint);

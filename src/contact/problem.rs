@@ -168,6 +168,8 @@ impl ContactProblem {
         Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
     }
 
+    /// Checks that the cone is defined on the contact edge.
+    ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone on a contact edge in several pieces.
     pub(super) fn require_cone(&self, cone: Cone) -> Result<()> {

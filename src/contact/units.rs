@@ -24,7 +24,7 @@ pub(super) fn unit_for(root: f64) -> Option<f64> {
 }
 
 impl ContactProblem {
-    /// The same problem in its unit, with that; `None` where none is needed.
+    /// The scaled problem and its unit; `None` if no scaling is needed.
     pub(super) fn in_unit(&self) -> Option<(Self, f64)> {
         let stiff = match &self.form {
             Form::Scalar { .. } => 1.0,
@@ -44,7 +44,7 @@ impl ContactProblem {
 }
 
 impl ContactSolution {
-    /// Displacements and forces in units of 1 from those in the given one; energies by its square.
+    /// The solution with displacements and forces multiplied by the unit and energies by its square.
     /// Dimensionless quantities are unchanged.
     pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
         for values in [

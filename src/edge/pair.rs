@@ -176,7 +176,7 @@ impl ContactPair {
         Self::of_data(&edge_data, Traces::Linears)
     }
 
-    /// Which functions the traces are.
+    /// The kind of traces.
     pub(super) fn traces(&self) -> Traces {
         self.traces
     }

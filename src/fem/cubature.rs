@@ -72,7 +72,7 @@ impl Cubature {
     /// Calls `visit(point, weight)` for all points of the rule on a triangle.
     ///
     /// # Errors
-    /// Whatever `visit` returns.
+    /// The error returned by `visit`.
     pub fn on(&self, triangle: [Point; 3], visit: &mut dyn FnMut(Point, f64) -> Result<()>) -> Result<()> {
         self.graded(triangle, DEPTH, visit)
     }

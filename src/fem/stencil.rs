@@ -133,7 +133,7 @@ impl Stencils {
     }
 }
 
-/// Which cells lie beside a node of the given kind, by their lower corner relative to the node.
+/// The cells adjacent to a node of the given kind, by their lower corner relative to the node.
 fn cells(kind: usize) -> Vec<isize> {
     match kind {
         0 => vec![0],

@@ -121,6 +121,8 @@ impl ContactEdge {
         self.starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
     }
 
+    /// Checks that the edge is in one piece.
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
     pub(crate) fn require_one_piece(&self) -> Result<()> {

@@ -200,7 +200,8 @@ impl Triangulation {
     /// ```
     ///
     /// # Errors
-    /// Names the first triangle that the map inverts or flattens.
+    /// [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) with the first triangle that the map
+    /// inverts or flattens.
     pub fn mapped(mut self, map: impl Fn(Point) -> Point) -> Result<Self> {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;

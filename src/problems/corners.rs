@@ -100,7 +100,7 @@ pub fn solution_regularity(
     regularity_with_ends(problem, solution, [None; 2])
 }
 
-/// The same, given whether the first and the last segment of the edge are closed.
+/// The regularity of the solution, given whether the first and the last segment of the edge are closed.
 pub(super) fn regularity_with_ends(
     problem: &ContactProblem,
     solution: &ContactSolution,
@@ -163,7 +163,7 @@ struct Closed {
     single: Vec<usize>,
 }
 
-/// Whether the segment of the edge at the given distance from its first node is closed.
+/// True if the segment of the edge at the given distance from its first node is closed.
 pub(super) fn is_closed_at(problem: &ContactProblem, solution: &ContactSolution, arc: f64) -> bool {
     let edge = problem.edge();
     let first = edge.arc().partition_point(|&at| at <= arc).saturating_sub(1);

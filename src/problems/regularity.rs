@@ -59,7 +59,7 @@ impl TestProblem {
         regularity_with_ends(&problem, &solution, ends)
     }
 
-    /// Whether contact is closed near the first or the last node of its edge.
+    /// True if contact is closed near the first or the last node of its edge.
     fn closes_at(self, setting: &Parameters, last: bool) -> Result<bool> {
         let mut hierarchy = Hierarchy::new(self.mesh_with(COARSE, setting)?);
         let ends = self.problem_with(COARSE, setting)?;
@@ -80,7 +80,7 @@ mod tests {
     /// Twelve digits.
     const DIGITS: f64 = 1e-12;
 
-    /// What was typed by hand before, with its cap 2, and where it was wrong.
+    /// Regularities typed by hand, with the limit 2, against the computed ones.
     #[test]
     fn computed_regularity_stands_beside_the_typed_one() {
         let setting = Parameters::default();

@@ -50,8 +50,8 @@ pub struct ProofConstants {
 }
 
 impl ProofConstants {
-    /// For 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always among them; q ≥
-    /// 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
+    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always
+    /// among them; q ≥ 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
     ///
     /// The constants C of the laws are the largest quotients over all these zones. Cost: one eigenproblem
     /// per zone.

@@ -97,7 +97,7 @@ impl FalkTerms {
         self.approximation + self.consistency + second
     }
 
-    /// The same with the infimum replaced by the two parts of (4.8).
+    /// The bracket with the infimum replaced by the two parts of (4.8).
     pub fn split_bracket(&self, cone: Cone) -> f64 {
         let second = if cone == Cone::Midpoint { self.first_part + self.second_part } else { 0.0 };
         self.approximation + self.consistency + second

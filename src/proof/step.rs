@@ -25,7 +25,7 @@ pub enum Step {
 }
 
 impl Step {
-    /// From the term to the final bound.
+    /// All steps, from the term to the final bound.
     pub const ALL: [Step; 7] = [
         Step::Term,
         Step::Hoelder,

@@ -162,7 +162,7 @@ impl Posterior {
 }
 
 impl Density {
-    /// On a range of p that is narrowed to the support of the density.
+    /// The density on a range of p that is narrowed to its support.
     fn of((mut low, mut high): (f64, f64), logarithm: impl Fn(f64) -> f64) -> Self {
         let mut pass = 1;
         loop {

@@ -139,7 +139,7 @@ pub struct Wedge {
 const SMALLEST: f64 = 1e-5;
 
 impl Wedge {
-    /// Opening in radians, in [1e-5, 2π].
+    /// The wedge with the given opening in radians, in [1e-5, 2π], medium and sides.
     ///
     /// ```
     /// use signorini::singular::{Medium, SideConditions, Wedge};
@@ -150,7 +150,8 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside, or a ratio outside (−1, 1/2).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside this interval,
+    /// or a Poisson's ratio outside (−1, 1/2).
     pub fn new(angle: f64, sides: SideConditions, medium: Medium) -> Result<Self> {
         let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
         Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;

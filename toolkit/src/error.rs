@@ -50,7 +50,7 @@ pub enum Error {
     /// A count (cells, nodes, levels, ...) is not admissible.
     #[error("{name} = {value} is outside {range}")]
     CountOutOfRange {
-        /// What is counted.
+        /// Name of the count.
         name: &'static str,
         /// The count that was given.
         value: usize,
@@ -60,7 +60,7 @@ pub enum Error {
     /// A count that requires more memory than the machine has.
     #[error("{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB")]
     TooLarge {
-        /// What is counted.
+        /// Name of the count.
         name: &'static str,
         /// The count that was given.
         count: usize,
@@ -72,7 +72,7 @@ pub enum Error {
     /// A name that is not one of the known names.
     #[error("unknown {what} '{given}': expected {expected}")]
     UnknownName {
-        /// What is named.
+        /// Kind of the name.
         what: &'static str,
         /// The name that was given.
         given: String,
@@ -82,11 +82,11 @@ pub enum Error {
     /// Two choices that cannot be combined.
     #[error("{what} {given} cannot be combined with {with}: expected {expected}")]
     Incompatible {
-        /// What is chosen.
+        /// Name of the choice.
         what: &'static str,
         /// The choice.
         given: String,
-        /// What it cannot be combined with, as text.
+        /// The other choice, as text.
         with: &'static str,
         /// The admissible choices, as text.
         expected: &'static str,
@@ -94,7 +94,7 @@ pub enum Error {
     /// A value (data, load, function value) is NaN or infinite.
     #[error("{name} is not finite: {value} at index {index}")]
     NotFinite {
-        /// What the value is.
+        /// Name of the value.
         name: &'static str,
         /// Its position.
         index: usize,
@@ -104,7 +104,7 @@ pub enum Error {
     /// A function of the plane is NaN or infinite at an evaluation point.
     #[error("{name} is not finite: {value} at ({:?}, {:?})", point[0], point[1])]
     NotFiniteAt {
-        /// What the function is.
+        /// Name of the function.
         name: &'static str,
         /// The point.
         point: [f64; 2],
@@ -114,7 +114,7 @@ pub enum Error {
     /// Two arrays that must agree in length do not.
     #[error("{name} has length {given}, expected {expected}")]
     LengthMismatch {
-        /// Which array.
+        /// Name of the array.
         name: &'static str,
         /// Its length.
         given: usize,
@@ -146,9 +146,9 @@ pub enum Error {
     /// A matrix that should be positive definite is not, to working accuracy.
     #[error("{what} is not positive definite: pivot {pivot}")]
     NotPositiveDefinite {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
-        /// Where the factorization broke down.
+        /// Index of the pivot at which the factorization broke down.
         pivot: usize,
     },
     /// A solver of another library failed.
@@ -168,7 +168,7 @@ pub enum Error {
     Triangle {
         /// Its number, from 0.
         triangle: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
         /// The offending value.
         value: f64,
@@ -178,7 +178,7 @@ pub enum Error {
     Edge {
         /// Its end nodes.
         nodes: [usize; 2],
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
     },
     /// A node of a mesh is invalid.
@@ -186,7 +186,7 @@ pub enum Error {
     Node {
         /// Its number, from 0.
         node: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
     },
 }

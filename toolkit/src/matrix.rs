@@ -51,7 +51,7 @@ enum Form {
     Grid { squares: [usize; 2], h: f64, form: GridOperator },
 }
 
-/// On a mesh of an interval; the fast product is prepared when it is first used.
+/// The matrix on a mesh of an interval; the fast product is prepared at its first use.
 struct Interval {
     mesh: Mesh,
     order: Order,

@@ -17,7 +17,7 @@ const COARSEST: usize = 100;
 pub(super) struct Chain {
     /// One for every level but the finest.
     pub(super) problems: Vec<ContactProblem>,
-    /// From every level k to level k + 1: the two nodes whose midpoint a node is.
+    /// For every level k, the two nodes whose midpoint a node of level k + 1 is.
     pub(super) parents: Vec<Vec<[u32; 2]>>,
     /// The same along the contact edge.
     pub(super) links: Vec<Link>,

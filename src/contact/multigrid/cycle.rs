@@ -34,7 +34,7 @@ pub(super) struct Cycle<'a, L> {
 }
 
 impl<'a, L: Level> Cycle<'a, L> {
-    /// For levels 0 to k, with `problems` beside them.
+    /// The cycle for levels 0 to k, with their `problems`.
     pub(super) fn new(
         levels: &'a [L],
         problems: &[&ContactProblem],

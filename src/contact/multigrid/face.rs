@@ -66,8 +66,8 @@ pub(super) struct FreePart {
 }
 
 impl FreePart {
-    /// For the active constraints `set` and B w ≤ `bound` for a change w of u_N that vanishes at fixed
-    /// nodes.
+    /// The free unknowns for the active constraints `set` and B w ≤ `bound`, for a change w of u_N that
+    /// vanishes at fixed nodes.
     pub(super) fn new<L: Level>(
         problem: &ContactProblem,
         level: &L,

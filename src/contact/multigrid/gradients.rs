@@ -28,7 +28,7 @@ pub(super) struct Gradients {
 }
 
 impl Gradients {
-    /// For so many unknowns; `least` is a known bound of κ, else 1.
+    /// The state for this many unknowns; `least` is a known bound of κ, else 1.
     pub(super) fn new(unknowns: usize, least: f64) -> Self {
         let zeros = || vec![0.0; unknowns];
         Self {

@@ -5,7 +5,7 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::ContactEdge;
 use std::collections::HashMap;
 
-/// For every node of the fine contact edge the two nodes of the coarse one in the middle of which it lies.
+/// For every node of the fine contact edge, the two coarse nodes whose midpoint it is.
 #[derive(Debug, Clone)]
 pub(super) struct Link {
     parents: Vec<[usize; 2]>,

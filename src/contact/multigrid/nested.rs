@@ -208,7 +208,7 @@ fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> V
     fine
 }
 
-/// From the layout of the level.
+/// Node-major values from the layout of the level.
 fn node_major<L: Level>(level: &L, x: Vec<f64>) -> Vec<f64> {
     (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
 }

@@ -129,7 +129,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         }
     }
 
-    /// With another reliability of the guess; the signs are used by default.
+    /// The stage with another reliability of the guess; the signs are used by default.
     pub(super) fn with(mut self, guess: Guess) -> Self {
         self.guess = guess;
         self

@@ -74,7 +74,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
             ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
             ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
             ("$Nodes" | "$Elements" | "$Entities", None) => {
-                return Err(lines.fault("no $MeshFormat section before"));
+                return Err(lines.fault("a section before $MeshFormat"));
             }
             _ => {
                 lines.skip_section(header)?;

@@ -36,9 +36,9 @@ pub(super) struct Raw {
     pub(super) groups: HashMap<(i32, i64), i64>,
     /// Line and place of a node tag.
     nodes: HashMap<u64, (usize, [f64; 3])>,
-    /// With their physical group.
+    /// The lines with their physical group.
     pub(super) lines: Vec<Element<Option<i64>, 2>>,
-    /// With their surface.
+    /// The triangles with their surface.
     pub(super) triangles: Vec<Element<Surface, 3>>,
 }
 

@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
 pub(super) const TRANSITION: f64 = 0.4;
-/// Of a dozen operations.
+/// Rounding of a dozen operations.
 const ROUNDING: f64 = 1e-14;
 
 /// The solution, by its power and material.

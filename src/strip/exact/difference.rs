@@ -33,7 +33,7 @@ pub(super) struct Interpolated<'a> {
 }
 
 impl Interpolation {
-    /// To the edge of period P, a power of two.
+    /// The interpolation to the edge of period P, a power of two.
     pub(super) fn new(period: usize) -> Self {
         let inverse = (0..=period / 2).map(|k| (PI * k as f64 / period as f64).sin().powi(-2)).collect();
         Self { period, inverse }

@@ -30,7 +30,7 @@ use std::ops::Neg;
 
 /// A real field with the four operations.
 pub(crate) trait Field: Num + Copy + Neg<Output = Self> + From<f64> {
-    /// About the square root of the rounding, with a margin.
+    /// Relative change at which doubling stops: about the square root of the rounding, with a margin.
     const SETTLED: f64;
     /// The nearest binary64.
     fn approximate(self) -> f64;

@@ -24,8 +24,9 @@ const MOST_POINTS: usize = 16;
 /// Kernel evaluations that one cut counts as.
 const OF_CUT: u64 = 4;
 /// Message: the work limit is exceeded.
-const NEEDLES: &str = "the work limit is reached: two sides are so close to each other that elements are subdivided to \
-     that distance; grade the elements towards that place, or raise Tolerance::with_work";
+const NEEDLES: &str = "the work limit is reached: two sides without a common corner, or at a small angle, are so close to \
+     each other that elements are subdivided to that distance; grade the elements towards that place, or raise \
+     Tolerance::with_work";
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {
@@ -69,6 +70,8 @@ impl<'a> CurvePairs<'a> {
         left > count
     }
 
+    /// Checks that all pairs were visited.
+    ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] if not all pairs were visited.
     pub(super) fn require_all(&self) -> Result<()> {
@@ -78,7 +81,7 @@ impl<'a> CurvePairs<'a> {
         Err(Error::out_of_reach("norm on a curve", self.asked, f64::INFINITY, NEEDLES))
     }
 
-    /// Of linears with values differing by one at the ends of an element of length h.
+    /// The form of one element of length h for linears whose end values differ by one.
     pub(super) fn own(&self, h: f64) -> f64 {
         2.0 * self.kernel.scaling(h) / (self.kernel.two_minus * self.kernel.three_minus)
     }
@@ -178,8 +181,8 @@ impl<'a> CurvePairs<'a> {
         }
     }
 
-    /// For pieces of this length over their distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and one point
-    /// for the linears.
+    /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²),
+    /// and one point for the linears.
     fn rule(&self, ratio: f64) -> &Rule {
         let z = 2.0 / ratio.max(1e-8);
         let rho = z + z.hypot(1.0);

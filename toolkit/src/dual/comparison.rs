@@ -79,7 +79,7 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// For f of `count` elements, to a relative `tolerance`.
+    /// The comparison forms for f with `count` elements, to a relative `tolerance`.
     pub(super) fn new(order: Order, [m, a]: [f64; 2], count: usize, tolerance: f64) -> Self {
         let (nu, constant) = (order.value(), symbol_constant(order));
         let at = |x: f64| m - a * (x.powf(-2.0 * nu) + (1.0 - x).powf(-2.0 * nu)) / nu;

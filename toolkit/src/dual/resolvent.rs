@@ -69,7 +69,7 @@ pub(super) struct Load {
 }
 
 impl Load {
-    /// For τ from `least` on.
+    /// The load f for resolvents with τ ≥ `least`.
     pub(super) fn new(ends: Ends, total: f64, cells: Cells, least: f64) -> Result<Self> {
         let primitive = if least * total < 1.0 {
             let whole = cells.primitive()?;

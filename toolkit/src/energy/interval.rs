@@ -26,7 +26,7 @@ pub(crate) trait CellEnergies: Samples {
     /// Largest number of elements of a leaf cluster.
     fn leaf(&self) -> usize;
 
-    /// Whether clusters may end at this node.
+    /// True if clusters may end at this node.
     fn may_cut(&self, _node: usize) -> bool {
         true
     }

@@ -32,7 +32,7 @@ pub(crate) trait Samples: Sync {
     /// A value of the function on the cell.
     fn level(&self, cell: usize) -> f64;
 
-    /// Calls with (t, w, u − shift), t and w on the unit cell.
+    /// Calls the function with (t, w, u − shift) at all points of the rule, t and w on the unit cell.
     fn sample(&self, cell: usize, shift: f64, visit: &mut dyn FnMut(f64, f64, f64));
 }
 

@@ -22,8 +22,8 @@ pub(super) struct Sampled {
 }
 
 impl Sampled {
-    /// From e at distances δ of the breakpoint, down to `closest`, all in units of the cell; `mirrored`
-    /// when the breakpoint is its right end.
+    /// The samples of e at distances δ from the breakpoint, down to `closest`, in units of the cell;
+    /// `mirrored` if the breakpoint is its right end.
     pub(super) fn new(
         closest: f64,
         mirrored: bool,

@@ -9,7 +9,7 @@ use crate::quadrature::Rule;
 
 /// Orders of the two rules.
 const ORDERS: [usize; 2] = [9, 14];
-/// Of the tolerance: the error of one cell.
+/// Share of the tolerance for one cell.
 const SHARE: f64 = 0.003;
 /// Fraction of a cell between its end and the first point of the fine rule.
 const END: f64 = 0.007;

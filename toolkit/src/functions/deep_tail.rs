@@ -39,7 +39,7 @@ const SETTLED: f64 = 40.0;
 const FLAT: f64 = 1e-13;
 /// |1 − 2ν| t from which on e^{−(1−2ν)t} shows.
 const BEGUN: f64 = 4.0;
-/// On one cell f grows by at most e^{GROWTH}, estimated between t and STEP t.
+/// Largest growth e^{GROWTH} of f on one cell, estimated between t and STEP t.
 const GROWTH: f64 = 4.0;
 const STEP: f64 = 1.125;
 const MORE_TERMS: f64 = 60.0;
@@ -206,7 +206,10 @@ impl<'a> DeepTail<'a> {
     }
 
     fn infinite(&self) -> Error {
-        Error::InfiniteNorm { order: 0.5 * (1.0 - self.decay), why: "t l(t) does not decay in ln t" }
+        Error::InfiniteNorm {
+            order: 0.5 * (1.0 - self.decay),
+            why: "the contributions near a breakpoint do not decay",
+        }
     }
 
     /// True if t ℓ(t) does not decay in ln t, never while the factor e^{−(1−2ν)t} has not begun to act.

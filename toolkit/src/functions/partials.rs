@@ -46,7 +46,7 @@ impl Partials {
         self.densities[self.densities.len() - 1].abs() * self.end()
     }
 
-    /// From T/4 to T/2 and from T/2 to T; `None` where ℓ vanishes there or the two coincide.
+    /// The increments from T/4 to T/2 and from T/2 to T; `None` if ℓ vanishes there or the two coincide.
     fn growth(&self) -> Option<[Growth; 2]> {
         let at = |share: f64| self.ends.partition_point(|&t| t < share * self.end());
         let [first, middle, last] = [at(0.25), at(0.5), self.ends.len() - 1];

@@ -69,7 +69,7 @@ impl Profile {
         self.values[arm].iter().enumerate().map(move |(k, &value)| (place_of(k), value))
     }
 
-    /// Whether all values are the same to rounding.
+    /// True if all values are equal to rounding.
     pub(super) fn is_constant(&self) -> bool {
         let all = || self.values.iter().flatten();
         let (low, high) =
@@ -77,7 +77,7 @@ impl Profile {
         high - low <= 4.0 * ULPS * high.abs().max(low.abs())
     }
 
-    /// Whether some interval is much longer than a neighbour.
+    /// True if some interval is much longer than a neighbour.
     pub(super) fn is_unequal(&self) -> bool {
         let quotient = |pair: &[Arm]| (pair[0].length / pair[1].length).max(pair[1].length / pair[0].length);
         self.arms.windows(2).any(|pair| quotient(pair) > UNEQUAL)

@@ -73,8 +73,8 @@ pub(super) struct TwoRates {
 }
 
 impl TwoRates {
-    /// From ℓ at t, the last of them equidistant; `gap` = 2ν, `rounding` that of a sum, relative. `None` if
-    /// there are too few values, if they vanish, or if the two triples disagree.
+    /// The law from values ℓ(t), the last of them equidistant; `gap` = 2ν, `rounding` that of a sum,
+    /// relative. `None` if there are too few values, if they vanish, or if the two triples disagree.
     pub(super) fn of(t: &[f64], densities: &[f64], gap: f64, rounding: f64) -> Option<Self> {
         let rounding = ROUNDING.max(OF_ONE * rounding);
         let last = t.len().checked_sub(1)?;

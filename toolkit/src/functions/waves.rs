@@ -272,14 +272,14 @@ impl Cell {
     }
 }
 
-/// Whether the shortest cell of a side, from its breakpoint on, lies away from the breakpoint.
+/// True if the shortest cell of a side is not the one at its breakpoint.
 fn shrinks_inside(cells: &[Cell]) -> bool {
     let length = |cell: &Cell| cell.far - cell.near;
     let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);
     length(&cells[0]) >= INSIDE * shortest
 }
 
-/// Whether cells shrink geometrically somewhere.
+/// True if cells shrink geometrically somewhere.
 fn is_graded(cells: &[Cell]) -> bool {
     let length = |k: usize| cells[k].far - cells[k].near;
     let sees_long = |from: usize, others: &mut dyn Iterator<Item = usize>| {

@@ -20,7 +20,7 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// For hat functions: everything but the pairs of cells that do not touch.
+    /// The band for hat functions: all entries except those from pairs of cells that do not touch.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
@@ -35,7 +35,7 @@ impl Band {
         }
     }
 
-    /// For indicator functions.
+    /// The band for indicator functions.
     pub(crate) fn constants(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();

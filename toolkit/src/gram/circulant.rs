@@ -37,7 +37,7 @@ enum Workspace {
 }
 
 impl Circulant {
-    /// For the symmetric Toeplitz matrix with the given first column.
+    /// The circulant for the symmetric Toeplitz matrix with the given first column.
     pub(crate) fn new(column: &[f64]) -> Result<Self> {
         let least = 2 * column.len();
         if smooth_length(least) < BLOCKED {

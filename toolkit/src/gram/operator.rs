@@ -64,7 +64,7 @@ impl GramOperator {
         Self::build(partition, order, tolerance, true, partition.uniform_length())
     }
 
-    /// On the whole line, for the hat functions of the N − 1 inner nodes.
+    /// The operator on the whole line, for the hat functions of the N − 1 inner nodes.
     pub(crate) fn zero_outside(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         let mut operator = Self::linears(partition, order, tolerance)?;
         let (diagonal, beside) = exterior_linears(partition, order);
@@ -73,7 +73,8 @@ impl GramOperator {
         Ok(operator)
     }
 
-    /// For the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
+    /// The operator for the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥
+    /// 1/2.
     pub(crate) fn constants(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         require_constants_finite(order)?;
         Self::build(partition, order, tolerance, false, partition.uniform_length())

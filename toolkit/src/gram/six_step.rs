@@ -103,7 +103,7 @@ impl SixStep {
         2 * rows * columns
     }
 
-    /// From eigenvalues S_0 ..= S_n, of a circulant of a length given by [`SixStep::length`].
+    /// The circulant with eigenvalues S_0 ..= S_n, of a length given by [`SixStep::length`].
     pub(crate) fn new(eigenvalues: &[f64]) -> Self {
         let n = eigenvalues.len() - 1;
         let (rows, columns) = shape(n);
@@ -198,7 +198,7 @@ impl SixStep {
         }
     }
 
-    /// Where row k₁ lies among the pairs: 0 and n₁/2 first, then 1, n₁−1, 2, n₁−2, ...
+    /// The position of row k₁ among the pairs: 0 and n₁/2 first, then 1, n₁−1, 2, n₁−2, ...
     fn place(&self, row: usize) -> usize {
         match row {
             0 => 0,

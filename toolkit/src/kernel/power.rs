@@ -69,7 +69,7 @@ pub(crate) struct GaussRules {
 }
 
 impl GaussRules {
-    /// To the relative accuracy `target` of a positive integral.
+    /// The rules for the relative accuracy `target` of a positive integral.
     pub(crate) fn to(degree: usize, target: f64) -> Self {
         Self { degree, share: (-target.log10() / 17.0).clamp(0.1, 1.0) }
     }

@@ -48,7 +48,7 @@ pub(crate) struct ConjugateGradients {
 }
 
 impl ConjugateGradients {
-    /// For n unknowns.
+    /// The buffers for n unknowns.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }

@@ -61,7 +61,7 @@ impl CellPairs {
         })
     }
 
-    /// Of an offset that leaves no common node.
+    /// The forms of an offset without a common node.
     pub(super) fn apart(&self, offset: [i64; 2]) -> Result<CellPair> {
         let reach = offset[0].unsigned_abs().max(offset[1].unsigned_abs()) as usize;
         if reach > NEAR {

@@ -52,7 +52,7 @@ const BYTES_OF_SQUARE: usize = 1600;
 const BAND: usize = 32;
 
 impl GridOperator {
-    /// For the grid of [`super::Triangles::grid`]; entries to the relative tolerance.
+    /// The operator on the grid of [`super::Triangles::grid`], with entries to the relative tolerance.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for a grid without squares, [`Error::TooLarge`] if the memory does not
@@ -198,7 +198,7 @@ impl GridOperator {
 }
 
 impl Touching {
-    /// From the form on a patch of 3 × 3 nodes, the first square at `origin`.
+    /// The form from that on a patch of 3 × 3 nodes, the first square at `origin`.
     fn new(origin: [usize; 2], offset: [i64; 2], patch: &[[f64; 9]; 9]) -> Self {
         let twice = if offset == [0, 0] { 1.0 } else { 2.0 };
         let of = |at: [i64; 2]| CORNERS.map(|corner| [0, 1].map(|k| corner[k] as i64 + at[k]));

@@ -24,7 +24,7 @@ use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::quadrature::Rule;
 
-/// What is integrated: differences of linear functions, or of constants.
+/// The integrand: differences of linear functions, or of constants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Shape {
     Constants,

@@ -90,7 +90,7 @@ impl Cluster {
         length([self.size(0), self.size(1)])
     }
 
-    /// Of the boxes.
+    /// The distance of the boxes.
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let gap = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
         length([gap(0), gap(1)])

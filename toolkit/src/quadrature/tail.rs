@@ -42,7 +42,7 @@ pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f6
         .min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
-/// At most 16 values of the longest equidistant end of the sequence.
+/// The last values of the sequence with equal spacing, at most 16.
 fn equidistant(t: &[f64], partial: &[f64]) -> Vec<f64> {
     let last = t.len() - 1;
     let step = t[last] - t[last - 1];

@@ -28,7 +28,7 @@ pub(super) struct AngularKernel {
 }
 
 impl AngularKernel {
-    /// For angles between `smallest` and π.
+    /// The tables for angles between `smallest` and π.
     pub(super) fn new(order: Order, tau: f64, smallest: f64) -> Self {
         let start = smallest.ln();
         let cells = ((PI.ln() - start) / WIDTH).ceil() as usize;

@@ -137,7 +137,7 @@ fn half_plane(s: UnitOrder) -> Result<Estimate> {
     }
 }
 
-/// With the function cos(x) φ(y).
+/// The constant with the extremal function cos(x) φ(y).
 fn with_profile(found: BestConstant, s: UnitOrder) -> BestConstant {
     let profile = move |y: f64| match s {
         UnitOrder::Inner(order) if y < FAR => extension_profile(order, y).unwrap_or(f64::NAN),

@@ -12,7 +12,8 @@ use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// How fine: degree, points of a rule, levels of rules graded to a singular point, first element.
+/// The discretisation parameters: degree, points of a rule, levels of rules graded to a singular point,
+/// first element.
 #[derive(Clone, Copy)]
 pub(super) struct Fineness {
     pub(super) degree: usize,
@@ -45,7 +46,7 @@ pub(super) struct WedgeElements {
     /// Local nodes with their barycentric weights.
     nodes: Points,
     plain: Points,
-    /// For pairs within one element, for touching ones, and towards 0 alone.
+    /// The rules for pairs within one element, for touching elements, and towards 0.
     same: Points,
     touching: Points,
     graded: Points,

@@ -31,7 +31,8 @@ pub(super) struct EndIncrements {
 }
 
 impl EndIncrements {
-    /// On the nodes of a mesh of (0, 1), which should be geometric to 0; the last ones where the nodes are the same.
+    /// The increments at the nodes of a mesh of (0, 1), which should be geometric to 0; cached for the last
+    /// mesh.
     ///
     /// # Errors
     /// As [`EndIncrements::new`].
@@ -46,7 +47,7 @@ impl EndIncrements {
         Ok(found)
     }
 
-    /// On the nodes of a mesh of (0, 1).
+    /// The increments at the nodes of a mesh of (0, 1).
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.

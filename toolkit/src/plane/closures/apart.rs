@@ -108,7 +108,7 @@ impl Apart<'_> {
         Ok(points(2, self.points)?.iter().map(place).collect())
     }
 
-    /// On a piece at a declared corner, with a rule for ∫₀¹ ρ f dρ.
+    /// The points of a rule on a piece at a declared corner, from a rule for ∫₀¹ ρ f dρ.
     fn around(&self, piece: &Piece, radial: &Points) -> Result<Vec<Placed>> {
         let plain = Rule::gauss_legendre(self.points)?;
         let (mut open, mut placed) = (vec![[piece.at[1], piece.at[2]]], Vec::new());

@@ -78,14 +78,14 @@ impl<'a> SingularPlaneFunction<'a> {
         power_of_two(self.largest)
     }
 
-    /// At base + offset, `anchor` the declared corner at the base.
+    /// The value at base + offset, `anchor` the declared corner at the base.
     pub(super) fn at(&self, triangle: usize, base: Point, offset: Point, anchor: Option<usize>) -> f64 {
         let x = [base[0] + offset[0], base[1] + offset[1]];
         let anchor = anchor.map(|corner| (corner, offset));
         (self.function)(&PlanePosition::new(&self.corners, triangle, x, anchor))
     }
 
-    /// At a mean of the corners of a triangle.
+    /// The value at a weighted mean of the corners of a triangle.
     fn at_shares(&self, triangle: usize, shares: [f64; 3]) -> f64 {
         let (nodes, corners) = (self.mesh.triangles()[triangle], self.mesh.corners(triangle));
         let known = (0..3).find_map(|k| self.corners.at(nodes[k]).map(|corner| (k, corner)));

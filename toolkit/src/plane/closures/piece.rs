@@ -78,7 +78,7 @@ impl Piece {
         minus(self.base, other.base)
     }
 
-    /// With its corners relative to a point.
+    /// The piece as a simplex, with its corners relative to a point.
     pub(super) fn simplex(&self, shift: Point) -> Simplex<1> {
         Simplex::triangle(std::array::from_fn(|k| Corner {
             node: self.nodes[k],

@@ -97,7 +97,7 @@ pub(super) fn angle_between(a: Point, b: Point) -> f64 {
 }
 
 impl Corners {
-    /// Of pairs (node, exponent).
+    /// The declared corners from pairs (node, exponent).
     pub(super) fn new(mesh: &Triangles, declared: &[(usize, f64)]) -> Result<Self> {
         let mut all: Vec<Corner> = Vec::with_capacity(declared.len());
         for &(node, exponent) in declared {

@@ -72,12 +72,12 @@ pub(super) fn depth(digits: f64, exponent: f64) -> f64 {
     (digits / (2.0 + 2.0 * a)).min(DEEPEST / (1.0 - a))
 }
 
-/// What is left out beyond that depth, relative to the whole.
+/// The truncation error beyond that depth, relative to the whole.
 pub(super) fn left_out(digits: f64, exponent: f64) -> f64 {
     (-depth(digits, exponent) * (2.0 + 2.0 * exponent.min(0.0))).exp()
 }
 
-/// For squares of differences at a corner with exponent a: ∫₀¹ ρ^{1−2s} Δ(ρ)² dρ.
+/// The rule for squares of differences at a corner with exponent a: ∫₀¹ ρ^{1−2s} Δ(ρ)² dρ.
 pub(super) fn for_differences(order: Order, exponent: f64, approach: Approach) -> Result<Points> {
     rule(2.0 * order.complement(), 2.0 * exponent, approach)
 }

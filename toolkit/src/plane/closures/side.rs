@@ -58,7 +58,7 @@ impl<'a> Side<'a> {
         rule.iter().map(|(rho, weight)| weight * self.value(*rho, t).powi(2)).sum()
     }
 
-    /// With the edge in the other direction.
+    /// The side with its edge in the other direction.
     pub(super) fn turned(self) -> Self {
         Self { from: self.edge(1.0), along: self.along.map(|x| -x), ..self }
     }

@@ -69,7 +69,7 @@ pub(super) struct ClosureSum<'a> {
     radial_error: f64,
 }
 
-/// What is integrated along rays from a corner.
+/// The quantity integrated along rays from a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Quantity {
     Seminorm,
@@ -182,8 +182,8 @@ impl<'a> ClosureSum<'a> {
         Apart { view, kernel, power: 1.0 + self.order.value(), points: POINTS[level], digits }
     }
 
-    /// How the corner of a piece is approached, somewhat longer at higher levels; one rule where it is
-    /// smooth.
+    /// The radial rule at the corner of a piece, longer at higher levels; a single rule where the function
+    /// is smooth.
     fn approach(&self, piece: &Piece, level: usize) -> Approach {
         match piece.corner().map(|corner| self.approaches[corner]) {
             Some(short) => longer(short, level),

@@ -84,7 +84,7 @@ struct Series {
 }
 
 impl Series {
-    /// From k/g_k and factor(k) = ±f_k/k without its alternating sign.
+    /// The series from k/g_k and factor(k) = ±f_k/k without its alternating sign.
     fn new(ratios: &[f64], factor: impl Fn(f64) -> f64) -> Self {
         let coefficient = |m: usize| {
             // 4^k C(m+k−1, m−k) downwards from k = m.

@@ -56,7 +56,7 @@ struct StrongForm {
 }
 
 impl StrongForm {
-    /// Values of A on the basis.
+    /// The strong form for one order: values of A on the basis.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].

@@ -71,8 +71,8 @@ impl Nodes {
         Ok(Self { rules, panels, degrees, isolation })
     }
 
-    /// Which rule integrates to `digits` digits over panel i, the nearest singular point lying `outside`
-    /// times its length away.
+    /// The rule for `digits` digits over panel i, whose distance from the nearest singular point is
+    /// `outside` times its length.
     pub(crate) fn choose(&self, i: usize, outside: f64, digits: f64) -> usize {
         let beside = 1.0 + 2.0 * outside.min(self.isolation[i]);
         let ellipse = beside + (beside * beside - 1.0).sqrt();
