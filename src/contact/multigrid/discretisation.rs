@@ -22,7 +22,7 @@ impl Discretisation {
         self.energies.push(energy);
     }
 
-    /// The expected |u − u_k|_a on the last level so far; `None` for fewer than three levels, and if J did
+    /// The estimated |u − u_k|_a on the last level so far; `None` for fewer than three levels, and if J did
     /// not decrease.
     ///
     /// |u − u_k| ≈ (2 (J_{k−1} − J_k)/(4^p − 1))^{1/2}, p = ½ log₂ of the quotient of the last two energy differences.
@@ -32,7 +32,7 @@ impl Discretisation {
         (now > 0.0).then(|| (2.0 * now / (4_f64.powf(order(before, now)) - 1.0)).sqrt())
     }
 
-    /// The same on the next level.
+    /// The estimated discretisation error on the next level.
     pub(super) fn next(&self) -> Option<f64> {
         let [.., first, second, third] = self.energies[..] else { return None };
         let p = order((first - second).max(0.0), (second - third).max(0.0));

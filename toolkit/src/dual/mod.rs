@@ -4,7 +4,7 @@
 //! | ⟨f, v⟩ | supremum over | here |
 //! | --- | --- | --- |
 //! | ∫ f v, f a piecewise polynomial, up to 10⁵ elements | H^ν(I), (1.1) | `regional` |
-//! | the same, in interpolation spaces | what [`DualOf`] names | `resolvent` |
+//! | the same, in interpolation spaces | the spaces of [`DualOf`] | `resolvent` |
 //! | ∫ f v, f a formula with breakpoints | both | `closure` |
 //! | f given by its values on hat functions | the piecewise linears of the mesh, (1.1) | [`MeshFunctional`] |
 //!

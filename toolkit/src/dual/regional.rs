@@ -4,14 +4,15 @@
 //! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linears on M equal
 //! elements, and R, R_h the two for the forms of [`super::comparison`], R exact and R_h by transforms. At a
 //! jump of f both representers have the same singularity x^{2ν}, and near it both meshes are the same: the
-//! discretisation errors of R_h and Q_h agree up to the next singularity x^{4ν} and the ends. So Q ≈ Q_h +
-//! R - R_h, whose error falls like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), and far from
-//! the ends with a small factor where R has several nodes, wherever the jumps lie: the mesh need not be
-//! that of f. M is doubled; the error is that of the doubling, and where every element of f is cut alike
-//! and three values fall by the known factor, of the limit they point to. Q_h is found by conjugate
-//! gradients with R_h's form as preconditioner (5 to 15 steps). The mean is split off: its representer is
-//! itself. Rounding of the product grows like M^{2ν} and ends the doubling. Lengths are in units of the
-//! interval: 1 + A becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
+//! discretisation errors of R_h and Q_h agree up to the next singularity x^{4ν} and the ends. So
+//!   Q ≈ Q_h + R - R_h,
+//! whose error decreases like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), with a small factor
+//! far from the ends if R has several nodes. The jumps need not be nodes of the mesh. M is doubled; the
+//! error estimate is the change under doubling or, if all elements of f are cut alike and three values
+//! decrease by the known factor, that of the extrapolated limit. Q_h is found by conjugate gradients with
+//! R_h's form as preconditioner (5 to 15 steps). The mean is split off: its representer is itself. Rounding
+//! of the product grows like M^{2ν} and ends the doubling. Lengths are in units of the interval: 1 + A
+//! becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
 
 use super::cells::Cells;
 use super::comparison::Comparison;

@@ -50,7 +50,7 @@ const BLOCK_CELLS: usize = 3;
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
-    /// `spread`: ln of the largest quotient of side lengths; `order`: ν, for messages.
+    /// The parameters; `spread` is ln of the largest quotient of side lengths, `order` is ν, for messages.
     pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.

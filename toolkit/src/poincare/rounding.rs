@@ -12,7 +12,7 @@ pub(super) const ROUNDING: f64 = 2e-13;
 /// logarithm.
 const ROUNDING_INSIDE: f64 = 5e-11;
 
-/// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
+/// Relative error as ν → 0, times 1/ν, because ν|u|_ν² is computed as a difference of terms of order one.
 const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
 
 /// The same for a zone of several intervals: each costs θ^{1−2ν}, the difference of numbers of the size of
