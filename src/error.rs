@@ -1,4 +1,4 @@
-//! The error type of the contact library: its own faults, and those of the toolkit passed on.
+//! The error type of the contact library: its own errors, and those of the toolkit.
 
 use fractional_sobolev::Estimate;
 use std::path::PathBuf;
@@ -8,9 +8,9 @@ pub use fractional_sobolev::Error as ToolkitError;
 /// Result with [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Why a question has no answer, or none that can be trusted.
+/// The error of this library: invalid input, a file that cannot be used, or an error of the toolkit.
 ///
-/// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
+/// The termination of an iteration (converged, stalled, cycled) is a status in its result, not an error.
 ///
 /// ```
 /// use signorini::{Error, ToolkitError};
@@ -21,16 +21,16 @@ pub type Result<T> = std::result::Result<T, Error>;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A parameter, a count, an array, a matrix or a tolerance: the fault that the toolkit names.
+    /// An error of the toolkit: a parameter, a count, an array, a matrix or a tolerance.
     #[error(transparent)]
     Toolkit(#[from] ToolkitError),
-    /// A solver of another library refused the problem.
+    /// A solver of another library failed.
     #[error("solver: {reason}")]
     Solver {
-        /// What it said.
+        /// Its message.
         reason: String,
     },
-    /// Contact force and open gap at the same place.
+    /// Contact force and open gap at the same node.
     #[error("node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero")]
     NotComplementary {
         /// The node.
@@ -40,18 +40,18 @@ pub enum Error {
         /// λ there.
         force: f64,
     },
-    /// A body that nothing holds: the solution is not unique.
+    /// A body without Dirichlet boundary: the solution is not unique.
     #[error(
-        "the body of {triangles} triangles with node {node} at ({}, {}) is not held: no edge of it is on the Dirichlet \
-         part of the boundary",
+        "the body of {triangles} triangles with node {node} at ({}, {}) has no edge on the Dirichlet boundary: the \
+         solution is not unique",
         place[0], place[1]
     )]
     NotHeld {
         /// Its number of triangles.
         triangles: usize,
-        /// Its first node, by the numbers of the file of the mesh.
+        /// Its first node, in the numbering of the mesh file.
         node: usize,
-        /// Where that is.
+        /// Coordinates of that node.
         place: [f64; 2],
     },
     /// A contact problem without a node in contact.
@@ -67,17 +67,17 @@ pub enum Error {
         format: &'static str,
         /// The line, from 1.
         line: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: String,
     },
-    /// A text follows its format, but the content of a line has this fault.
+    /// A text follows its format, but a line has invalid content.
     #[error("{format}, line {line}: {cause}")]
     AtLine {
         /// The format.
         format: &'static str,
         /// The line, from 1.
         line: usize,
-        /// The fault.
+        /// The cause.
         cause: Box<Error>,
     },
     /// A file could not be read or written.
@@ -85,7 +85,7 @@ pub enum Error {
     File {
         /// The path.
         path: PathBuf,
-        /// What the system said.
+        /// The message of the system.
         reason: String,
     },
 }
@@ -120,18 +120,18 @@ impl Error {
         }
     }
 
-    /// The best estimate of `what` misses the tolerance asked for.
+    /// [`ToolkitError::ToleranceNotMet`] with the best estimate of `what`.
     pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
         let reached = best.relative_error();
         Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: Some(best), why })
     }
 
-    /// No value of `what` was reached, only this relative uncertainty.
+    /// [`ToolkitError::ToleranceNotMet`] without a value of `what`, with the relative uncertainty.
     pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
         Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: None, why })
     }
 
-    /// The file `path` with the reason the system gave.
+    /// The error for the file `path` with the reason given by the system.
     pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
         Error::File { path: path.into(), reason: reason.to_string() }
     }

@@ -1,20 +1,20 @@
-//! Text files from outside: read whole but not without bound, and quoted in errors so that an error stays one
-//! short line whatever the file holds.
+//! Text input files: read with a size limit, and quoted in errors so that an error is one short line for
+//! every content.
 
 use crate::error::{Error, Result};
 use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
-/// Longest file that is read: 2^30 bytes. A device that never ends is refused there.
+/// Largest file size: 2^30 bytes. Endless devices are rejected at this limit.
 const LONGEST: u64 = 1 << 30;
-/// Characters of a word that are quoted.
+/// Largest number of characters of a word in a quotation.
 const QUOTED: usize = 40;
 
-/// The text of a file; bytes that are no UTF-8 become U+FFFD, so that what reads it names their line.
+/// The text of a file; bytes that are not UTF-8 become U+FFFD, so that the parser reports their line.
 ///
 /// # Errors
-/// [`Error::File`] with what the system said, or for more than 2^30 bytes.
+/// [`Error::File`] with the message of the system, or for more than 2^30 bytes.
 pub(crate) fn read_text(path: &Path) -> Result<String> {
     let failed = |error: std::io::Error| Error::file(path, error);
     let mut bytes = Vec::new();
@@ -28,11 +28,11 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     })
 }
 
-/// Two finite numbers per line, between blanks or commas; `#` begins a comment, lines without a word are
-/// passed over. Each pair with its line, from 1.
+/// The pairs of finite numbers, one per line, with their line numbers from 1. Numbers are separated by
+/// blanks or commas; `#` begins a comment, empty lines are skipped.
 ///
 /// # Errors
-/// [`Error::Syntax`] with the line that is anything else.
+/// [`Error::Syntax`] with the first line that is not a pair.
 pub(crate) fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
     let mut pairs = Vec::new();
     for (index, line) in text.lines().enumerate() {

@@ -1,12 +1,12 @@
-//! A set of active constraints along the contact edge, and its runs.
+//! A set of active constraints along the contact edge, and its contact intervals.
 
 use std::ops::Range;
 
-/// Which constraints hold with equality: nodes (nodal cone) or segments (midpoint cone), in the order of the
-/// edge.
+/// The set of constraints that hold with equality: nodes (nodal cone) or segments (midpoint cone), in the
+/// order of the edge.
 ///
-/// A contact interval is a maximal run of active indices; on a closed edge a contact interval through node 0 is
-/// listed as two runs, one at either end of the numbering.
+/// A contact interval is a maximal range of consecutive active indices; on a closed edge a contact interval
+/// through node 0 is listed as two, one at either end of the numbering.
 ///
 /// ```
 /// use signorini::cone::{Cone, ContactSet, Ends};
@@ -90,9 +90,9 @@ impl ContactSet {
         (0..self.active.len()).filter(|&i| self.active[i]).collect()
     }
 
-    /// Maximal runs of consecutive active indices.
+    /// The contact intervals: maximal ranges of consecutive active indices.
     ///
-    /// The components of the discrete contact set, as half-open ranges, ascending; two runs are
+    /// The components of the discrete contact set, as half-open ranges, ascending; two of them are
     /// separated by at least one inactive constraint. Cost: O(constraints).
     ///
     /// ```

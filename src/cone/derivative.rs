@@ -1,12 +1,11 @@
-//! An increasing piecewise linear derivative F' that is reflected, added to and cut off at its zero.
+//! An increasing piecewise linear derivative F' with reflection, addition and truncation at its zero.
 //!
 //! The pieces are kept in a deque in coordinates that absorb reflection and addition, so that each is created
 //! and removed once: n steps cost O(n).
 
 use std::collections::VecDeque;
 
-/// On t in a piece (between its neighbours' breakpoints), all in stored coordinates: F' = (slope + count)·t +
-/// (intercept + shift).
+/// One piece, between breakpoints, in stored coordinates: F' = (slope + count)·t + (intercept + shift).
 #[derive(Clone, Copy)]
 struct Piece {
     left: f64,
@@ -44,7 +43,7 @@ impl Derivative {
         self.shift -= d * (self.offset + self.sigma * z);
     }
 
-    /// Puts zero in the place of the positive part; returns where F' vanishes.
+    /// Replaces the positive part by zero; returns the zero of F'.
     ///
     /// F_i' ← min(F_i', 0): the derivative of t ↦ F_i(min(t, m_i)); the minimiser m_i is returned. Amortised O(1):
     /// each piece is removed once.
@@ -87,8 +86,7 @@ impl Derivative {
         zero
     }
 
-    /// Of a chain's first node: F' jumps to zero at `limit` if it has not vanished there. Returns where it
-    /// does.
+    /// Truncates F' at the first node of a chain, with a jump to zero at `limit`, and returns its zero.
     pub(super) fn cut_first(&mut self, limit: f64) -> f64 {
         let zero = self.cut();
         if zero <= limit {

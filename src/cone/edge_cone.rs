@@ -7,7 +7,7 @@ use super::contact_set::ContactSet;
 use super::kind::Cone;
 use crate::error::{Error, Result, ToolkitError};
 
-/// What the ends of an edge do.
+/// Whether the ends of an edge are joined.
 ///
 /// ```
 /// use signorini::cone::{Cone, Ends};
@@ -32,7 +32,8 @@ pub enum Ends {
 /// | | rows of B | B B' | kernel of B |
 /// | --- | --- | --- | --- |
 /// | nodal | e_i | I | 0 |
-/// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; on an odd ring 0 |
+/// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; on a closed edge with an
+/// odd number of nodes 0 |
 ///
 /// The least eigenvalue of the midpoint B B' is about (π/2n)², so that multipliers are computed by recursion along
 /// a contact interval and not from B B'.
@@ -75,7 +76,7 @@ impl Cone {
 }
 
 impl EdgeCone {
-    /// Which cone.
+    /// The kind of cone.
     pub const fn kind(self) -> Cone {
         self.cone
     }
@@ -85,7 +86,7 @@ impl EdgeCone {
         self.nodes
     }
 
-    /// What the ends of the edge do.
+    /// Whether the ends of the edge are joined.
     pub const fn ends(self) -> Ends {
         self.ends
     }
@@ -101,8 +102,8 @@ impl EdgeCone {
     /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those
     /// of the constraints.
     ///
-    /// On a ring the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Halves are added, so that no mean of
-    /// finite values overflows. Cost: O(nodes).
+    /// On a closed edge the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Halves are added,
+    /// so that no mean of finite values overflows. Cost: O(nodes).
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -170,8 +171,8 @@ impl EdgeCone {
 
     /// The nodes of constraint `i`, one node or the two ends of a segment: where row `i` of B is not zero.
     ///
-    /// In the nodal cone node i; in the midpoint cone nodes i and i + 1, modulo the number of nodes on a ring. Together
-    /// with [`EdgeCone::weight`] this is the sparsity pattern of B.
+    /// In the nodal cone node i; in the midpoint cone nodes i and i + 1, modulo the number of nodes on a
+    /// closed edge. Together with [`EdgeCone::weight`] this is the sparsity pattern of B.
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -199,8 +200,8 @@ impl EdgeCone {
         }
     }
 
-    /// The contact set that `coarse`, a set on the edge with segments twice as long, suggests here: the
-    /// constraints lying in it.
+    /// The refinement of `coarse`, a contact set on the edge with segments twice as long: the constraints
+    /// that lie in it.
     ///
     /// Nodal: an old node keeps its flag, a new node is active if both neighbours are. Midpoint: both halves of a
     /// segment have its flag. The refined set covers the same contact intervals, as subsets of the edge.
@@ -239,8 +240,8 @@ impl EdgeCone {
     /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active`
     /// hold at both.
     ///
-    /// t = min(1, min { s_i / (s_i − v_i) : v_i > 0 }) with s = B w ≤ 0 and v = B v: the ratio test over the
-    /// constraints that are not active. Along it J falls if v minimises J on the face.
+    /// t = min(1, min { s_i / (s_i − v_i) : v_i > 0 }) with s = B w ≤ 0 and v = B v: the ratio test over
+    /// the constraints that are not active. J decreases along the step if v minimises J on the face.
     pub(crate) fn longest_step(self, w: &[f64], v: &[f64], active: &[bool]) -> f64 {
         let (here, there) = (self.apply(w), self.apply(v));
         let mut longest: f64 = 1.0;

@@ -1,9 +1,9 @@
-//! Faces of the two cones: which nodes move freely and which move as one.
+//! Faces of the two cones: free nodes, and nodes that move together.
 //!
-//! An active set divides the edge into gaps (free nodes) and contact runs. On a run the nodal cone holds w =
-//! 0; the midpoint cone holds w_i + w_{i+1} = 0, which leaves one amplitude c, w_i = ±c. The orthogonal
-//! projector Π onto the face keeps the gaps, and replaces a run by zero or by its alternating mean. Cost
-//! O(n).
+//! An active set divides the edge into non-contact intervals (free nodes) and contact intervals. On a
+//! contact interval w = 0 in the nodal cone; in the midpoint cone w_i + w_{i+1} = 0, which leaves one
+//! amplitude c, w_i = ±c. The orthogonal projector Π onto the face is the identity on non-contact intervals
+//! and replaces the values on a contact interval by zero or by their alternating mean. Cost O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::kind::Cone;
@@ -13,7 +13,7 @@ use super::kind::Cone;
 pub(crate) struct Block {
     pub(crate) start: usize,
     pub(crate) len: usize,
-    /// In contact, not a gap.
+    /// True for a contact interval.
     pub(super) is_run: bool,
 }
 
@@ -23,11 +23,11 @@ impl Block {
     }
 }
 
-/// A face of the cone: its gaps and contact runs in the order of the edge.
+/// A face of the cone: its contact and non-contact intervals in the order of the edge.
 ///
-/// As a linear space (for g = 0): V = { w : (B w)_i = 0 for the active i }. Nodal: dim V = n − (active nodes);
-/// midpoint: dim V = (free nodes) + (contact runs), one sawtooth amplitude for every run (none on an odd ring
-/// that is in contact all round).
+/// As a linear space (for g = 0): V = { w : (B w)_i = 0 for the active i }. Nodal: dim V = n − (active
+/// nodes); midpoint: dim V = (free nodes) + (contact intervals), one sawtooth amplitude for each (none on a
+/// closed edge with an odd number of nodes that is entirely in contact).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Face {
     cone: EdgeCone,
@@ -68,25 +68,26 @@ impl Face {
         face
     }
 
-    /// Gaps and runs, in the order of the edge.
+    /// Contact and non-contact intervals, in the order of the edge.
     pub(super) fn blocks(&self) -> &[Block] {
         &self.blocks
     }
 
-    /// The contact runs.
+    /// The contact intervals.
     pub(crate) fn runs(&self) -> impl Iterator<Item = Block> {
         self.blocks.iter().copied().filter(|block| block.is_run)
     }
 
-    /// The gaps between them.
+    /// The non-contact intervals.
     pub(crate) fn gaps(&self) -> impl Iterator<Item = Block> {
         self.blocks.iter().copied().filter(|block| !block.is_run)
     }
 
     /// x ← Π x.
     ///
-    /// Π is orthogonal in the Euclidean product: on a run of m nodes i_0 < ... < i_{m−1} of the midpoint cone
-    /// (Π x)_{i_k} = (−1)^k c, c = (1/m) Σ_j (−1)^j x_{i_j}; in the nodal cone (Π x)_{i_k} = 0; Π² = Π = Π'.
+    /// Π is orthogonal in the Euclidean product: on a contact interval of m nodes i_0 < ... < i_{m−1} of
+    /// the midpoint cone (Π x)_{i_k} = (−1)^k c, c = (1/m) Σ_j (−1)^j x_{i_j}; in the nodal cone (Π
+    /// x)_{i_k} = 0; Π² = Π = Π'.
     pub(crate) fn project(&self, x: &mut [f64]) {
         let nodes = self.cone.nodes();
         for run in self.runs() {

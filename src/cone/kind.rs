@@ -1,10 +1,10 @@
-//! Which of the two cones.
+//! The two discrete cones.
 
 use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
-/// Which discrete noninterpenetration condition.
+/// The discrete noninterpenetration condition.
 ///
 /// K^h ⊂ K for g affine on every segment, because u_N is piecewise affine there; K̄^h ⊃ K^h is not contained in K:
 /// u_N may exceed g on half of a segment.

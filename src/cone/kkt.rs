@@ -44,7 +44,7 @@ pub struct KktTerms<'a> {
     pub gap: &'a [f64],
     /// max_i (|K||u| + |F|)_i.
     pub force: f64,
-    /// max(|u|, |g|), or what the load would do alone when contact prevents everything.
+    /// max(|u|, |g|), or the displacement by the load alone if contact prevents all displacement.
     pub displacement: f64,
 }
 
@@ -63,7 +63,7 @@ pub struct KktTerms<'a> {
 pub struct KktResiduals {
     /// Balance of forces.
     pub balance: f64,
-    /// Contact forces only push: λ ≥ 0, σ_N ≤ 0.
+    /// Sign of the contact forces: λ ≥ 0, σ_N ≤ 0.
     pub sign: f64,
     /// No penetration in the sense of the cone.
     pub gap: f64,
@@ -87,8 +87,8 @@ impl KktResiduals {
     }
 }
 
-/// How far the solution is from a degenerate one, where contact without force or force-free touching makes
-/// the contact set ambiguous.
+/// The distance from a degenerate solution, whose contact set is ambiguous because a constraint is active
+/// with zero force.
 ///
 /// Strict complementarity: λ_i > 0 or (B u − g)_i < 0 for every i. With both margins at least m, a perturbation of
 /// the data that moves λ and B u by less than m relative to their scales leaves the contact set unchanged.
@@ -105,15 +105,15 @@ impl KktResiduals {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
-    /// min λ_i over the active constraints, relative to the λ scale; `None` without contact.
+    /// min λ_i over the active constraints, relative to the λ scale; `None` if no constraint is active.
     pub pressure: Option<f64>,
-    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` with full
-    /// contact.
+    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` if all
+    /// constraints are active.
     pub gap: Option<f64>,
 }
 
 impl Margins {
-    /// True when some active force or some inactive gap is below `threshold`: contact is weak there.
+    /// True if contact is weak: some active force or some inactive gap is below `threshold`.
     ///
     /// Monotone in the threshold; without contact only the gap counts, with full contact only the force.
     ///
@@ -173,7 +173,7 @@ impl KktTerms<'_> {
         })
     }
 
-    /// max |λ|, or the force scale when every multiplier is rounding.
+    /// max |λ|, or the force scale if all multipliers are below rounding.
     fn multiplier_scale(&self) -> f64 {
         let largest = self.multiplier.iter().fold(0.0, |m: f64, l| m.max(l.abs()));
         if largest > KKT_ROUNDING * self.force { largest } else { self.force }

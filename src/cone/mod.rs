@@ -12,10 +12,10 @@
 //! (u_N is piecewise affine); in the midpoint cone u_N may exceed g inside a segment. The kernel of the
 //! midpoint B is the sawtooth (−1)^i.
 //!
-//! No other room knows more of the cones than this one tells: constraints and forces ([`EdgeCone`]), the
-//! faces that a contact set cuts out and their coordinates, projections, multipliers from forces, refinement
-//! of a [`ContactSet`], and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It
-//! knows no mesh and no operator.
+//! All other modules use the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
+//! contact set and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`],
+//! and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It does not depend on meshes or
+//! operators.
 
 mod contact_set;
 mod derivative;

@@ -10,8 +10,8 @@
 //! the second is smaller. Nodes that are fixed stay at 0: the chain begins anew behind them, with a hard
 //! upper bound.
 //!
-//! On a ring a segment that is inactive in the projection is a place to cut; the chain projection that
-//! satisfies the constraint left out is the projection. Without any such segment p is a sawtooth.
+//! A closed edge is cut at a segment that is inactive in the projection; if the projection of the chain
+//! satisfies the omitted constraint, it is the projection. If no segment is inactive, p is a sawtooth.
 
 use super::derivative::Derivative;
 use super::edge_cone::{EdgeCone, Ends};
@@ -34,13 +34,12 @@ impl EdgeCone {
     }
 }
 
-/// The node with the least value: a segment there is probably inactive.
+/// The node with the least value, where a segment is probably inactive.
 fn deepest(z: &[f64]) -> usize {
     (0..z.len()).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0)
 }
 
-/// What a projection along a chain minimises, and where: d > 0, g (one entry less), and which nodes stay at
-/// 0.
+/// The data of a weighted projection along a chain: d > 0, g (one entry less), and the nodes fixed at 0.
 pub(crate) struct Weighted<W, G, F> {
     pub(crate) weight: W,
     pub(crate) bound: G,
@@ -118,12 +117,13 @@ where
     minimisers
 }
 
-/// Places tried on a ring. A place with room is found in two or three tries unless hardly any is left.
+/// Largest number of cuts tried on a closed edge; two or three are typical unless nearly all constraints
+/// are active.
 const TRIES: usize = 32;
 
-/// The constraints active at the projection on a ring in the norm with weights d.
+/// The constraints active at the projection on a closed edge in the norm with weights d.
 ///
-/// The same conditions with indices modulo n; a closed ring of contact is active on all segments.
+/// The same conditions with indices modulo n; all segments are active on a closed edge entirely in contact.
 pub(crate) fn active_on_ring<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<bool>
 where
     W: Fn(usize) -> f64,
@@ -133,7 +133,8 @@ where
     project_ring(z, data, deepest(z)).1
 }
 
-/// Projects z onto the ring cone (x_{n−1} + x_0 ≤ 2 g_{n−1} as well); returns x and the n active flags.
+/// Projects z onto the cone of a closed edge (x_{n−1} + x_0 ≤ 2 g_{n−1} as well); returns x and the n
+/// active flags.
 ///
 /// `cut` is a segment that is probably inactive. After the tries allowed, all constraints are taken as
 /// active, which is the projection whenever none can be left out. Cost: O(n) for each try.
@@ -177,10 +178,12 @@ where
     (sawtooth(z, data), vec![true; n])
 }
 
-/// The nearest x with x_i + x_{i+1} = 2 g_i all round: x = o ± q; an odd ring leaves no q free.
+/// The nearest x with x_i + x_{i+1} = 2 g_i on the closed edge: x = o ± q; no q is free for an odd number
+/// of nodes.
 ///
-/// o_0 = 0, o_{i+1} = 2 g_i − o_i; on an even ring q = Σ_i d_i (−1)^i (z_i − o_i) / Σ_i d_i, the weighted least
-/// squares fit; on an odd ring the closing condition gives q = g_{n−1} − o_{n−1}/2.
+/// o_0 = 0, o_{i+1} = 2 g_i − o_i; for an even number of nodes q = Σ_i d_i (−1)^i (z_i − o_i) / Σ_i d_i,
+/// the weighted least squares fit; on a closed edge with an odd number of nodes the closing condition gives
+/// q = g_{n−1} − o_{n−1}/2.
 fn sawtooth<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> Vec<f64>
 where
     W: Fn(usize) -> f64,

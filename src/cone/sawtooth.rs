@@ -1,10 +1,11 @@
-//! The coordinates of a face, w = o + Z q, and the multipliers that forces on its runs leave.
+//! The coordinates of a face, w = o + Z q, and the multipliers from the forces on its contact intervals.
 //!
-//! Along a run of active midpoint constraints w_{i+1} = 2 g_i − w_i: one amplitude of the sawtooth (−1)^i,
-//! the kernel of B, is free, and none when an end of the run is fixed. B'λ = r on the run is the same
-//! recursion, λ_i = 2 r_i − λ_{i−1}; its rounding is carried over half the run only by starting at both ends.
-//! Where λ is determined only up to a sawtooth (a run between two fixed ends, a ring without gaps) the one
-//! with the greatest minimum is taken. In the nodal cone w = g and λ = r. Cost O(n).
+//! Along a contact interval of the midpoint cone w_{i+1} = 2 g_i − w_i: one amplitude of the sawtooth
+//! (−1)^i, the kernel of B, is free, and none if an end of the interval is fixed. B'λ = r on the interval
+//! is the same recursion, λ_i = 2 r_i − λ_{i−1}, started at both ends so that rounding propagates over half
+//! the interval only. Where λ is determined only up to a sawtooth (an interval between two fixed ends, a
+//! closed edge entirely in contact) the one with the greatest minimum is taken. In the nodal cone w = g and
+//! λ = r. Cost O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::face::{Block, Face};
@@ -15,7 +16,7 @@ use super::kind::Cone;
 /// w = o + Z q with Z'Z diagonal and entries 0, ±1: o holds (B o)_i = g_i on the set, and B Z = 0 there.
 pub(crate) struct Coordinates {
     pub(crate) offset: Vec<f64>,
-    /// Which q, and its sign.
+    /// Index of the amplitude q, and its sign.
     pub(crate) amplitude: Vec<Option<(usize, f64)>>,
     /// Number of amplitudes q.
     pub(crate) count: usize,
@@ -29,8 +30,9 @@ impl Coordinates {
 }
 
 impl EdgeCone {
-    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes }; fixed are end nodes of an open
-    /// edge, none of a ring. On a ring in contact all round g is taken as compatible when its nodes are even.
+    /// Coordinates of { w : (B w)_i = g_i on the set, w = 0 at fixed nodes }; the fixed nodes are end nodes
+    /// of an open edge; a closed edge has none. On a closed edge entirely in contact with an even number of
+    /// nodes g is assumed to be compatible.
     pub(crate) fn coordinates(self, active: &[bool], bound: &[f64], fixed: &[bool]) -> Coordinates {
         let nodes = self.nodes();
         let mut free = Coordinates { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 };
@@ -50,8 +52,8 @@ impl EdgeCone {
         free
     }
 
-    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` says at which nodes
-    /// forces are unknown (end nodes of an open edge).
+    /// λ on the active constraints from B'λ = `force` there, zero elsewhere; `is_fixed` marks the nodes at
+    /// which forces are unknown (end nodes of an open edge).
     pub(crate) fn multipliers(
         self,
         active: &[bool],
@@ -106,8 +108,8 @@ impl EdgeCone {
 }
 
 impl Coordinates {
-    /// A run of a ring; one that is the whole ring closes, and with an odd number of nodes leaves nothing
-    /// free.
+    /// A contact interval of a closed edge; if it is the whole edge, no amplitude is free for an odd number
+    /// of nodes.
     fn add_ring_sawtooth(&mut self, run: &[usize], bound: &[f64], whole: bool) {
         let (first, last) = (run[0], run[run.len() - 1]);
         for pair in run.windows(2) {
@@ -129,8 +131,8 @@ impl Coordinates {
 
     /// Starts where the value is known: at a fixed end, else at the left end with a new amplitude.
     ///
-    /// o_{k+1} = 2 g_k − o_k and Z_{k+1} = −Z_k along the run; between two fixed ends no amplitude is left, and the
-    /// last equation may fail.
+    /// o_{k+1} = 2 g_k − o_k and Z_{k+1} = −Z_k along the interval; between two fixed ends no amplitude is
+    /// left, and the last equation may fail.
     fn add_sawtooth(&mut self, run: Block, bound: &[f64], fixed: &[bool]) {
         let (first, last) = (run.start, run.start + run.len - 1);
         if fixed[last] && !fixed[first] {

@@ -1,8 +1,8 @@
-//! How a contact iteration ended. Misuse is an error; this is not.
+//! Termination of a contact iteration; invalid input is an error.
 
 use std::fmt;
 
-/// How an iteration ended. Independent of the KKT residuals of the solution.
+/// The termination of an iteration, independent of the KKT residuals of the solution.
 ///
 /// ```
 /// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};
@@ -19,15 +19,15 @@ pub enum Status {
     Converged,
     /// No further progress; `residual` is the largest KKT residual.
     Stalled {
-        /// Worst of balance, sign, gap and complementarity.
+        /// The largest of the residuals of balance, sign, gap and complementarity.
         residual: f64,
     },
-    /// The same contact set came back after `period` steps and no way out of the cycle was found.
+    /// The contact set recurred after `period` steps and the iteration could not leave the cycle.
     Cycled {
         /// Steps between the two visits.
         period: usize,
     },
-    /// The allowed number of steps was used up.
+    /// The largest number of steps was reached.
     StepLimit {
         /// Steps taken.
         steps: usize,

@@ -1,26 +1,27 @@
 //! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
 //!
-//! A step solves with the constraints of the set as equations; wrong are the active ones that pull (λ_i < 0)
-//! or cannot hold, and the inactive ones that penetrate ((B w − g)_i > 0). The next set, both times a
-//! semismooth Newton step for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//! A step solves with the constraints of the set as equations. An active constraint is violated if λ_i < 0
+//! or if it cannot hold, an inactive one if (B w − g)_i > 0. The next set is a semismooth Newton step for w =
+//! Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
-//! * nodal cone: all wrong constraints change sides (M. Hintermüller, K. Ito, K. Kunisch, SIAM J. Optim. 13
-//!   (2002));
-//! * midpoint cone: the constraints active at the exact projection onto the cone. Changing sides one by one
-//!   falls into checkerboards there, because the constraints of neighbouring segments are coupled through B
-//!   B'.
+//! * nodal cone: all violated constraints are exchanged (M. Hintermüller, K. Ito, K. Kunisch, SIAM J.
+//!   Optim. 13 (2002));
+//! * midpoint cone: the constraints active at the exact projection onto the cone. Exchanging single
+//!   constraints leads to checkerboard patterns there, because the constraints of neighbouring segments are
+//!   coupled through B B'.
 //!
-//! A set that reproduces itself solves the problem. Between a fixed node and a gap the multipliers of a run
-//! may carry a sawtooth that B' does not see, half of them pull, and the run has to be broken up at places
-//! that such a step does not find. When a set comes back, in the midpoint cone already when a step has made
-//! nothing better, the dual method (`dual_active_set`) is asked, once. Its set is taken if fewer constraints
-//! are wrong there than ever before: on an edge graded over many decades rounding may spoil it. Else, when a
-//! set has come back, constraints change sides one by one until fewer are wrong than ever before: for some
-//! steps the one that is furthest off, then the one with the least index, which is finite for every symmetric
-//! positive definite S (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this
-//! phase the next set is a function of the set alone, so one that comes back a second time comes back for
-//! ever: [`Status::Cycled`]. Only rounding, or an S that is not symmetric positive definite, gets there.
-//! Cost: one dense factorization on the edge per step, however fine the mesh behind it.
+//! A set that reproduces itself solves the problem. Between a fixed node and a non-contact interval the
+//! multipliers of a contact interval may contain a sawtooth in the kernel of B': half of them are negative,
+//! and the interval must be divided at points that such a step does not find. When a set recurs (in the
+//! midpoint cone already after a step without progress) the dual method (`dual_active_set`) is used once.
+//! Its set is accepted if it has fewer violated constraints than all before, since rounding may affect it
+//! on an edge graded over many decades. Otherwise, when a set has recurred, constraints are exchanged one
+//! by one until there are fewer violated ones than before: for some steps the one with the largest
+//! violation, then the one with the least index, which is finite for every symmetric positive definite S
+//! (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this phase the next set
+//! is a function of the set alone, so that a set that recurs again recurs forever: [`Status::Cycled`]. This
+//! happens only by rounding, or for an S that is not symmetric positive definite. Cost: one dense
+//! factorization on the edge per step, however fine the mesh behind it.
 
 use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -31,30 +32,30 @@ use std::collections::{HashMap, HashSet};
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Steps allowed, with [`STEPS_PER_CONSTRAINT`] for every constraint. Runs take ten or twenty; a change of
-/// sides one by one takes a few per constraint.
+/// Largest number of steps, plus [`STEPS_PER_CONSTRAINT`] for every constraint. Ten or twenty are typical;
+/// exchanging single constraints takes a few per constraint.
 const FEWEST_STEPS: usize = 100;
 const STEPS_PER_CONSTRAINT: usize = 20;
 
-/// Steps in the midpoint cone, one after the other, with no fewer wrong constraints than ever before.
+/// Number of consecutive steps in the midpoint cone without a new minimum of violated constraints.
 const PATIENCE: usize = 1;
 
-/// Steps by the constraint that is furthest off before the least index decides, no more than there are
-/// constraints.
+/// Largest number of exchanges by the largest violation, before the least index is used; at most the number
+/// of constraints.
 const FURTHEST_FIRST: usize = 64;
 
-/// How the iteration on the edge went.
+/// The outcome of the iteration on the edge.
 #[derive(Debug, Clone)]
 pub(super) struct EdgeOutcome {
     /// The last solution.
     pub(super) state: EdgeState,
     /// Its set.
     pub(super) set: ContactSet,
-    /// How the iteration ended.
+    /// The termination status.
     pub(super) status: Status,
     /// The sets visited, in order, the last one included.
     pub(super) history: Vec<ContactSet>,
-    /// How many steps it took.
+    /// The number of steps.
     pub(super) steps: usize,
 }
 
@@ -117,24 +118,24 @@ pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
     }
 }
 
-/// The set of the dual method, unless as many constraints are wrong there as before.
+/// The set of the dual method, if it has fewer violated constraints.
 fn by_dual(problem: &EdgeProblem<'_>, fewest: usize) -> Result<Option<ContactSet>> {
     let (set, _) = dual_active_set(problem)?;
     let state = problem.solve_with(&set)?;
     Ok((wrong_constraints(problem, &set, &state).len() < fewest).then_some(set))
 }
 
-/// The set with the given constraints on the other side.
+/// The set with the given constraints exchanged.
 fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
     ContactSet::new(active)
 }
 
-/// The wrong constraint that is furthest off: by its gap, or by its multiplier over the diagonal of S.
+/// The constraint with the largest violation: by its gap, or by its multiplier over the diagonal of S.
 ///
-/// The maximum of (B w − g)_i over the penetrating constraints and of −λ_i/max S_kk over the pulling ones, both
-/// lengths.
+/// The maximum of (B w − g)_i over the penetrating constraints and of −λ_i/max S_kk over those with
+/// negative multiplier; both are lengths.
 fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
     let cone = problem.edge_cone();
     let off = |i: usize| {
@@ -163,9 +164,10 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
     }))
 }
 
-/// The constraints on the wrong side, ascending.
+/// The violated constraints, ascending.
 ///
-/// i ∈ A with λ_i < −16 ε (|b| + |S||w|) or a gap that does not close; i ∉ A with (B w − g)_i > 16 ε of its terms.
+/// i ∈ A with λ_i < −16 ε (|b| + |S||w|) or a gap that is not closed; i ∉ A with (B w − g)_i > 16 ε of its
+/// terms.
 fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Vec<usize> {
     let sizes = problem.sizes(&state.displacement);
     let is_wrong = |&i: &usize| {

@@ -1,18 +1,18 @@
-//! An interior point method on the condensed edge, nodal cone, whose barrier has a weight for every node.
+//! An interior point method on the condensed edge for the nodal cone, with a barrier weight for every node.
 //!
-//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. One
-//! weight for all, as in a general solver, sees one scale: where force and gap are far below the largest
-//! ones, both stay where they are until μ is as small. With ω_i = S_ii d_i², d_i the size that is expected of
-//! the displacement at node i, the path stays everywhere at the same distance from both answers, λ_i = 0 and
-//! s_i = 0. Every step (Mehrotra's predictor and corrector) is Newton's for
+//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. With
+//! one weight for all nodes, as in a general solver, forces and gaps far below the largest ones do not
+//! change until μ is as small. With ω_i = S_ii d_i², d_i the expected size of the displacement at node i,
+//! the path keeps the same relative distance from both limits, λ_i = 0 and s_i = 0, at all nodes. Every
+//! step (Mehrotra's predictor and corrector) is Newton's for
 //!
 //! (S + diag(λ/s)) δw = …,
 //!
-//! and a Cholesky factorization does not notice the d_i: it commutes with scaling. Nodes are to be numbered
-//! from the small to the large, so that what is small is not a difference of what is large. It ends when
-//! every node is decided: λ_i/(S_ii s_i) below 1e-12 or above 1e12. Nothing of the active set is used; S is.
-//! In the midpoint cone λ/s would hide the sawtooth from S. Cost: one dense factorization per step, 15 to 60
-//! steps.
+//! and a Cholesky factorization is not affected by the d_i, since it commutes with scaling. Nodes should be
+//! numbered from small to large displacements, so that small quantities are not differences of large ones.
+//! The iteration ends when all nodes are classified: λ_i/(S_ii s_i) below 1e-12 or above 1e12. The method
+//! shares S with the active set, but nothing else. It is not used in the midpoint cone, where λ/s would
+//! dominate S on the sawtooth. Cost: one dense factorization per step, 15 to 60 steps.
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -23,18 +23,18 @@ use crate::numeric::check::{require_entry, require_finite, require_length};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
-/// A node is decided when force and gap, in the same units, are this far apart.
+/// Ratio of force and gap, in the same units, from which on a node is classified.
 const DECIDED: f64 = 1e-12;
 /// The balance of forces at every node, relative to its own terms.
 const BALANCED: f64 = 1e-13;
-/// Where nothing is in contact, forces below this multiple of their terms are what the barrier leaves.
+/// Without contact, forces below this multiple of their terms are attributed to the barrier.
 const LEFT: f64 = 1e-11;
-/// The share of the way to the boundary that a step goes.
+/// Largest fraction of the distance to the boundary taken by a step.
 const INSIDE: f64 = 0.995;
-/// Most steps.
+/// Largest number of steps.
 const STEPS: usize = 200;
 
-/// The iterate at all nodes; forces and gaps of fixed nodes stay as they are and are not looked at.
+/// The iterate at all nodes; forces and gaps of fixed nodes are kept and ignored.
 struct Iterate<'a> {
     problem: &'a EdgeProblem<'a>,
     weight: Vec<f64>,
@@ -101,7 +101,7 @@ pub(super) fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Resu
     Ok(iterate.outcome(Status::StepLimit { steps: STEPS }, STEPS))
 }
 
-/// The same for loads and bounds over `unit`, scaled back.
+/// The solution for loads and bounds divided by `unit`, scaled back.
 fn solve_in_unit(problem: &EdgeProblem<'_>, sizes: &[f64], unit: f64) -> Result<EdgeOutcome> {
     let over = |values: &[f64]| -> Vec<f64> { values.iter().map(|v| v / unit).collect() };
     let (load, bound) = (over(problem.load), over(problem.bound));
@@ -144,7 +144,7 @@ impl<'a> Iterate<'a> {
         self.free().all(|i| balance[i].abs() <= BALANCED * size(i))
     }
 
-    /// How far the least decided node is from the nearer answer.
+    /// Distance of the least classified node from the nearer limit.
     fn undecided(&self) -> f64 {
         let quotient = |i: usize| self.force[i] / (self.problem.stiffness[(i, i)] * self.gap[i]);
         self.free().map(quotient).map(|q| q.min(1.0 / q)).fold(0.0, f64::max)
@@ -204,7 +204,7 @@ impl<'a> Iterate<'a> {
         Change { displacement, force, gap }
     }
 
-    /// How far the change can be followed until a force or a gap vanishes; twice the change at most.
+    /// The step length at which a force or a gap vanishes; at most 2.
     fn longest(&self, change: &Change) -> f64 {
         let until = |now: &[f64], change: &[f64]| {
             let falling = now.iter().zip(change).filter(|(_, change)| **change < 0.0);

@@ -1,8 +1,8 @@
-//! The Karush-Kuhn-Tucker figures ring by ring around a point, each ring by its own scales.
+//! KKT residuals on rings around a point, scaled ring by ring.
 //!
-//! Near a singular point displacements and forces fall like a power of r: over forty decades nothing of what
-//! happens there is seen beside the largest force. Every ring has residuals by [`KktTerms`] with the largest
-//! force size (abs(K) abs(u) + abs(F))_i and the largest displacement of the ring itself.
+//! Near a singular point displacements and forces fall like a power of r: over forty decades they are
+//! negligible against the largest force. Every ring has residuals by [`KktTerms`] with the largest force
+//! size (abs(K) abs(u) + abs(F))_i and the largest displacement of the ring itself.
 
 use super::problem::ContactProblem;
 use super::solution::{ContactSolution, gap_of, sizes};
@@ -13,8 +13,8 @@ use crate::numeric::check::require_values;
 use crate::numeric::scale::largest;
 
 impl ContactProblem {
-    /// The four figures of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring without free
-    /// unknowns has zeros. Cost: O(unknowns) per ring.
+    /// The four KKT residuals of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring
+    /// without free unknowns has zeros. Cost: O(unknowns) per ring.
     ///
     /// An unknown belongs to the ring of its node, a constraint to that of its farthest node.
     ///
@@ -28,8 +28,10 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the bounds increase; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when
-    /// the solution is not one of this problem.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the bounds increase;
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if the solution belongs to another
+    /// problem.
     pub fn kkt_by_radius(
         &self,
         solution: &ContactSolution,

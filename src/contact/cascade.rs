@@ -1,11 +1,11 @@
 //! A first guess of the contact set of an edge problem, from coarser functions on the same edge.
 //!
 //! With P the interpolation from every other node (and the last one), min ½ v'P'SP v − (P'b)'v over { B v ≤
-//! g }, g at the nodes that stay or the mean over two segments, is an edge problem of half the size. Its set,
-//! found from that of a still coarser one, is refined: old nodes and those between two active ones, or both
-//! halves of a segment. S is the exact operator of the edge, so that no mesh is needed; P'SP is that of
-//! coarser traces on the fine body. Cost: O(n²) for the products, and an eighth of what the search on the
-//! edge itself costs.
+//! g }, g at the nodes that stay or the mean over two segments, is an edge problem of half the size. Its
+//! set, found from that of a still coarser one, is refined: old nodes and those between two active ones, or
+//! both halves of a segment. S is the exact operator of the edge, so that no coarse mesh is needed; P'SP is
+//! the operator for coarser traces on the fine body. Cost: O(n²) for the products, and an eighth of what
+//! the search on the edge itself costs.
 
 use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;
@@ -13,10 +13,10 @@ use crate::cone::{Cone, ContactSet, Ends};
 use crate::error::Result;
 use faer::Mat;
 
-/// An edge of at most so many nodes is not made coarser.
+/// Largest number of nodes of an edge that is not coarsened.
 const COARSEST: usize = 5;
 
-/// The guess; no contact on a ring with an odd number of nodes, and where a node inside is held.
+/// The guess; the empty set on a closed edge with an odd number of nodes, and if an inner node is fixed.
 ///
 /// Recursion: A_k on P_k'SP_k, P_k'b with g_k, k from the coarsest; A_{k+1} is the refinement of A_k, corrected by the
 /// active set on level k + 1.

@@ -1,7 +1,8 @@
 //! The default solver: condensation to the contact edge, active set there, recovery, one step of refinement.
 //!
 //! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the
-//! factorization is not repeated. It removes what rounding in the elimination left in the balance of forces.
+//! factorization is not repeated. It removes the rounding errors of the elimination from the balance of
+//! forces.
 
 use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::barrier::solve_by_barrier;
@@ -17,7 +18,7 @@ use crate::fem::{Condensation, Reduced};
 use fractional_sobolev::Work;
 use std::time::Instant;
 
-/// Iterate and everything needed to correct it.
+/// The iterate and the data for its correction.
 struct Condensed<'a> {
     problem: &'a ContactProblem,
     cone: EdgeCone,
@@ -113,7 +114,8 @@ impl<'a> Condensed<'a> {
         })
     }
 
-    /// What the iterate leaves: F − K u − B'λ condensed to the edge, and the bounds on a correction of B u.
+    /// The residual of the iterate: F − K u − B'λ condensed to the edge, and the bounds on a correction of
+    /// B u.
     fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
         let mut residual = self.problem.multiply(&self.unknowns);
         for (r, f) in residual.iter_mut().zip(&self.problem.load) {

@@ -56,7 +56,7 @@ impl ContactProblem {
     }
 
     /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this
-    /// is a force besides the contact force.
+    /// load is added to the contact force.
     ///
     /// Five Gauss points per edge. The function receives the point and the outward unit normal.
     ///
@@ -72,7 +72,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or what F returns.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or the error returned by F.
     pub fn add_boundary_load(
         &mut self,
         part: Part,
@@ -140,7 +140,7 @@ impl ContactProblem {
         Ok(())
     }
 
-    /// Sets the initial gap: u_N ≤ g, at the nodes of the contact edge.
+    /// Sets the initial gap g in u_N ≤ g, at the nodes of the contact edge.
     ///
     /// ```
     /// use signorini::cone::Cone;

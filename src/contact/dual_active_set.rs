@@ -1,21 +1,23 @@
 //! The contact set of an edge problem by the dual method of D. Goldfarb and A. Idnani (Math. Program. 27
 //! (1983)).
 //!
-//! From the minimum without contact on, one constraint after another that is penetrated is taken in, and the
-//! point stays the minimum over the constraints it holds: with S = L L', c a row of B and C those held, the
+//! Starting at the minimum without contact, violated constraints are added one by one, and the iterate is
+//! the minimum subject to the working set: with S = L L', c a row of B and C those of the working set, the
 //! columns of L⁻¹C' are orthogonalised, L⁻¹C' = Q R, and J = L⁻ᵀ (Q, Q⊥) is kept. With d = J'c = (d₁, d₂)
 //!
 //! w ← w − t J₂ d₂, λ ← λ − t R⁻¹d₁, λ_c ← λ_c + t,
 //!
-//! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of those held would change its sign: it
-//! is let go. The least energy over the constraints held rises from one set to the next, so that no set comes
-//! back: finite for every symmetric positive definite S, in exact arithmetic, whatever the loads. Of the
-//! penetrated constraints the one is taken that is furthest off in the energy norm, (c'w − g)/(c'S⁻¹c)^{1/2}.
-//! L⁻¹C' has only the root of the condition number of B S⁻¹B', n^{3/2} in the midpoint cone.
+//! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of the working set changes its sign;
+//! that constraint is dropped. The least energy subject to the working set increases from one set to the
+//! next, so that no set recurs: finite for every symmetric positive definite S, in exact arithmetic, for
+//! all loads. The constraint added is the one with the largest violation in the energy norm, (c'w −
+//! g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the root of that of B S⁻¹B', n^{3/2} in the
+//! midpoint cone.
 //!
-//! Nothing is guessed: sawtooths of multipliers, which keep a change of sides busy, are let go one by one.
-//! Cost: O(n²) for a constraint taken or let go, about as many as there is contact. What rounding leaves is
-//! for [`super::solve_on_edge`] to see, which begins with [`EdgeProblem::solve_with`] from the set found.
+//! No initial guess is needed: sawtooths of multipliers, which slow an exchange method down, are dropped
+//! one by one. Cost: O(n²) per constraint added or dropped, about as many as there are active ones.
+//! Rounding errors are corrected by [`super::solve_on_edge`], which starts with [`EdgeProblem::solve_with`]
+//! from the set found.
 
 use super::edge_problem::EdgeProblem;
 use crate::cone::{ContactSet, EdgeCone};
@@ -26,13 +28,14 @@ use faer::{Mat, Par, Side};
 
 /// A gap below this multiple of the size of its terms is closed.
 const CLOSED: f64 = 1e-13;
-/// A constraint depends on those held if less than this of it is left beside them, in the energy norm.
+/// A constraint counts as dependent on the working set if less than this share of it is orthogonal to it in
+/// the energy norm.
 const DEPENDENT: f64 = 1e-10;
-/// Constraints taken or let go for every constraint.
+/// Largest number of additions and removals per constraint.
 const CHANGES: usize = 10;
 
-/// The contact set, and how many constraints were taken or let go on the way. When that is the limit, or
-/// when rounding has made the constraints contradict each other, the set reached until then.
+/// The contact set, and the number of constraints added and dropped. If that reaches the limit, or if
+/// rounding makes the constraints inconsistent, the last working set.
 ///
 /// # Errors
 /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not.
@@ -57,13 +60,13 @@ pub(super) fn dual_active_set(problem: &EdgeProblem<'_>) -> Result<(ContactSet, 
     Ok((ContactSet::new(active), changes))
 }
 
-/// How a step toward a constraint ended.
+/// The outcome of a step toward a constraint.
 enum Approach {
-    /// It holds.
+    /// The constraint holds.
     Held,
-    /// Another one was let go on the way.
+    /// Another constraint was dropped.
     LetGo,
-    /// It cannot hold beside the others.
+    /// The constraint is inconsistent with the working set.
     Barred,
 }
 
@@ -74,7 +77,7 @@ struct Iterate<'a> {
     free: Vec<usize>,
     /// w at all nodes.
     displacement: Vec<f64>,
-    /// Constraints held, with their multipliers.
+    /// The working set with its multipliers.
     held: Vec<(usize, f64)>,
     /// J, one vector for every column.
     basis: Vec<Vec<f64>>,
@@ -123,7 +126,7 @@ impl<'a> Iterate<'a> {
         self.cone.weight() * mean - self.problem.bound[constraint]
     }
 
-    /// The constraint that is penetrated most, in the energy norm.
+    /// The constraint with the largest violation in the energy norm.
     fn furthest_off(&self) -> Option<usize> {
         let mut held = vec![false; self.norm.len()];
         self.held.iter().for_each(|&(i, _)| held[i] = true);
@@ -181,7 +184,8 @@ impl<'a> Iterate<'a> {
         shares
     }
 
-    /// Holds the constraint with image d: turns the columns of J₂ until only the first of them sees it.
+    /// Adds the constraint with image d: rotates the columns of J₂ so that only the first of them has a
+    /// component along it.
     fn take(&mut self, constraint: usize, force: f64, mut image: Vec<f64>) {
         let count = self.held.len();
         for k in (count + 1..image.len()).rev() {
@@ -194,7 +198,7 @@ impl<'a> Iterate<'a> {
         self.held.push((constraint, force));
     }
 
-    /// Lets the k-th constraint held go.
+    /// Drops the k-th constraint of the working set.
     ///
     /// R loses column k and becomes upper Hessenberg from there; Givens rotations restore it and act on J. O(n²).
     fn let_go(&mut self, k: usize) {
@@ -234,7 +238,7 @@ impl Turn {
         [self.cos * a + self.sin * b, self.cos * b - self.sin * a]
     }
 
-    /// On columns k and k + 1.
+    /// Applies the rotation to columns k and k + 1.
     fn apply(self, columns: &mut [Vec<f64>], k: usize) {
         let [left, right] = &mut columns[k..k + 2] else { return };
         for (a, b) in left.iter_mut().zip(right) {

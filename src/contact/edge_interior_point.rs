@@ -1,7 +1,8 @@
 //! The second method on the condensed edge: min ½ w'S w − b'w over { B w ≤ g } by the interior point method.
 //!
-//! Elimination is shared with the active set, the search for the contact set is not. Cost: some 15
-//! factorizations of a dense matrix of the size of the edge, where the whole body would be factorized as often.
+//! Elimination is shared with the active set; the contact set is found independently. Cost: some 15
+//! factorizations of a dense matrix of the size of the edge, where the whole body would be factorized as
+//! often.
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -11,11 +12,11 @@ use crate::error::Result;
 use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
 
-/// Solves the edge problem; active is where the force exceeds the gap times the stiffness.
+/// Solves the edge problem; a constraint is active if the force exceeds the gap times the stiffness.
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree, [`crate::error::Error::Solver`] for what
-/// Clarabel refuses.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree,
+/// [`crate::error::Error::Solver`] for an error of Clarabel.
 pub(super) fn edge_interior_point(problem: &EdgeProblem<'_>) -> Result<EdgeOutcome> {
     let cone = problem.edge_cone();
     problem.check(&ContactSet::empty(cone.constraints()))?;

@@ -1,20 +1,20 @@
 //! The contact problem reduced to its edge: min ½ w'S w − b'w over { B w ≤ g }, some w_i fixed at 0.
 //!
-//! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of the
-//! face (room `cone`): the nodes off contact, and in the midpoint cone one amplitude of the sawtooth (−1)^i
-//! for every run of active segments. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor
-//! h^{-3}. The multipliers follow from r = b − S w = B'λ, run by run.
-//! Cost: one dense Cholesky factorization with the number of free amplitudes.
+//! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of
+//! the face (module `cone`): the free nodes, and in the midpoint cone one amplitude of the sawtooth (−1)^i
+//! for every contact interval. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor h^{-3}.
+//! The multipliers follow from r = b − S w = B'λ, interval by interval. Cost: one dense Cholesky
+//! factorization with the number of free amplitudes.
 
 use crate::cone::{Cone, ContactSet, Coordinates, EdgeCone, Ends};
 use crate::error::{Error, Result, ToolkitError};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-/// Equations of a set hold to this multiple of what is summed in them, or contradict each other.
+/// Equations of a set count as consistent if they hold to this multiple of their terms.
 pub(super) const HELD: f64 = 1e-10;
 
-/// A dense contact problem on a chain or a ring of nodes.
+/// A dense contact problem on an open or closed chain of nodes.
 #[derive(Debug, Clone)]
 pub(super) struct EdgeProblem<'a> {
     /// S, symmetric positive definite.
@@ -23,11 +23,11 @@ pub(super) struct EdgeProblem<'a> {
     pub(super) load: &'a [f64],
     /// g, one bound per constraint of the cone.
     pub(super) bound: &'a [f64],
-    /// Nodes held at w = 0 (clamped ends of the edge).
+    /// Nodes fixed at w = 0 (ends of the edge on the Dirichlet boundary).
     pub(super) fixed: &'a [bool],
     /// B.
     pub(super) cone: Cone,
-    /// Whether the chain closes to a ring, which has no fixed nodes.
+    /// Whether the chain is closed; a closed chain has no fixed nodes.
     pub(super) ends: Ends,
 }
 
@@ -38,8 +38,8 @@ pub(super) struct EdgeState {
     pub(super) displacement: Vec<f64>,
     /// λ; zero off the set.
     pub(super) multiplier: Vec<f64>,
-    /// B w − g; exactly zero on the set, except where a run of active segments between two fixed nodes, one
-    /// equation more than nodes, cannot hold.
+    /// B w − g; exactly zero on the set, except on a contact interval between two fixed nodes, which has
+    /// one equation more than nodes and may be inconsistent.
     pub(super) gap: Vec<f64>,
 }
 
@@ -83,7 +83,7 @@ impl EdgeProblem<'_> {
         residual
     }
 
-    /// The sizes of what is summed at a displacement.
+    /// The sizes of the terms of the residual at a displacement.
     ///
     /// t_i = |b_i| + Σ_j |S_ij||w_j|: the componentwise scale of a backward error in b − S w. Cost: O(n²).
     pub(super) fn sizes(&self, w: &[f64]) -> Sizes<'_> {
@@ -155,21 +155,21 @@ impl EdgeProblem<'_> {
     }
 }
 
-/// (|b| + |S||w|)_i, the size of what is summed in b − S w at every node. On an edge graded over many decades
-/// displacements and forces have no common scale: what is rounding is decided node by node.
+/// (|b| + |S||w|)_i, the size of the terms of b − S w at every node. On an edge graded over many decades
+/// displacements and forces have no common scale, so that rounding is measured node by node.
 pub(super) struct Sizes<'a> {
     problem: &'a EdgeProblem<'a>,
     terms: Vec<f64>,
 }
 
 impl Sizes<'_> {
-    /// At the nodes of a constraint, as a force.
+    /// The size at the nodes of a constraint, as a force.
     pub(super) fn force(&self, constraint: usize) -> f64 {
         let support = self.problem.edge_cone().support(constraint);
         support.map(|node| self.terms[node]).fold(0.0, f64::max)
     }
 
-    /// The same as a displacement, by the diagonal of S, and the bound of the constraint.
+    /// The size as a displacement: the force divided by the diagonal of S, and the bound of the constraint.
     pub(super) fn gap(&self, constraint: usize) -> f64 {
         let alone = |node: usize| self.terms[node] / self.problem.stiffness[(node, node)];
         let support = self.problem.edge_cone().support(constraint);

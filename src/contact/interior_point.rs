@@ -1,7 +1,7 @@
 //! The second method: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
 //! method Clarabel.
 //!
-//! Nothing is shared with the condensed active set except the assembled matrix.
+//! It shares only the assembled matrix with the condensed active set.
 
 use super::problem::ContactProblem;
 use super::program::{Answer, LEFT, Program, constraint_matrix};
@@ -61,9 +61,9 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// Active: where the multiplier exceeds the gap times the stiffness at the nodes of the constraint. On the
-/// way to the solution one of the two vanishes, so that their quotient is far from 1, whatever the stiffness
-/// is to a few digits.
+/// The active constraints: those whose multiplier exceeds the gap times the stiffness at the nodes of the
+/// constraint. One of the two tends to zero, so that their quotient is far from 1 and the precise stiffness
+/// is irrelevant.
 fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
     let normals = problem.normal_unknowns();
     let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);

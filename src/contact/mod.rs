@@ -1,8 +1,8 @@
 //! Section 2 and (4.1): discrete Signorini problems, two cones, independent solvers, the same KKT residuals for all.
 //!
 //! Sign convention of the paper: u_N ≤ g and σ_N ≤ 0 on the contact edge, n outward; multipliers λ ≥ 0 are
-//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. What belongs to the cones alone stands in
-//! [`crate::cone`]. [`ContactProblem::solve`] is the one entry; [`Settings`] say how.
+//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. The cones are in [`crate::cone`]. All solvers are
+//! called by [`ContactProblem::solve`] with [`Settings`].
 
 mod active_set;
 mod barrier;

@@ -1,11 +1,11 @@
-//! The stiffness matrix of a problem: constant stencils where the mesh is a grid with constant steps, and an
-//! assembled matrix where it is not, or where a factorization asks for one.
+//! The stiffness matrix of a problem: constant stencils where the mesh is a grid with constant steps, and
+//! an assembled matrix otherwise, or for a factorization.
 
 use crate::fem::{BlockMatrix, Form, Frames, Stencils};
 use crate::mesh::Triangulation;
 use std::sync::OnceLock;
 
-/// Stencils, and the assembled matrix once it is wanted, with the seconds it took.
+/// Stencils, and the assembled matrix once it is used, with the time of its assembly in seconds.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Operator {
     pub(super) stencils: Option<Stencils>,

@@ -1,8 +1,8 @@
 //! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
 //!
 //! Unknowns are node-major. Those of an elastic body are (u_T, u_N) internally, in the directions of its
-//! straight contact edge (of each of its straight contact edges on the nodes there); everything that goes in
-//! or out is Cartesian. The scalar problem has u in the place of u_N.
+//! straight contact edge (of each of its straight contact edges on the nodes there); all input and output
+//! is Cartesian. In the scalar problem u replaces u_N.
 
 use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
@@ -17,8 +17,9 @@ use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
 ///
-/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in it, that is the minimiser of
-/// J(v) = ½ a(v, v) − F(v). Vectors in and out are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
+/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in it, that is the minimiser of J(v) =
+/// ½ a(v, v) − F(v). All vectors of the interface are node-major and Cartesian: (v_x, v_y) of node i at 2i,
+/// 2i + 1.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -42,7 +43,7 @@ pub struct ContactProblem {
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
     pub(super) gap: Vec<f64>,
-    /// Seconds for edge, load and what of the operator is not put off.
+    /// Time in seconds for edge, load, and the part of the operator that is set up at once.
     pub(super) preparation_seconds: f64,
 }
 
@@ -68,8 +69,9 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// Names what is missing or wrong: no contact edge, a piece of it that is (elastic) not straight, nothing
-    /// that holds the body or one of several ([`Error::NotHeld`]), a load that is not finite or of the wrong length, an inadmissible form.
+    /// Invalid data: no contact edge, a contact edge of an elastic body that is not straight, a body
+    /// without Dirichlet boundary ([`Error::NotHeld`]), a load that is not finite or of the wrong length,
+    /// an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
@@ -151,7 +153,7 @@ impl ContactProblem {
         &self.edge
     }
 
-    /// The contact edge as a partition of (0, length) into its segments.
+    /// The contact edge as a mesh of (0, length) with its segments as elements.
     ///
     /// ```
     /// let mesh = signorini::problems::TestProblem::Block.problem(4)?.contact_mesh()?;
@@ -166,6 +168,8 @@ impl ContactProblem {
         Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
     }
 
+    /// Checks that the cone is defined on the contact edge.
+    ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone on a contact edge in several pieces.
     pub(super) fn require_cone(&self, cone: Cone) -> Result<()> {
@@ -187,7 +191,7 @@ impl ContactProblem {
         cone.on(self.edge.nodes().len(), ends)
     }
 
-    /// Unknowns that are not prescribed.
+    /// The number of unknowns that are not prescribed.
     ///
     /// The dimension of the trial space: nodes off the Dirichlet part times components.
     ///
@@ -251,8 +255,8 @@ impl ContactProblem {
         Ok(scale * careful_dot(&framed, &self.multiply(&framed)).max(0.0).sqrt())
     }
 
-    /// |u − P u_h|_a for nested levels: u lives on this problem's mesh, which is level `to` of the hierarchy; u_h on
-    /// level `from`, prolonged by P.
+    /// |u − P u_h|_a for nested levels: u is a function on this problem's mesh, which is level `to` of the
+    /// hierarchy; u_h on level `from`, prolonged by P.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
@@ -306,7 +310,8 @@ impl ContactProblem {
     }
 }
 
-/// [`Error::NotHeld`] for a body, triangles that nodes join, without a Dirichlet edge: before any matrix is made.
+/// [`Error::NotHeld`] for a body (triangles connected by nodes) without a Dirichlet edge, checked before
+/// any matrix is assembled.
 fn require_held(mesh: &Triangulation, held: &[bool]) -> Result<()> {
     let bodies = mesh.bodies();
     let mut is_held = vec![false; bodies.len()];

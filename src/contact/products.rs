@@ -1,5 +1,5 @@
-//! Products with the stiffness matrix of a problem, its rows and its diagonal, without assembling it where
-//! stencils do.
+//! Products with the stiffness matrix of a problem, its rows and its diagonal, without assembling it if
+//! stencils exist.
 
 use super::problem::ContactProblem;
 use crate::fem::{BlockMatrix, Stencils, stiffness_in};
@@ -11,7 +11,7 @@ impl ContactProblem {
         self.operator.stencils.as_ref()
     }
 
-    /// K, assembled when it is first asked for.
+    /// K, assembled at its first use.
     pub(super) fn matrix(&self) -> &BlockMatrix {
         let assemble = || {
             let start = Instant::now();

@@ -13,32 +13,32 @@ use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus, SupportedConeT,
 };
 
-/// Asked of Clarabel for feasibility, relative.
+/// Relative feasibility tolerance of Clarabel.
 const FEASIBILITY: f64 = 1e-14;
 
-/// Asked of Clarabel for the duality gap, relative; it may stop earlier when it cannot progress, and is
-/// judged then.
+/// Relative duality gap tolerance of Clarabel, which may stop earlier without progress; the result is then
+/// checked.
 const DUALITY_GAP: f64 = 1e-13;
 
-/// Where nothing is in contact, forces below this multiple of the scale of forces are what the barrier leaves.
+/// Without contact, forces below this multiple of the force scale are attributed to the barrier.
 pub(super) const LEFT: f64 = 100.0 * DUALITY_GAP;
 
-/// Not asked: absolute gaps have no scale here, and a problem with a solution is never to be called
-/// infeasible.
+/// Disabled criteria: absolute gaps, which have no scale here, and infeasibility, since the problem has a
+/// solution.
 const NEVER: f64 = 1e-300;
 
-/// Most steps: 11 to 16 are taken, and what has not ended after several times as many does not.
+/// Largest number of steps; 11 to 16 are typical.
 const STEPS: u32 = 60;
 
-/// Asked of the refinement of each linear system, relative and absolute: a few roundings, below what is asked
-/// for feasibility.
+/// Relative and absolute tolerance of iterative refinement: a few roundings, below the feasibility
+/// tolerance.
 const REFINED: f64 = 1e-15;
 
-/// Most refinements of a linear system: without regularisation a few reach rounding, the last steps take
-/// more.
+/// Largest number of refinements of a linear system; without regularisation a few suffice, except in the
+/// last steps.
 const REFINEMENTS: u32 = 20;
 
-/// Refinement goes on while it at least halves the residual: less is rounding.
+/// Refinement continues while it reduces the residual by this factor.
 const HALVED: f64 = 2.0;
 
 /// One thread: the order of the sums, hence every digit, is the same on every machine.
@@ -62,7 +62,7 @@ pub(super) struct Answer {
 }
 
 impl Program {
-    /// The answer; how it ended, with no residual as nothing is judged here.
+    /// The solution and the termination status, without residuals.
     pub(super) fn solve(&self) -> Result<Answer> {
         let force = largest(&self.load).max(self.stiff * largest(&self.bound));
         // Nothing to move, or nothing that moves it: no scale of forces for the solver to work in, and

@@ -1,4 +1,4 @@
-//! How a contact problem is solved: solver, start, accuracy, coarser meshes, progress.
+//! Settings of a contact solver: solver, start, accuracy, coarser meshes, progress.
 
 use super::multigrid::{Accuracy, Progress};
 use super::solution::ContactSolution;
@@ -7,8 +7,8 @@ use crate::cone::ContactSet;
 use crate::error::Result;
 use crate::mesh::Hierarchy;
 
-/// How [`ContactProblem::solve`](super::ContactProblem::solve) works; a [`Solver`] alone stands for the settings with
-/// defaults for the rest.
+/// The settings of [`ContactProblem::solve`](super::ContactProblem::solve); a [`Solver`] converts to
+/// settings with defaults for the rest.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -26,15 +26,15 @@ pub struct Settings<'a> {
     pub solver: Solver,
     /// The first guess of the contact set, for the active set; no contact by default.
     pub start: Start<'a>,
-    /// The algebraic error admitted, for multigrid; twelve digits in the energy norm by default.
+    /// The largest algebraic error, for multigrid; a relative error of 1e-12 in the energy norm by default.
     pub accuracy: Accuracy,
-    /// The coarser meshes, for multigrid: the finest of them is that of the problem. By default every other line of a
-    /// grid is left out.
+    /// The coarser meshes, for multigrid: the finest of them is that of the problem. By default the coarser
+    /// meshes omit every other line of a grid.
     pub hierarchy: Option<&'a Hierarchy>,
     /// Called after every step of multigrid; its error ends the iteration.
     #[allow(clippy::type_complexity)] // a callback, spelled out
     pub progress: Option<&'a mut (dyn FnMut(&Progress) -> Result<()> + Send)>,
-    /// Relative sizes expected of the displacement at the nodes of the contact edge, all positive, for
+    /// Expected relative sizes of the displacement at the nodes of the contact edge, all positive, for
     /// [`Solver::EdgeInteriorPoint`] in the nodal cone: each node has its own barrier weight.
     ///
     /// Near a singular point this resolves every decade of the mesh; one weight for all nodes resolves half as many in
@@ -48,9 +48,9 @@ impl From<Solver> for Settings<'_> {
     }
 }
 
-/// Where the search of the active set for the contact set begins.
+/// The initial contact set of the active set method.
 ///
-/// The discrete solution is unique, so that the start changes the number of steps only.
+/// The discrete solution is unique, so that the start affects the number of steps only.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::{Settings, Solver, Start}, problems::TestProblem};
@@ -64,11 +64,12 @@ impl From<Solver> for Settings<'_> {
 /// ```
 #[derive(Debug, Clone, Default)]
 pub enum Start<'a> {
-    /// Without contact.
+    /// The empty contact set.
     #[default]
     Open,
-    /// With the contact set of this solution on the next coarser mesh, in the same cone, every segment halved.
+    /// The contact set of this solution on the next coarser mesh, in the same cone, with every segment
+    /// bisected.
     Coarse(&'a ContactSolution),
-    /// With this contact set.
+    /// The given contact set.
     Set(ContactSet),
 }

@@ -1,4 +1,4 @@
-//! What a contact solver returns, and the figures computed from displacement and multiplier alone.
+//! The result of a contact solver, and quantities computed from displacement and multiplier.
 //!
 //! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that
 //! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation;
@@ -18,7 +18,7 @@ use crate::numeric::scale::largest;
 use crate::numeric::sum::compensated;
 use fractional_sobolev::Work;
 
-/// Largest KKT residual of a solution that counts as converged.
+/// Largest KKT residual of a converged solution.
 pub(super) const ACCEPTED: f64 = 1e-8;
 
 /// Wall-clock seconds by phase.
@@ -52,7 +52,7 @@ impl Seconds {
     }
 }
 
-/// A discrete solution with everything that is reported of it.
+/// A discrete solution with its residuals, forces, energy and solver statistics.
 ///
 /// In exact arithmetic: K u − F + B'λ = 0 on the free unknowns, B u ≤ g, λ ≥ 0, λ'(B u − g) = 0. For homogeneous
 /// Dirichlet data and g = 0 testing with u gives a(u, u) = F'u, hence J(u) = −½ a(u, u) = −½ F'u.
@@ -75,9 +75,8 @@ pub struct ContactSolution {
     pub cone: Cone,
     /// The solver.
     pub solver: Solver,
-    /// Cartesian nodal displacement, node-major.
-    /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i), prescribed nodes
-    /// included, in units of length of the mesh.
+    /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i),
+    /// prescribed nodes included, in units of length of the mesh.
     pub displacement: Vec<f64>,
     /// u_N (scalar: u) at the nodes of the contact edge, in order.
     ///
@@ -91,18 +90,18 @@ pub struct ContactSolution {
     ///
     /// A length ≤ 0 up to `kkt.gap`; 0 up to rounding where the constraint is active.
     pub gap: Vec<f64>,
-    /// Arc length of every constraint: of its node or of the middle of its segment.
+    /// The arc length at every constraint: of its node or of the middle of its segment.
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
     ///
     /// (B'λ)_i / ∫ φ_i, one per contact node, ≥ 0 in compression.
     pub pressure: Vec<f64>,
     /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over
-    /// nodal length. At clamped nodes this is the reaction; a scalar problem has (∂u/∂n, 0).
+    /// nodal length. At nodes on the Dirichlet boundary this is the reaction; a scalar problem has (∂u/∂n, 0).
     pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
-    /// How the solver ended.
+    /// The termination status of the solver.
     pub status: Status,
     /// The four scaled KKT residuals.
     pub kkt: KktResiduals,
@@ -112,17 +111,19 @@ pub struct ContactSolution {
     pub displacement_scale: f64,
     /// Distance from weak contact.
     pub margins: Margins,
-    /// J.
+    /// The energy J.
     pub energy: f64,
-    /// What the rounding of K and F leaves uncertain in J, in the mean: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
+    /// The standard deviation of J by rounding of K and F: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
     ///
-    /// A standard deviation and no bound; differences of J below it have no meaning.
+    /// It is not a bound; differences of J below it are not significant.
     pub energy_rounding: f64,
-    /// The same of a sum of forces, a component of the reaction or the contact force: ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
+    /// The standard deviation by rounding of a sum of forces (a component of the reaction, or the contact
+    /// force): ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
     ///
-    /// Large beside the loads where stiffnesses cancel, as for Poisson ratios near 1/2: an imbalance below it is rounding.
+    /// It is large compared with the loads where stiffnesses cancel, as for Poisson ratios near 1/2; an
+    /// imbalance below it is within rounding.
     pub force_rounding: f64,
-    /// Sum of the multipliers.
+    /// The total contact force: the sum of the multipliers.
     ///
     /// Σ_i λ_i = −∫ σ_N over the contact edge, in both cones, because the rows of B sum to 1.
     pub contact_force: f64,
@@ -136,12 +137,12 @@ pub struct ContactSolution {
     pub work: Work,
     /// Seconds by phase.
     pub seconds: Seconds,
-    /// The levels of multigrid, its estimate of the error, and why the direct solver was taken, if it was; `None` for
-    /// the other solvers.
+    /// The levels of multigrid, its error estimate, and the reason for the direct solver, if it was used;
+    /// `None` for the other solvers.
     pub multigrid: Option<MultigridReport>,
 }
 
-/// What a solver hands over: unknowns of the frame, multipliers, its own view of how it ended.
+/// The raw result of a solver: unknowns of the frame, multipliers, termination status.
 pub(super) struct Candidate {
     pub(super) solver: Solver,
     pub(super) unknowns: Vec<f64>,
@@ -151,12 +152,12 @@ pub(super) struct Candidate {
     pub(super) history: Vec<ContactSet>,
     pub(super) work: Work,
     pub(super) seconds: Seconds,
-    /// Largest KKT residual that counts as converged; infinite where an estimate of the error decides.
+    /// Largest KKT residual of a converged solution; infinite for solvers with an error estimate.
     pub(super) accepted: f64,
 }
 
-/// The KKT residuals of a candidate and what is reported of it; the same for every solver. A displacement so large
-/// that its energy is not a number of binary64 is an error.
+/// The solution with its KKT residuals from a candidate; the same for every solver. A displacement whose
+/// energy overflows is an error.
 pub(super) fn conclude(
     problem: &ContactProblem,
     cone: Cone,
@@ -225,7 +226,7 @@ pub(super) fn conclude(
     })
 }
 
-/// Arc lengths of the constraints; the closing segment of a ring lies behind the last node.
+/// Arc lengths of the constraints; the closing segment of a closed edge lies behind the last node.
 fn positions(problem: &ContactProblem, cone: EdgeCone) -> Vec<f64> {
     let arc = problem.edge.arc();
     let mut positions = cone.apply(arc);
@@ -251,7 +252,7 @@ fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) ->
     problem.edge.nodes().iter().zip(lengths).map(at).collect()
 }
 
-/// The margins over the constraints that have a node free to move; at clamped nodes nothing is decided.
+/// The margins over the constraints that have a node free to move; constraints on fixed nodes are ignored.
 fn free_margins(
     problem: &ContactProblem,
     cone: EdgeCone,
@@ -290,8 +291,8 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
     (0..sizes.len()).filter(|&i| !problem.prescribed[i]).map(|i| sizes[i]).fold(0.0, f64::max)
 }
 
-/// max(|u|, |g|, max_i |F_i| / K_ii): the last is what a load would do alone, the scale when contact prevents
-/// everything.
+/// max(|u|, |g|, max_i |F_i| / K_ii): the last is the displacement by the load alone, the scale if contact
+/// prevents all displacement.
 ///
 /// Positive also where contact keeps u = 0, so that rounding of the gap has a scale.
 fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {

@@ -12,8 +12,8 @@ impl ContactProblem {
     /// The discrete solution in the given cone, with its KKT residuals.
     ///
     /// On a closed edge with an even number of segments, all of them in contact, the means of the midpoint
-    /// cone are dependent: of the multipliers, which differ by a sawtooth, the one with the greatest minimum
-    /// is returned.
+    /// cone are dependent: the multipliers are determined up to a sawtooth, and those with the greatest
+    /// minimum are returned.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -22,7 +22,7 @@ impl ContactProblem {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
-    /// Multigrid to the accuracy asked for; [`ContactSolution::multigrid`] has its estimate of the error:
+    /// Multigrid to the requested accuracy; [`ContactSolution::multigrid`] contains its error estimate:
     ///
     /// ```
     /// use signorini::cone::Cone;
@@ -37,13 +37,14 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotPositiveDefinite`] when some part of the body is not held; [`ToolkitError::Incompatible`] for
-    /// the midpoint cone on a contact edge in several pieces, and for a start from the other cone. A start from a
-    /// coarser mesh, and sizes, need an edge in one piece: [`ToolkitError::CountOutOfRange`], also for sizes on a closed
-    /// edge; [`ToolkitError::LengthMismatch`] for a contact set, sizes or a hierarchy of another length;
-    /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive; [`ToolkitError::OutOfRange`] unless the share
-    /// of the error of discretisation is in (0, 1]; what the progress callback returns. How the iteration ended is in
-    /// the status.
+    /// [`ToolkitError::NotPositiveDefinite`] if some part of the body has no Dirichlet boundary;
+    /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces, and for a
+    /// start from the other cone. A start from a coarser mesh, and sizes, need an edge in one piece:
+    /// [`ToolkitError::CountOutOfRange`], also for sizes on a closed edge; [`ToolkitError::LengthMismatch`]
+    /// for a contact set, sizes or a hierarchy of another length; [`ToolkitError::EntryOutOfRange`] for
+    /// sizes that are not positive; [`ToolkitError::OutOfRange`] unless the share of the error of
+    /// discretisation is in (0, 1]; the error of the progress callback. The termination of the iteration is
+    /// a status, not an error.
     pub fn solve<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {
         let Settings { solver, start, accuracy, hierarchy, progress, sizes } = how.into();
         self.require_cone(cone)?;

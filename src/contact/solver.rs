@@ -25,25 +25,26 @@ use std::str::FromStr;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Solver {
-    /// Eliminate all but the contact unknowns once, then a primal-dual active set on the edge.
+    /// Elimination of all but the contact unknowns, then a primal-dual active set method on the edge.
     #[default]
     ActiveSet,
     /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
     InteriorPoint,
-    /// The same on the problem condensed to the edge: elimination is that of the active set, the search for
-    /// the contact set is not. On 128 × 128 squares it takes 0.04 s for an algebraic error of 2e-13, where
-    /// [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`), so that it is the independent
-    /// computation on finer meshes.
+    /// The same on the problem condensed to the edge: elimination is shared with the active set, the
+    /// contact set is found independently. On 128 × 128 squares it takes 0.04 s for an algebraic error of
+    /// 2e-13, where [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`), so
+    /// that it is the independent computation on finer meshes.
     EdgeInteriorPoint,
     /// Nested iteration with conjugate gradients and a V-cycle.
     Multigrid,
-    /// The active set up to [`Solver::CROSSING`] unknowns, multigrid above: what is faster.
+    /// The active set up to [`Solver::CROSSING`] unknowns, multigrid above: the faster of the two.
     Auto,
 }
 
 impl Solver {
-    /// Unknowns from which multigrid is faster than elimination: both take some ten milliseconds there, and
-    /// at a hundred times as many multigrid takes a tenth of the time and of the memory.
+    /// Number of unknowns from which on multigrid is faster than elimination: both take some ten
+    /// milliseconds there, and at a hundred times as many multigrid takes a tenth of the time and of the
+    /// memory.
     pub const CROSSING: usize = 10_000;
 
     /// The solver that `Auto` selects for this many unknowns.

@@ -1,9 +1,9 @@
-//! Units for loads so small or so large that the squares of binary64 leave its range: an iteration that sees
-//! its error as (r, M r)^{1/2} calls everything below 1e-162 converged.
+//! Units for loads so small or so large that the squares of binary64 leave its range: an iteration that
+//! measures its error by (r, M r)^{1/2} would treat errors below 1e-162 as zero.
 //!
-//! A problem is linear in (F, u_D, g): in units of a power of two that makes the energy moderate nothing is
-//! rounded that is within the range of binary64 below the largest entries, and the answer is scaled back.
-//! With k the largest modulus of the form the energy is about |F|²/k, and k g² where data are prescribed.
+//! A problem is linear in (F, u_D, g): in units of a power of two for which the energy is moderate, scaling
+//! is exact up to underflow, and the solution is scaled back. With k the largest modulus of the form the
+//! energy is about |F|²/k, and k g² where data are prescribed.
 
 use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
@@ -14,17 +14,17 @@ use crate::numeric::check::require_values;
 use crate::numeric::scale::{largest, power_of_two};
 use fractional_sobolev::Estimate;
 
-/// Roots of energies from its reciprocal to this need no unit of their own.
+/// Energy norms from the reciprocal of this to this are not rescaled.
 const PLAIN: f64 = 1e60;
 
-/// The power of two for an energy whose root is about `root`; `None` where none is needed, or none helps.
+/// The power of two for an energy whose root is about `root`; `None` if none is needed, or none helps.
 pub(super) fn unit_for(root: f64) -> Option<f64> {
     let plain = root == 0.0 || (PLAIN.recip()..=PLAIN).contains(&root);
     (!plain && root.is_finite()).then(|| power_of_two(root))
 }
 
 impl ContactProblem {
-    /// The same problem in its unit, with that; `None` where none is needed.
+    /// The scaled problem and its unit; `None` if no scaling is needed.
     pub(super) fn in_unit(&self) -> Option<(Self, f64)> {
         let stiff = match &self.form {
             Form::Scalar { .. } => 1.0,
@@ -44,8 +44,8 @@ impl ContactProblem {
 }
 
 impl ContactSolution {
-    /// Displacements and forces in units of 1 from those in the given one; energies by its square. Figures
-    /// without a unit stay.
+    /// The solution with displacements and forces multiplied by the unit and energies by its square.
+    /// Dimensionless quantities are unchanged.
     pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
         for values in [
             &mut self.displacement,

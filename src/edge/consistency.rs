@@ -1,4 +1,4 @@
-//! What a contact segment adds to the consistency term: the quantity the paper's alternatives bound.
+//! The contribution of a contact segment to the consistency term, which the paper's alternatives bound.
 //!
 //! Section 3: ∫_T σ_N (I^h u)_N dΓ = −Σ λᵢ (I^h u)_N(xᵢ), I^h the Lagrange interpolant on the segment.
 //! Section 4: ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = (1/h_e) ∫_T σ_N dΓ ∫_T u_N dΓ, because σ_N u_N = 0 and

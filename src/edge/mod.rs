@@ -1,5 +1,5 @@
-//! The contact edge of a solution: its trace, the pair (u_N, σ_N) as functions, segments with every norm the
-//! proofs name, and the consistency terms of Sections 3 and 4.
+//! The contact edge of a solution: its trace, the pair (u_N, σ_N) as functions, segments with all norms of
+//! the proofs, and the consistency terms of Sections 3 and 4.
 //!
 //! | paper | here |
 //! | --- | --- |
@@ -8,19 +8,19 @@
 //! | norms (1.1) on each segment T ∩ Γ_C | [`ContactPair::norms`], [`SegmentNorms`] |
 //! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
-//! | contact and gaps in ln r, r the distance from an end | [`radial_intervals`] |
+//! | contact and non-contact intervals in ln r, r the distance from an end | [`radial_intervals`] |
 //!
-//! The consistency term stands three times, once per kind of data, and no one of them can serve for the
-//! others:
+//! The consistency term is computed in three ways, one per kind of data, none of which replaces another:
 //!
-//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. What a computed
-//!   solution gives, and what the alternatives sum over the segments of a case.
+//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. Used for computed
+//!   solutions, and for the sums over the segments of a case.
 //! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
-//!   exact, so all levels together cost O(N) where segment by segment each costs O(N). To rounding the sum of
-//!   the first over all segments: the two are independent computations (tests of Theorems 3.1 and 4.1).
-//! * [`SegmentNorms`]: densities. The inequalities of the proofs name ‖σ_N‖₀ and |σ_N|_ν, which a point force
-//!   does not have; spread over its cells it has, and the term of the spread force is another number, not the
-//!   same one rounded differently.
+//!   exact, so all levels together cost O(N) where segment by segment each costs O(N). It equals the sum of
+//!   the first over all segments up to rounding: the two are independent computations (tests of Theorems 3.1
+//!   and 4.1).
+//! * [`SegmentNorms`]: densities. The inequalities of the proofs contain ‖σ_N‖₀ and |σ_N|_ν, which are
+//!   infinite for a point force and finite for a force spread over its cells; the consistency term of the
+//!   spread force differs from that of the point force.
 //!
 //! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 

@@ -1,7 +1,6 @@
-//! A complementary pair (u_N, σ_N) on the contact edge as functions, not only as nodal numbers.
+//! A complementary pair (u_N, σ_N) on the contact edge, as functions of finite norm.
 //!
-//! What the inequalities of Sections 3 and 4 say needs functions of finite norm. On N equal cells of the edge
-//! (0, 1):
+//! The inequalities of Sections 3 and 4 are for functions of finite norm. On N equal cells of the edge (0, 1):
 //!
 //! | traces | u_N | u_N' | σ_N | \|u_N'\|_ν, \|σ_N\|_ν finite for |
 //! | --- | --- | --- | --- | --- |
@@ -24,7 +23,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// Which functions stand for u_N' and σ_N.
+/// The functions that represent u_N' and σ_N.
 ///
 /// A function that is constant on cells has a finite seminorm of order ν only for ν < 1/2, a continuous piecewise linear
 /// one for ν < 3/2.
@@ -64,7 +63,7 @@ pub struct ContactPair {
 }
 
 impl ContactPair {
-    /// The pair of a test problem of the strip; a ring is opened at 0.
+    /// The pair of a test problem of the strip; a periodic edge is cut at 0.
     ///
     /// ∫ σ_N = −Σ λ_i is preserved. The example checks the consistency bound with the constant 1/2 on every segment,
     /// ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_ν |u_N'|_ν.
@@ -177,7 +176,7 @@ impl ContactPair {
         Self::of_data(&edge_data, Traces::Linears)
     }
 
-    /// Which functions the traces are.
+    /// The kind of traces.
     pub(super) fn traces(&self) -> Traces {
         self.traces
     }

@@ -19,13 +19,13 @@ use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProble
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
 /// segment.
 const MESH_FACTOR: usize = 8;
-/// Most segments on a mesh: a reference with 2048 squares along each side.
+/// Largest number of segments on a mesh: a reference with 2048 squares along each side.
 const MESH_LARGEST: usize = 256;
-/// Most segments on a strip: a reference of 2^20 cells.
+/// Largest number of segments on a strip: a reference of 2^20 cells.
 const STRIP_LARGEST: usize = 1 << 14;
 /// Relative residual of the contact solution on a strip.
 const SOLVED: f64 = 1e-13;
-/// Fewest cells of the manufactured edge: studies of up to 1024 segments all see the same one.
+/// Fewest cells of the manufactured edge: studies of up to 1024 segments use the same one.
 const STRIP_CELLS: usize = 1 << 16;
 /// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
 const STRIP_FACTOR: usize = 64;
@@ -42,7 +42,8 @@ impl EdgeTrace {
         }
     }
 
-    /// The manufactured pair of a strip on its fine edge; a ring is opened at 0, where the force is halved.
+    /// The manufactured pair of a strip on its fine edge; a periodic edge is cut at 0, where the force is
+    /// halved.
     ///
     /// The nodal values and forces of the data without a solver; u_N below 1e-12 of its largest value counts as zero.
     ///
@@ -70,7 +71,7 @@ impl EdgeTrace {
         EdgeTrace::new(nodes, values, forces, 0.0)
     }
 
-    /// The fine trace that stands for u on meshes of up to n segments; `tau` is the regularity of a strip
+    /// The fine trace that represents u on meshes of up to n segments; `tau` is the regularity of a strip
     /// test problem.
     ///
     /// # Errors

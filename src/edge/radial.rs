@@ -1,20 +1,20 @@
 //! A contact set as intervals of ln r, r the distance from the end of the edge.
 //!
-//! Between a constraint in contact and one that is not, the border is put at the geometric mean of their
-//! radii: on rings with ratio e^s it is known to s/2 in ln r.
+//! Between a constraint in contact and one that is not, the end point is placed at the geometric mean of
+//! their radii: on rings with ratio e^s it is known to s/2 in ln r.
 
 use crate::cone::ContactSet;
 use crate::error::Result;
 use crate::numeric::check::{require_entry, require_finite, require_length};
 
-/// A stretch of the edge, all contact or all gap.
+/// A contact or non-contact interval of the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RadialInterval {
-    /// Its inner radius, in units of the data.
+    /// Inner radius, in units of the data.
     pub from: f64,
-    /// Its outer radius.
+    /// Outer radius.
     pub to: f64,
-    /// Contact, or gap.
+    /// True for contact.
     pub in_contact: bool,
 }
 
@@ -31,8 +31,8 @@ impl RadialInterval {
     }
 }
 
-/// The stretches of contact and gap, from the inside outwards; radii that are 0 (the end itself) are left
-/// out.
+/// The contact and non-contact intervals, from the inside outwards; radii that are 0 (the end itself) are
+/// omitted.
 ///
 /// ```
 /// use signorini::cone::ContactSet;

@@ -1,4 +1,4 @@
-//! Every norm of a pair (u_N, σ_N) on one contact segment that the proofs of Theorems 3.1 and 4.1 name.
+//! All norms of a pair (u_N, σ_N) on one contact segment in the proofs of Theorems 3.1 and 4.1.
 //!
 //! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q
 //! norms in closed form; seminorms of order ν by the Gram matrix of the cells of a segment as a fast product.

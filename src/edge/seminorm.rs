@@ -15,12 +15,12 @@ pub(super) struct SeminormForm {
     order: Order,
     traces: Traces,
     cells: usize,
-    /// On (0, 1); none for a single constant.
+    /// The operator on (0, 1); `None` for a single constant.
     operator: Option<Gram>,
 }
 
 impl SeminormForm {
-    /// For segments of `cells` cells.
+    /// The form for segments of `cells` cells.
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
@@ -75,11 +75,10 @@ mod tests {
     use crate::strip::LateralCondition;
     use fractional_sobolev::{Rule, gauss_legendre};
 
-    /// What is asked of the quadrature, with a factor for the cancellation in nearly
-    /// constant traces.
+    /// The tolerance of the quadrature, with a factor for the cancellation in nearly constant traces.
     const METHODS: f64 = 1e-8;
 
-    /// Which trace of a segment.
+    /// A trace of a segment.
     #[derive(Debug, Clone, Copy, PartialEq, Eq)]
     enum SegmentTrace {
         /// −σ_N.

@@ -54,9 +54,9 @@ pub struct EdgeTrace {
 }
 
 impl EdgeTrace {
-    /// Nodes in increasing order, u_N at the nodes, forces λ ≥ 0 at the nodes.
+    /// The trace with the given increasing nodes, values u_N and forces λ ≥ 0 at the nodes.
     ///
-    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed where λ exceeds
+    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed if λ exceeds
     /// `rounding` times the largest force relative to the largest displacement.
     ///
     /// # Errors
@@ -163,14 +163,14 @@ impl EdgeTrace {
     }
 }
 
-/// What sorted disjoint intervals have in common with a segment.
+/// The intersections of sorted disjoint intervals with a segment.
 fn parts_in(intervals: &[Interval], segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
     let from = intervals.partition_point(|i| i.end < segment.start);
     let to = intervals.partition_point(|i| i.start <= segment.end);
     intervals[from..to.max(from)].iter().filter_map(move |i| i.intersection(&segment))
 }
 
-/// Maximal runs of nodes with a property, as closed intervals.
+/// Maximal ranges of consecutive nodes with a property, as closed intervals.
 fn runs(nodes: &[f64], has: impl Fn(usize) -> bool) -> Vec<Interval> {
     let mut found: Vec<Interval> = Vec::new();
     let mut open = false;

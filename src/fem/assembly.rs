@@ -1,9 +1,9 @@
 //! The stiffness matrix, assembled row by row.
 //!
-//! Every node gathers the contributions of its own triangles, so rows are independent and no task writes
-//! where another does. The two unknowns of a node are Cartesian, or the tangential and the normal
-//! displacement (u_T, u_N) of a straight contact edge: [`Frame`]. Cost: O(triangles), about
-//! 400 operations each.
+//! Every node gathers the contributions of its own triangles, so that rows are independent and tasks write
+//! to disjoint memory. The two unknowns of a node are Cartesian, or the tangential and the normal
+//! displacement (u_T, u_N) of a straight contact edge: [`Frame`]. Cost: O(triangles), about 400 operations
+//! each.
 
 use super::form::{Element, Form};
 use super::frame::{Frame, Frames};
@@ -68,7 +68,7 @@ pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatri
     stiffness_in(mesh, form, &Frames::all(*frame))
 }
 
-/// The same where every node may have a frame of its own.
+/// The same with a frame per node.
 pub(crate) fn stiffness_in(mesh: &Triangulation, form: &Form, frames: &Frames) -> BlockMatrix {
     let incidence = Incidence::of(mesh);
     let count = mesh.nodes().len();

@@ -22,10 +22,10 @@ use crate::mesh::Point;
 use crate::numeric::memory::require_memory;
 use faer::Mat;
 
-/// Subtrees with at least this many nodes are worth a task of their own.
+/// Smallest number of nodes of a subtree that is a separate task.
 const TASK: usize = 2000;
 
-/// What an unknown takes for each level of nested dissection, in bytes.
+/// Bytes per unknown and level of nested dissection.
 const BYTES_PER_DEPTH: usize = 100;
 
 /// Position of an unknown that is prescribed.
@@ -72,10 +72,11 @@ impl Reduced {
 
 impl Condensation {
     /// Eliminates all unknowns that are neither `prescribed` nor in `kept`; `points` are the node
-    /// coordinates. Kept unknowns stay, prescribed or not.
+    /// coordinates. Kept unknowns are not eliminated, prescribed or not.
     ///
-    /// For the Laplacian on a square held at the top, S is symmetric positive definite, and its row sums are the reactions
-    /// to a unit displacement of the contact edge; the example adds them up.
+    /// For the Laplacian on a square with Dirichlet conditions at the top, S is symmetric positive
+    /// definite, and its row sums are the reactions to a unit displacement of the contact edge; the example
+    /// adds them up.
     ///
     /// ```
     /// use signorini::fem::{Condensation, Form, Frame, stiffness};
@@ -91,9 +92,11 @@ impl Condensation {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the unknown whose pivot vanished: some part of the body is not
-    /// held. [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the arrays do not fit; [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge)
-    /// when the fronts do not fit into memory.
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the unknown
+    /// whose pivot vanished: some part of the body has no Dirichlet boundary.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the lengths of the arrays
+    /// differ; [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the memory does not suffice for
+    /// the fronts.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
         check_lengths(matrix, points, prescribed)?;
         // 4.4 GB at two million unknowns of a plane mesh.

@@ -14,8 +14,8 @@ use fractional_sobolev::{gauss_jacobi, gauss_legendre};
 /// −0.7.
 const DEPTH: usize = 40;
 
-/// A singular point counts as in the triangle this far outside, in barycentric coordinates: above their
-/// rounding.
+/// Distance outside a triangle, in barycentric coordinates, within which a singular point counts as inside:
+/// above their rounding.
 const MARGIN: f64 = 1e-12;
 
 /// A rule for triangles.
@@ -29,7 +29,7 @@ pub struct Cubature {
 }
 
 impl Cubature {
-    /// n x n points, exact for polynomials of degree 2n − 1.
+    /// The rule with n × n points, exact for polynomials of degree 2n − 1.
     ///
     /// ```
     /// use signorini::fem::Cubature;
@@ -72,7 +72,7 @@ impl Cubature {
     /// Calls `visit(point, weight)` for all points of the rule on a triangle.
     ///
     /// # Errors
-    /// Whatever `visit` returns.
+    /// The error returned by `visit`.
     pub fn on(&self, triangle: [Point; 3], visit: &mut dyn FnMut(Point, f64) -> Result<()>) -> Result<()> {
         self.graded(triangle, DEPTH, visit)
     }

@@ -8,7 +8,7 @@
 use super::matrix::BlockMatrix;
 use crate::mesh::Point;
 
-/// Node sets up to this size are eliminated at once: smaller fronts cost more in bookkeeping than they save.
+/// Largest node set that is eliminated at once.
 const LEAF: usize = 40;
 
 /// An elimination tree: children first (if any), then the own pivots, which separate them.

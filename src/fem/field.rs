@@ -15,9 +15,9 @@ use crate::mesh::Point;
 /// ```
 #[derive(Clone, Copy)]
 pub enum Field<'a> {
-    /// For scalar forms.
+    /// A scalar function, for scalar forms.
     Scalar(&'a (dyn Fn(Point) -> f64 + Sync)),
-    /// For elasticity, Cartesian.
+    /// A vector function in Cartesian components, for elasticity.
     Vector(&'a (dyn Fn(Point) -> Point + Sync)),
 }
 
@@ -68,6 +68,8 @@ impl Field<'_> {
         Ok(values)
     }
 
+    /// Checks the number of components.
+    ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless the field has `components` components.
     pub(crate) fn require(&self, components: usize) -> Result<()> {

@@ -138,6 +138,8 @@ impl Form {
         }
     }
 
+    /// Checks the reaction and the materials.
+    ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a negative reaction, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without materials.
     pub(crate) fn check(&self) -> Result<()> {

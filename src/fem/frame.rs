@@ -60,7 +60,7 @@ impl Frame {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Frames {
     common: Frame,
-    /// By node, in ascending order.
+    /// The separate frames by node, in ascending order.
     own: Vec<(usize, Frame)>,
 }
 

@@ -16,10 +16,10 @@ use faer::reborrow::{Reborrow, ReborrowMut};
 use faer::{Accum, MatMut, Par};
 use std::ops::Range;
 
-/// Fronts with more operations than this use all cores inside.
+/// Number of operations from which on a front is factorized in parallel.
 const PARALLEL: f64 = 2e8;
 
-/// A pivot below this multiple of the diagonal entry it came from is rounding: the body is not held.
+/// A pivot below this multiple of its diagonal entry counts as zero: the body has no Dirichlet boundary.
 const VANISHING: f64 = 1e-13;
 
 /// The factored columns of one front.
@@ -31,7 +31,7 @@ pub(super) struct Front {
     panel: Vec<f64>,
 }
 
-/// What a front passes to its parent: a symmetric matrix on `rows`, lower triangle, column-major.
+/// The update matrix of a front for its parent: a symmetric matrix on `rows`, lower triangle, column-major.
 #[derive(Debug, Default)]
 pub(super) struct Update {
     rows: Vec<u32>,

@@ -35,7 +35,7 @@ impl BlockMatrix {
         Self { components, offsets, columns, values }
     }
 
-    /// From the entries of every row; blocks of which some entry is given are whole.
+    /// The matrix from the entries of every row; a block with some entry is stored as a whole.
     pub(crate) fn of_rows(components: usize, rows: &[BTreeMap<usize, f64>]) -> Self {
         let c = components;
         let (mut offsets, mut columns, mut values) = (vec![0], Vec::new(), Vec::new());

@@ -1,9 +1,9 @@
-//! The order in which unknowns are eliminated, with what every front reads.
+//! The elimination order of the unknowns.
 
 use super::matrix::BlockMatrix;
 use super::pool::Pool;
 
-/// What the elimination of a subtree reads.
+/// The input of the elimination of a subtree.
 pub(super) struct Ordering<'a> {
     pub(super) matrix: &'a BlockMatrix,
     /// Position of every unknown, the largest number for prescribed ones.

@@ -1,5 +1,5 @@
-//! Buffers that are used again: the updates of a multifrontal elimination come and go in similar sizes, and
-//! asking the system for fresh zeroed pages each time costs more than the arithmetic on them.
+//! Reused buffers: the updates of a multifrontal elimination have similar sizes, and allocating zeroed
+//! pages each time costs more than the arithmetic.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -42,7 +42,7 @@ impl Pool {
         Some(waiting.swap_remove(best))
     }
 
-    /// Takes a buffer back.
+    /// Returns a buffer to the pool.
     pub(super) fn keep(&self, buffer: Vec<f64>) {
         if buffer.capacity() >= WORTH_KEEPING {
             self.waiting.lock().unwrap_or_else(PoisonError::into_inner).push(buffer);

@@ -2,15 +2,15 @@
 //! right × bottom, inside, top), seven blocks each.
 //!
 //! The neighbours of node (i, j) are (−1,−1), (0,−1), (−1,0), itself, (1,0), (0,1), (1,1), in the order of
-//! their numbers; those outside have zero blocks. Products cost what those of an assembled matrix cost in
-//! arithmetic, and no memory.
+//! their numbers; those outside have zero blocks. Products have the arithmetic cost of an assembled matrix
+//! and need no memory for it.
 
 use super::form::{Element, Form};
 use super::frame::Frame;
 use crate::mesh::{Grid, Triangulation};
 use rayon::prelude::*;
 
-/// Where the neighbours lie.
+/// Offsets of the neighbours.
 pub(crate) const NEIGHBOURS: [(isize, isize); 7] =
     [(-1, -1), (0, -1), (-1, 0), (0, 0), (1, 0), (0, 1), (1, 1)];
 
@@ -133,7 +133,7 @@ impl Stencils {
     }
 }
 
-/// Which cells lie beside a node of the given kind, by their lower corner relative to the node.
+/// The cells adjacent to a node of the given kind, by their lower corner relative to the node.
 fn cells(kind: usize) -> Vec<isize> {
     match kind {
         0 => vec![0],

@@ -1,10 +1,10 @@
-//! Local refinement by halving longest edges.
+//! Local refinement by longest-edge bisection.
 //!
-//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved, too,
-//! until nothing changes. Then every triangle is cut at its longest edge and the two pieces at their other
-//! halved edges, so the result conforms. Angles stay above half the smallest first one (I. G. Rosenberg and
-//! F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost: O(triangles)
-//! per sweep of the closure.
+//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved,
+//! too, until nothing changes. Then every triangle is cut at its longest edge and the two pieces at their
+//! other halved edges, so the result conforms. Angles stay above half the smallest first one (I. G.
+//! Rosenberg and F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)).
+//! Cost: O(triangles) per sweep.
 
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, distance};

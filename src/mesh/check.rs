@@ -1,4 +1,4 @@
-//! What a triangulation given from outside must satisfy.
+//! Checks of a triangulation from input.
 
 use super::geometry::{BoundaryEdge, Point, distance, doubled_area};
 use crate::error::{Error, Result, ToolkitError};

@@ -10,11 +10,11 @@ use crate::error::{Error, Result, ToolkitError};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Chains that deviate from a line by more than this times their length are not straight: what a mesh file of
-/// ten printed digits may round away.
+/// Largest deviation from a line, relative to the length, of a straight chain: the rounding of a mesh file
+/// with ten printed digits.
 const STRAIGHTNESS: f64 = 1e-10;
-/// What coordinates are rounded by, over the size of the body, once turned and sheared: a node at the origin
-/// may have come from anywhere in it.
+/// Rounding of coordinates relative to the size of the body, after rotation and shear; a node at the origin
+/// may have been mapped from anywhere in it.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The nodes of Γ_C in order, piece after piece.
@@ -26,7 +26,7 @@ pub struct ContactEdge {
     nodes: Vec<usize>,
     points: Vec<Point>,
     arc: Vec<f64>,
-    /// Where each piece begins.
+    /// Start of each piece.
     starts: Vec<usize>,
     closed: bool,
     /// The largest coordinate of the body.
@@ -47,7 +47,8 @@ impl ContactEdge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge, [`ToolkitError::Edge`](crate::ToolkitError::Edge) when it falls into several pieces.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge,
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) if it has several pieces.
     pub fn of(mesh: &Triangulation) -> Result<Self> {
         let whole = Self::in_pieces(mesh)?;
         match whole.starts[..] {
@@ -104,7 +105,7 @@ impl ContactEdge {
         Ok(Self { nodes, points, arc, starts, closed: chains[0].1, size, numbers })
     }
 
-    /// Where each piece lies in [`ContactEdge::nodes`].
+    /// The range of each piece in [`ContactEdge::nodes`].
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
@@ -120,6 +121,8 @@ impl ContactEdge {
         self.starts.iter().zip(ends).map(|(&start, end)| start..end).collect()
     }
 
+    /// Checks that the edge is in one piece.
+    ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
     pub(crate) fn require_one_piece(&self) -> Result<()> {
@@ -143,12 +146,12 @@ impl ContactEdge {
         &self.points
     }
 
-    /// Arc length at the nodes, from 0; a further piece goes on where the last one ended.
+    /// Arc length at the nodes, from 0; a further piece continues at the value of the last one.
     pub fn arc(&self) -> &[f64] {
         &self.arc
     }
 
-    /// True when the chain is the whole of a boundary curve.
+    /// True if the chain is a whole boundary curve.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part::Contact, SideParts, unit_square};
@@ -198,10 +201,9 @@ impl ContactEdge {
 
     /// The outward unit normals of straight pieces.
     ///
-    /// A piece is straight when no node is farther from the line through its ends than 1e-10 of its length and
-    /// 8ε of the largest coordinate of the body together: that much the rounding of coordinates takes a node of
-    /// a short piece from its line, also where the piece itself lies near the origin. The normal is right to
-    /// about that distance over the length.
+    /// A piece is straight if the distance of its nodes from the line through its ends is at most 1e-10 of
+    /// its length plus 8ε of the largest coordinate of the body, which accounts for the rounding of
+    /// coordinates. The normal is accurate to about that distance over the length.
     ///
     /// # Errors
     /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that leaves the line of its piece.

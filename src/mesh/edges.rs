@@ -26,7 +26,7 @@ impl Edges {
         Self::without_doubles(offsets, partners)
     }
 
-    /// Inner edges were entered twice; buckets are short.
+    /// The edges without duplicates; inner edges are entered twice.
     fn without_doubles(mut offsets: Vec<usize>, mut partners: Vec<usize>) -> Self {
         let mut kept = 0;
         for a in 0..offsets.len() - 1 {

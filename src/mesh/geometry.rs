@@ -3,14 +3,14 @@
 /// A point of the plane.
 pub type Point = [f64; 2];
 
-/// What happens on a boundary edge: the three open parts of Section 2.1.
+/// The boundary condition on an edge: the three open parts of Section 2.1.
 ///
 /// The closures of the three parts cover ∂Ω; a node between two edges belongs to both parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
     /// Γ_D: prescribed displacement.
     Dirichlet,
-    /// Γ_N: given surface load (zero unless said).
+    /// Γ_N: given surface load (zero by default).
     Neumann,
     /// Γ_C: unilateral contact without friction.
     Contact,
@@ -27,7 +27,7 @@ pub struct BoundaryEdge {
     pub part: Part,
 }
 
-/// Euclidean distance, safe against overflow.
+/// The Euclidean distance, without overflow.
 pub(crate) fn distance(a: Point, b: Point) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
 }

@@ -1,8 +1,8 @@
-//! Triangulations that are grids in their numbering: recognised, and made twice as coarse.
+//! Triangulations that are grids in their numbering: detection and coarsening by a factor of two.
 //!
 //! Node (i, j) has the number j (nx + 1) + i, and every quadrilateral is cut from bottom left to top right,
-//! as [`super::rectangles`] and its images are. Where all steps between neighbours are the same two vectors,
-//! to the last bit, every interior node sees the same triangles. Cost: O(nodes).
+//! as [`super::rectangles`] and its images are. Where all steps between neighbours are the same two
+//! vectors, to the last bit, every interior node has the same triangles. Cost: O(nodes).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::structured::{SideParts, rectangles};

@@ -1,4 +1,4 @@
-//! Nested refinement with memory of the levels: uniform (red), or local toward a point or an edge.
+//! Nested refinement with all levels stored: uniform (red), or local toward a point or an edge.
 //!
 //! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested
 //! and a function of level k is one of level k + 1: at a new node it is the mean over the ends of the edge
@@ -11,10 +11,10 @@ use super::triangulation::Triangulation;
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::memory::require_memory;
 
-/// A node this near to a point, in mesh sizes, is the point: far above rounding, far below any element.
+/// Distance in mesh sizes within which a node is identified with a point.
 const SAME_POINT: f64 = 1e-12;
 
-/// Of one triangle of a refined mesh: its corners, half a node, and the edges it is made from.
+/// Bytes per triangle of a refined mesh: its corners, half a node, and the edges it is made from.
 const BYTES_OF_TRIANGLE: usize = 60;
 
 /// A triangulation and its uniform refinements, coarsest first.
@@ -33,7 +33,7 @@ impl Hierarchy {
         Self { levels: vec![coarsest], parents: Vec::new() }
     }
 
-    /// `coarsest` refined `times` times.
+    /// The hierarchy of `coarsest` and `times` uniform refinements.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -43,8 +43,9 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the finest level would have more than 2^32 triangles,
-    /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) when it would not fit into memory.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) if the finest level would
+    /// have more than 2^32 triangles, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the
+    /// memory does not suffice.
     pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
         let mut hierarchy = Self::new(coarsest);
         for _ in 0..times {
@@ -85,8 +86,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as little
-    /// as keeps the mesh conforming and its angles bounded below (longest edges are halved first).
+    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as far
+    /// as the mesh must remain conforming with angles bounded below (longest-edge bisection).
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, Part, SideParts, unit_square};
@@ -141,8 +142,7 @@ impl Hierarchy {
     }
 
     /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than
-    /// `radius` 2^−k are cut. In every shell the mesh is the same but for scale, as fine as in the first:
-    /// `radius` over mesh size.
+    /// `radius` 2^−k are cut. The mesh is the same in every shell up to scaling.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -177,7 +177,7 @@ impl Hierarchy {
         &self.levels[self.levels.len() - 1]
     }
 
-    /// The levels up to a given one; all of them when there are fewer.
+    /// The levels up to a given one; all of them if there are fewer.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};

@@ -6,21 +6,21 @@
 //! a fan of triangles with its tip at the origin. Bottom: fixed for x < 0, contact for x > 0; free on the
 //! outline.
 //!
-//! All rings are similar, and the stiffness of P1 elements in the plane does not change with scale, so the
-//! matrix is as good at r = 1e−100 as at r = 1. Coordinates near the origin keep all digits. Cost: O(n ·
-//! rings).
+//! All rings are similar, and the stiffness of P1 elements in the plane does not change with scale, so that
+//! the matrix is as accurate at r = 1e−100 as at r = 1. Coordinates near the origin keep all digits. Cost:
+//! O(n · rings).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
 
-/// Radii below this have areas that binary64 does not hold with all digits.
+/// Smallest radius whose areas have full precision in binary64.
 const SMALLEST: f64 = 1e-140;
-/// Most nodes.
+/// Largest number of nodes.
 const MOST: usize = 4_000_000;
 
-/// What the outline of the body is.
+/// The outline of the body.
 ///
 /// ```
 /// use signorini::mesh::{Outline, polar_rings};
@@ -49,9 +49,10 @@ pub enum Outline {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of 4 in [4, 512] and there are at most four
-/// million nodes; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: smaller rings
-/// collapse.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of
+/// 4 in [4, 512] and there are at most four million nodes;
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤
+/// `smallest` ≤ 1/2: areas of smaller rings underflow.
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "multiples of 4 in [4, 512]";

@@ -1,4 +1,4 @@
-//! Structured grids: squares cut by the diagonal from bottom left to top right, mapped if wanted.
+//! Structured grids: squares cut by the diagonal from bottom left to top right, optionally mapped.
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
@@ -28,7 +28,7 @@ pub struct SideParts {
     pub left: Part,
 }
 
-/// Of one cell: its node, two triangles, and what is built beside them.
+/// Bytes per cell: its node, two triangles, and derived data.
 const BYTES_OF_CELL: usize = 100;
 
 impl SideParts {
@@ -37,8 +37,8 @@ impl SideParts {
         SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }
 
-/// The unit square in `nx` by `ny` rectangles, each cut from bottom left to top right; node (i, j) has the
-/// number j(nx + 1) + i.
+/// The triangulation of the unit square by `nx` × `ny` rectangles, each cut from bottom left to top right;
+/// node (i, j) has the number j(nx + 1) + i.
 ///
 /// ```
 /// use signorini::mesh::{SideParts, rectangles};
@@ -48,8 +48,8 @@ impl SideParts {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) for more cells than memory
-/// holds.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384,
+/// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the memory does not suffice.
 pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
@@ -78,7 +78,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulatio
     Ok(Triangulation::trusted(nodes, triangles, boundary))
 }
 
-/// The unit square in n x n squares.
+/// The triangulation of the unit square by n × n squares.
 ///
 /// ```
 /// use signorini::mesh::{SideParts, unit_square};
@@ -113,8 +113,8 @@ pub fn mapped_grid(
     rectangles(nx, ny, sides)?.mapped(map)
 }
 
-/// Unit squares in n x n squares each, cut as in [`rectangles`]; `places` are their corners at the bottom
-/// left, `part` is asked at the middle of every boundary edge.
+/// The triangulation of a union of unit squares, each with n × n squares cut as in [`rectangles`]; `places`
+/// are their bottom left corners, `part` is evaluated at the midpoint of every boundary edge.
 ///
 /// ```
 /// use signorini::mesh::{Part, unit_squares};

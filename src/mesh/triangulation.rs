@@ -16,7 +16,7 @@ pub struct Triangulation {
     triangles: Vec<[usize; 3]>,
     boundary: Vec<BoundaryEdge>,
     regions: Vec<u32>,
-    /// What each node is called where the triangulation comes from; empty for their places.
+    /// The numbers of the nodes in the source file; empty for their indices.
     numbers: Vec<usize>,
 }
 
@@ -34,8 +34,8 @@ impl Triangulation {
     /// ```
     ///
     /// # Errors
-    /// Names the offending node, triangle or edge: coordinates that are not finite, node numbers out of
-    /// range, triangles that are inverted or without area, edges shared by more than two triangles, labels on
+    /// The invalid node, triangle or edge: coordinates that are not finite, node numbers out of range,
+    /// triangles that are inverted or without area, edges shared by more than two triangles, labels on
     /// inner edges, boundary edges without a label or with two, nodes in no triangle.
     pub fn new(nodes: Vec<Point>, triangles: Vec<[usize; 3]>, boundary: Vec<BoundaryEdge>) -> Result<Self> {
         let mut mesh = Self::trusted(nodes, triangles, boundary);
@@ -77,12 +77,12 @@ impl Triangulation {
         Ok(self)
     }
 
-    /// The same triangulation whose errors call the nodes by these numbers.
+    /// The same triangulation with these node numbers in its errors.
     pub(super) fn with_numbers(self, numbers: Vec<usize>) -> Self {
         Self { numbers, ..self }
     }
 
-    /// The number of a node in the file it was read from; its place without a file.
+    /// The number of a node in the file it was read from; its index without a file.
     pub(crate) fn number(&self, node: usize) -> usize {
         self.numbers.get(node).copied().unwrap_or(node)
     }
@@ -128,7 +128,7 @@ impl Triangulation {
         &self.boundary
     }
 
-    /// The region of a triangle; 0 unless regions were given.
+    /// The region of a triangle; 0 by default.
     pub fn region(&self, triangle: usize) -> usize {
         self.regions.get(triangle).map_or(0, |&region| region as usize)
     }
@@ -200,7 +200,8 @@ impl Triangulation {
     /// ```
     ///
     /// # Errors
-    /// Names the first triangle that the map inverts or flattens.
+    /// [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) with the first triangle that the map
+    /// inverts or flattens.
     pub fn mapped(mut self, map: impl Fn(Point) -> Point) -> Result<Self> {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;

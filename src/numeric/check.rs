@@ -1,4 +1,4 @@
-//! What input must be: as long as expected, and finite.
+//! Checks of input: length and finiteness.
 
 use crate::error::{Error, Result, ToolkitError};
 

@@ -1,15 +1,15 @@
-//! What is asked for must fit into memory: checked before anything is allocated.
+//! Checks, before any allocation, that the required memory is available.
 
 use crate::error::{Error, Result, ToolkitError};
 use std::sync::OnceLock;
 
-/// Bytes that are never asked about.
+/// Number of bytes up to which no check is made.
 const SMALL: f64 = (1u64 << 28) as f64;
 
-/// Memory of a machine that does not say how much it has.
+/// Memory assumed where the system does not report it.
 const UNKNOWN: f64 = (8u64 << 30) as f64;
 
-/// Bytes of physical memory: what `/proc/meminfo` says, 8 GiB on systems without it. Read once.
+/// Bytes of physical memory: from `/proc/meminfo`, 8 GiB on systems without it. Read once.
 pub(crate) fn physical() -> f64 {
     static BYTES: OnceLock<f64> = OnceLock::new();
     *BYTES.get_or_init(|| {

@@ -1,6 +1,6 @@
 //! Small numerical tools of the contact code: sums, scales, searches, checks of input, conjugate gradients.
 //!
-//! Those that the toolkit has, private there, are compiled from its files.
+//! Private functions of the toolkit are compiled from its files.
 
 pub(crate) mod check;
 #[path = "../../toolkit/src/numeric/conjugate_gradients.rs"]

@@ -1,5 +1,5 @@
-//! Units that are powers of two: dividing by them is exact, and squares of what is left neither overflow nor
-//! underflow.
+//! Units that are powers of two: dividing by them is exact, and squares of the quotients neither overflow
+//! nor underflow.
 
 use super::sum::compensated;
 
@@ -15,7 +15,7 @@ pub(crate) fn power_below(values: &[f64]) -> f64 {
     if power.is_normal() { power } else { 1.0 }
 }
 
-/// max |v|; NaN does not count.
+/// max |v|; NaN is ignored.
 pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }

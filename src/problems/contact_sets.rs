@@ -8,7 +8,7 @@
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// Most generations of a Cantor set; no grid of at most 2^26 cells holds as many.
+/// Largest number of generations of a Cantor set; no grid of at most 2^26 cells resolves as many.
 const LARGEST_DEPTH: usize = 64;
 
 /// An open gap between two contact nodes.
@@ -75,8 +75,8 @@ pub(crate) fn check_depth(depth: usize) -> Result<()> {
     }
 }
 
-/// Opens a gap in the middle of (start, end) and goes on in both pieces; gaps come out in the order of the
-/// edge.
+/// Opens a gap in the middle of (start, end) and recurses in both pieces; gaps are listed in the order of
+/// the edge.
 fn split(
     start: f64,
     end: f64,

@@ -1,9 +1,10 @@
-//! Corners and transitions of a solved contact problem, and how smooth its solution is there.
+//! Corners and transitions of a solved contact problem, and the regularity of its solution there.
 //!
 //! From the polygon of the mesh, the conditions on its sides and the contact set found: every node of the
 //! boundary where the boundary bends, the conditions change, or contact turns into gap is a wedge, whose
-//! exponents `singular` computes. u ∈ H^τ for every τ below the smallest of their suprema. Data are taken as
-//! smooth. A contact zone of a single node counts as a zone with two transitions in one place.
+//! exponents `singular` computes. u ∈ H^τ for every τ below the smallest of their suprema. Data are assumed
+//! to be smooth. A contact interval of a single node counts as an interval with two transitions at one
+//! point.
 
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution};
@@ -15,7 +16,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Openings nearer than this to π are straight.
+/// Openings closer than this to π count as straight.
 const STRAIGHT: f64 = 1e-9;
 
 /// A corner of the body, or a change of conditions on a straight side.
@@ -33,7 +34,7 @@ const STRAIGHT: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerSingularity {
-    /// Where.
+    /// Position.
     pub place: Point,
     /// Opening and sides; θ = 0 is the side that leaves the corner with the body on its left.
     pub wedge: Wedge,
@@ -48,7 +49,7 @@ impl fmt::Display for CornerSingularity {
     }
 }
 
-/// How smooth a solution is.
+/// The regularity of a solution.
 ///
 /// τ = min over the corners, not attained: u ∈ H^{τ−ε} for every ε > 0.
 ///
@@ -61,7 +62,7 @@ impl fmt::Display for CornerSingularity {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolutionRegularity {
-    /// Supremum of the τ with u ∈ H^τ; at most 4, where exponents are no longer sought.
+    /// Supremum of the τ with u ∈ H^τ; at most 4, the limit of the search for exponents.
     pub tau: f64,
     /// All corners and transitions, the roughest first.
     pub corners: Vec<CornerSingularity>,
@@ -99,7 +100,7 @@ pub fn solution_regularity(
     regularity_with_ends(problem, solution, [None; 2])
 }
 
-/// The same where it is known from elsewhere whether the first and the last segment of the edge are closed.
+/// The regularity of the solution, given whether the first and the last segment of the edge are closed.
 pub(super) fn regularity_with_ends(
     problem: &ContactProblem,
     solution: &ContactSolution,
@@ -156,13 +157,13 @@ pub(super) fn regularity_with_ends(
     Ok(SolutionRegularity { tau, corners })
 }
 
-/// Which edges of the contact boundary are closed, by their first node, and which nodes touch alone.
+/// The closed edges of the contact boundary, by their first node, and the isolated contact nodes.
 struct Closed {
     edges: BTreeMap<usize, ()>,
     single: Vec<usize>,
 }
 
-/// Whether the segment of the edge at the given distance from its first node is closed.
+/// True if the segment of the edge at the given distance from its first node is closed.
 pub(super) fn is_closed_at(problem: &ContactProblem, solution: &ContactSolution, arc: f64) -> bool {
     let edge = problem.edge();
     let first = edge.arc().partition_point(|&at| at <= arc).saturating_sub(1);

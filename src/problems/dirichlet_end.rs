@@ -1,10 +1,10 @@
-//! A body whose bottom is clamped for x < 0 and may touch the plane for x > 0, on rings that resolve the
-//! origin.
+//! A body whose bottom is the Dirichlet boundary for x < 0 and the contact boundary for x > 0, on rings
+//! that resolve the origin.
 //!
-//! Outline, angles and radii as in [`polar_rings`]; plane strain with μ = 1, or the Laplacian. The load is a
-//! constant traction (cos α, sin α) on the outline: it pulls for α = 90°, presses for −90°, shears between. A
-//! scalar body, u in the place of u_N = −u_y, has the load −sin α. No volume load: near the origin the
-//! solution is what the far field makes it.
+//! Outline, angles and radii as in [`polar_rings`]; plane strain with μ = 1, or the Laplacian. The load is
+//! a constant traction (cos α, sin α) on the outline: tension for α = 90°, compression for −90°, shear
+//! between. In the scalar problem u replaces u_N = −u_y, and the load is −sin α. There is no volume load:
+//! near the origin the solution is determined by the far field.
 
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
@@ -13,7 +13,8 @@ use crate::mesh::{Outline, polar_rings};
 
 /// The data of the test problem.
 ///
-/// At the origin clamped and contact sides meet at the angle π. Nodes: about `angles` · ln(1/`smallest`)/`step`.
+/// At the origin the Dirichlet and the contact boundary meet at the angle π. Nodes: about `angles` ·
+/// ln(1/`smallest`)/`step`.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, mesh::Outline, problems::DirichletEnd};

@@ -5,7 +5,7 @@ use super::pressure::contact_forces;
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// Where a test problem is built.
+/// The grid of a test problem.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Grid {
     pub(super) tau: f64,
@@ -22,7 +22,7 @@ pub(super) struct Gaps {
     pressure: f64,
     /// Both times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends.
     logarithm: f64,
-    /// How far beyond its left node a single gap begins, in cells, below 1.
+    /// Distance from the left node to the start of a single gap, in cells, below 1.
     advance: f64,
 }
 
@@ -37,7 +37,7 @@ impl Gaps {
         Self { gaps, dimension, pressure: 0.0, logarithm: 0.0, advance: 0.0 }
     }
 
-    /// The gap after one transition at `place`: to half a period later, or beyond the side.
+    /// The gap after one transition at `place`: up to half a period later, or beyond the side.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the place lies in (0, 1).

@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 /// A test problem of the mesh solver or of the strip.
 ///
-/// Text and problem are in bijection up to defaults: parsing what is displayed gives the same problem.
+/// Parsing the displayed text gives the same problem.
 ///
 /// ```
 /// use signorini::problems::NamedProblem;

@@ -1,8 +1,8 @@
-//! How test problems are registered: one block per test problem, from which follow its variant, its place in the list of
-//! all, its name with parameters and their defaults, and its form, all that tells it from the others.
+//! Registration of test problems: one block per test problem generates its variant, its entry in the list
+//! of all, its name with parameters and defaults, and its form, the data that distinguish it.
 //!
-//! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Those left out have their
-//! defaults; the name of a file cannot be left out, and no parameter is empty.
+//! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Omitted parameters have
+//! their defaults; a file name cannot be omitted, and no parameter may be empty.
 
 use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
@@ -48,7 +48,7 @@ macro_rules! registry {
                 &NAMES
             }
 
-            /// All that tells this test problem from the others.
+            /// The data that distinguish this test problem.
             fn form(&self) -> $Form {
                 match self {
                     $($Problems::$Problem $({ $($field),+ })? => {
@@ -92,7 +92,7 @@ pub(super) trait Registered {
     fn parts(&mut self) -> Parts<'_>;
 }
 
-/// What the name of a test problem is made of.
+/// The parts of the name of a test problem.
 pub(super) struct Parts<'a> {
     /// The name without parameters.
     pub(super) name: &'static str,
@@ -131,7 +131,7 @@ impl Slot<'_> {
         matches!(self, Slot::File(_))
     }
 
-    /// The word before the next colon and the rest behind it; the name of a file may hold colons.
+    /// The text before the next colon and the rest; a file name may contain colons.
     fn cut<'t>(&self, text: &'t str) -> (&'t str, Option<&'t str>) {
         match self {
             Slot::File(_) => (text, None),
@@ -160,7 +160,7 @@ impl fmt::Display for Slot<'_> {
 }
 
 impl Parts<'_> {
-    /// `cantor[:RATIO[:DEPTH]]`; the name of a file cannot be left out.
+    /// `cantor[:RATIO[:DEPTH]]`; a file name cannot be omitted.
     fn grammar(&self) -> String {
         let mut text = self.name.to_owned();
         let mut brackets = 0;
@@ -172,7 +172,8 @@ impl Parts<'_> {
         text + &"]".repeat(brackets)
     }
 
-    /// Sets the parameters to the words after the name, each behind a colon; `None` when they do not fit.
+    /// Sets the parameters from the fields after the name, each preceded by a colon; `None` if they do not
+    /// fit.
     fn set(self, mut rest: Option<&str>) -> Option<()> {
         for (_, slot) in self.parameters {
             let Some(text) = rest else {
@@ -198,7 +199,7 @@ pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
     names.join(", ")
 }
 
-/// The test problem of a name; `expected` are the names there are.
+/// The test problem of a name; `expected` are the known names.
 pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static str) -> Result<S> {
     let (name, rest) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
     all.into_iter()

@@ -1,7 +1,8 @@
-//! How smooth a test problem is: from its polygon, its conditions, and the contact set found on a mesh.
+//! The regularity of a test problem, from its polygon, its boundary conditions, and the contact set
+//! computed on a mesh.
 //!
-//! Whether contact reaches the ends of its edge is seen on a mesh graded toward them: squares may be too
-//! coarse for it.
+//! Whether contact reaches the ends of its edge is computed on a mesh graded toward them, since uniform
+//! squares may be too coarse.
 //!
 //! | test problem | sup τ | corner responsible |
 //! | --- | --- | --- |
@@ -29,7 +30,8 @@ const SQUARES: usize = 32;
 const COARSE: usize = 16;
 const LEVELS: usize = 36;
 const RADIUS: f64 = 0.25;
-/// Where they are read, by the length of the edge: far from the ends of the grading on both sides.
+/// Radius, relative to the length of the edge, at which the contact set is evaluated: far from both ends of
+/// the grading.
 const READ: f64 = 1e-7;
 
 impl TestProblem {
@@ -57,7 +59,7 @@ impl TestProblem {
         regularity_with_ends(&problem, &solution, ends)
     }
 
-    /// Whether contact is closed near the first or the last node of its edge.
+    /// True if contact is closed near the first or the last node of its edge.
     fn closes_at(self, setting: &Parameters, last: bool) -> Result<bool> {
         let mut hierarchy = Hierarchy::new(self.mesh_with(COARSE, setting)?);
         let ends = self.problem_with(COARSE, setting)?;
@@ -78,7 +80,7 @@ mod tests {
     /// Twelve digits.
     const DIGITS: f64 = 1e-12;
 
-    /// What was typed by hand before, with its cap 2, and where it was wrong.
+    /// Regularities typed by hand, with the limit 2, against the computed ones.
     #[test]
     fn computed_regularity_stands_beside_the_typed_one() {
         let setting = Parameters::default();

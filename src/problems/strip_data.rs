@@ -23,7 +23,7 @@ use crate::text::read_text;
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
 
-/// Position of a single transition unless given: far from every short binary fraction.
+/// Position of a single transition unless given: not close to a short binary fraction.
 const POSITION: f64 = 0.381966;
 /// Share of the edge that a fat Cantor set covers.
 const FAT_MEASURE: f64 = 0.5;
@@ -52,9 +52,9 @@ registry! {
             data: Data::powers(move |grid| Gaps::after_transition(position, grid)),
         };
 
-        /// Gaps of equal length, as long as the contact pieces between them.
+        /// Gaps of equal length, separated by contact intervals of the same length.
         Transitions("transitions") {
-            /// How many gaps.
+            /// The number of gaps.
             gaps: usize = 16,
         } => Form {
             words: format!("{gaps} equal gaps"),
@@ -69,7 +69,7 @@ registry! {
         Cantor("cantor") {
             /// Relative length of the pieces, in (0, 1/2).
             ratio: f64 = 0.3,
-            /// Generations.
+            /// Number of generations.
             depth: usize = 20,
         } => Form {
             words: format!("Cantor set of ratio {ratio}, depth {depth}"),
@@ -84,7 +84,7 @@ registry! {
 
         /// A Cantor set of measure 1/2 whose boundary dimension 4 − 2τ makes both data of regularity τ.
         FatCantor("fat-cantor") {
-            /// Generations.
+            /// Number of generations.
             depth: usize = 15,
         } => Form {
             words: format!("fat Cantor set of depth {depth}"),
@@ -97,7 +97,7 @@ registry! {
             }),
         };
 
-        /// Two columns u_N and λ in a file.
+        /// Samples of u_N and λ from a file with two columns.
         Samples("samples") {
             /// The file.
             file: PathBuf = PathBuf::new(),
@@ -110,17 +110,17 @@ registry! {
     }
 }
 
-/// All that tells one test problem from another.
+/// The data that distinguish a test problem.
 struct Form {
     words: String,
-    /// How many gaps the construction has; `None` when they are given.
+    /// The number of gaps of the construction; `None` if they are given.
     gaps: Option<u64>,
-    /// The regularities it can have.
+    /// The admissible regularities.
     tau: fn(LateralCondition) -> TauRange,
     data: Data,
 }
 
-/// Where u_N and λ come from.
+/// The source of u_N and λ.
 enum Data {
     /// Powers of the distance to the ends of gaps.
     Powers(Box<dyn Fn(Grid) -> Result<Gaps>>),
@@ -135,9 +135,10 @@ impl Data {
 }
 
 impl StripData {
-    /// One transition at an irrational-looking place.
+    /// One transition at a generic point.
     ///
-    /// At x = 0.381966, close to 1 − 1/φ = (3 − √5)/2, so that its place within the cells of dyadic meshes varies.
+    /// At x = 0.381966, close to 1 − 1/φ = (3 − √5)/2, so that its position within the cells of dyadic
+    /// meshes varies.
     ///
     /// ```
     /// let value = signorini::problems::StripData::transition().to_string();
@@ -148,7 +149,7 @@ impl StripData {
         StripData::Transition { position: POSITION }
     }
 
-    /// Whether it is one transition, which studies move through its cell.
+    /// True for one transition, which studies move through its cell.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -159,9 +160,10 @@ impl StripData {
         matches!(self, StripData::Transition { .. })
     }
 
-    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples bring
-    /// their own number of cells and no regularity. Beyond 2 only transitions inside the edge: the gap of a
-    /// single one on natural sides meets the side at a slope, where u leaves H² whatever τ is.
+    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples have
+    /// their own number of cells and no regularity. Regularity above 2 requires transitions inside the
+    /// edge: the gap of a single one with natural sides meets the side with a nonzero slope, so that u is
+    /// not in H² for any τ.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -191,8 +193,8 @@ impl StripData {
         }
     }
 
-    /// The pair at τ = 2 with u_N and λ times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends of their
-    /// gap or piece: for α > 1/2 in H² itself, where at α = 0 only every τ < 2 is reached.
+    /// The pair at τ = 2 with u_N and λ times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends of
+    /// their gap or piece: for α > 1/2 they are in H² itself, for α = 0 only in H^τ with τ < 2.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -225,8 +227,8 @@ impl StripData {
         gaps(grid)?.damped(logarithm).pair(grid)
     }
 
-    /// How many gaps the construction has, `None` for samples; on a grid those without a free node, or
-    /// without contact beside them, are left out with all that would follow them.
+    /// The number of gaps of the construction, `None` for samples; on a grid, gaps without a free node or
+    /// without adjacent contact are omitted together with their descendants.
     ///
     /// ```
     /// // 2^depth − 1 gaps in a Cantor set of `depth` generations
@@ -237,7 +239,7 @@ impl StripData {
         self.form().gaps
     }
 
-    /// The test problem in words: `one transition at 0.4`, `fat Cantor set of depth 15`.
+    /// A description of the test problem: `one transition at 0.4`, `fat Cantor set of depth 15`.
     ///
     /// ```
     /// use signorini::problems::StripData;

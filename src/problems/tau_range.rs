@@ -1,11 +1,11 @@
-//! The regularities τ that a test problem of the strip can have.
+//! The admissible regularities τ of a test problem of the strip.
 
 use crate::error::{Error, Result};
 
 /// Below it a solution of the paper's problem has no trace of σ_N in L².
 const SMALLEST: f64 = 1.5;
 
-/// The τ a test problem can have: from 3/2, excluded, up to the largest.
+/// The admissible τ of a test problem: from 3/2, excluded, up to the largest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TauRange {
     largest: f64,

@@ -1,10 +1,10 @@
-//! Test problems on meshes: domain, data, and what is known of their solutions.
+//! Test problems on meshes: domain, data, and known solutions.
 //!
 //! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left
 //! side, which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n =
-//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones. Volume loads f are
-//! replaced by their P1 interpolants. How smooth the solutions are follows from corners and contact set:
-//! `regularity`.
+//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones. Volume
+//! loads f are replaced by their P1 interpolants. The regularity of the solutions follows from corners and
+//! contact set: `regularity`.
 
 use super::known::{KnownSolution, three_halves_problem};
 use super::registry::registry;
@@ -62,14 +62,14 @@ registry! {
             ..SCALAR
         };
 
-        /// `block` with a material that is hard to compress, E = 5/2 and given Poisson's ratio: P1 elements
+        /// `block` with a nearly incompressible material, E = 5/2 and given Poisson's ratio: P1 elements
         /// lock.
         Incompressible("incompressible") => Body {
             form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
             ..TestProblem::Block.form()
         };
 
-        /// Elastic corner of given opening ω between a clamped side and the contact edge, pressed on the
+        /// Elastic corner of given opening ω between a Dirichlet side and the contact edge, pressed on the
         /// plane there: f = (0, −cos πx − 1/2). At ω = 120° the corner itself stays open, up to r = 1e-4.
         Leaning("leaning") => Body {
             mesh: |n, setting| leaning_square(n, setting.angle),
@@ -92,7 +92,7 @@ registry! {
         };
 
         /// Elastic, three unit squares around a free reentrant corner of 270°: a leg on the plane, an arm
-        /// held at its end x = −1, f = (0, −cos πx − 1/2).
+        /// with Dirichlet conditions at its end x = −1, f = (0, −cos πx − 1/2).
         Bracket("bracket") => Body {
             mesh: |n, _| bracket(n),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
@@ -107,7 +107,7 @@ registry! {
     }
 }
 
-/// All that tells one test problem from another.
+/// The data that distinguish a test problem.
 struct Body {
     is_elastic: bool,
     form: fn(&Parameters) -> Result<Form>,
@@ -132,8 +132,8 @@ const ELASTIC: Body = Body {
     load: Load::Volume(|_| 0.0),
 };
 
-/// The Laplacian on the square hanging from its top, without load; a right angle between u = 0 and zero flux
-/// is harmless.
+/// The Laplacian on the square hanging from its top, without load; a right angle between u = 0 and zero
+/// flux causes no singularity.
 const SCALAR: Body = Body {
     is_elastic: false,
     form: |_| Ok(Form::LAPLACE),
@@ -166,7 +166,7 @@ fn bracket(n: usize) -> Result<Triangulation> {
     })
 }
 
-/// Parameters of the test problems that have some.
+/// The parameters of test problems.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{Parameters, TestProblem}};
@@ -185,7 +185,7 @@ pub struct Parameters {
     pub angle: f64,
     /// Poisson's ratio of `incompressible`, in (0, 1/2).
     pub poisson: f64,
-    /// Factor on all data.
+    /// Factor of all data.
     pub load_scale: f64,
 }
 
@@ -217,7 +217,8 @@ impl TestProblem {
 
     /// The bilinear form.
     ///
-    /// `incompressible` has E = 5/2 and the ratio of the setting: λ/μ = 2ν/(1 − 2ν) grows without bound as ν → 1/2.
+    /// `incompressible` has E = 5/2 and the given Poisson's ratio: λ/μ = 2ν/(1 − 2ν) grows without bound as
+    /// ν → 1/2.
     ///
     /// ```
     /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
@@ -236,7 +237,7 @@ impl TestProblem {
         (self.form().form)(setting)
     }
 
-    /// What most test problems of its kind have: λ = μ = 1, or the Laplacian.
+    /// The default bilinear form: λ = μ = 1, or the Laplacian.
     ///
     /// # Errors
     /// None for these constants.

@@ -8,7 +8,7 @@
 //!
 //! Section 4 (midpoint cone): C_T = {u_N = 0} ∩ [a, b]; *first case* when diam C_T ≤ h_e θ, *second case*
 //! when diam C_T ≥ h_e θ. The paper leaves equality open; here it belongs to both, and the empty C_T (no
-//! contact, nothing to estimate) to the first.
+//! contact) to the first.
 //!
 //! "Within" is strict and "on a piece" is up to single points, as measure zero does not matter for σ_N in L².
 
@@ -17,7 +17,7 @@ use super::theta::checked_theta;
 use crate::edge::{EdgeTrace, Interval, SegmentNorms};
 use crate::error::Result;
 
-/// Which cases hold on a segment; at least one does.
+/// The cases that hold on a segment; at least one does.
 ///
 /// ```
 /// use signorini::edge::{EdgeTrace, Interval};
@@ -37,7 +37,7 @@ pub enum Alternative {
     Second,
     /// Both cases.
     Both,
-    /// No case: would contradict the paper.
+    /// No case, which would contradict the paper.
     Neither,
 }
 

@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-9;
 /// terms that cancel. The sides are in the units of the data.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Check {
-    /// Which inequality of the paper.
+    /// The inequality of the paper.
     pub inequality: Inequality,
     /// Left side.
     pub left: f64,
@@ -19,7 +19,7 @@ pub struct Check {
     pub right: f64,
     /// Absolute error of both sides together.
     pub error: f64,
-    /// It is an equality.
+    /// True for an equality.
     pub is_equality: bool,
 }
 
@@ -41,7 +41,7 @@ impl Check {
         Self { inequality, left, right, error, is_equality: true }
     }
 
-    /// Holds within the error of its two sides.
+    /// True if the inequality holds within the error of its two sides.
     ///
     /// left ≤ right + error, or |left − right| ≤ error for an equality.
     pub fn holds(&self) -> bool {

@@ -1,4 +1,4 @@
-//! Every contact segment of a coarse mesh, its cases, and what it adds to the consistency term.
+//! Every contact segment of a coarse mesh, its cases, and its contribution to the consistency term.
 
 use super::alternatives::Alternative;
 use super::section::Section;
@@ -13,7 +13,7 @@ pub struct ClassifiedSegment {
     pub segment: Interval,
     /// The cases that hold.
     pub alternative: Alternative,
-    /// Its part of the consistency term, ≥ 0.
+    /// Its contribution to the consistency term, ≥ 0.
     pub term: f64,
 }
 
@@ -76,7 +76,7 @@ impl Classification {
         sum(self.segments.iter().map(|s| s.term))
     }
 
-    /// How many segments carry more than the part `least` of the whole term.
+    /// The number of segments that contribute more than the share `least` of the whole term.
     ///
     /// Terms that exceed `least` times [`Classification::total`]; 0 segments where the term vanishes everywhere.
     pub fn carriers(&self, least: f64) -> usize {
@@ -84,7 +84,7 @@ impl Classification {
         self.segments.iter().filter(|s| s.term > limit).count()
     }
 
-    /// How many of the segments both have are in different cases.
+    /// The number of common segments that are in different cases.
     pub fn differences(&self, other: &Classification) -> usize {
         let pairs = self.segments.iter().zip(&other.segments);
         pairs.filter(|(a, b)| a.alternative != b.alternative).count()
@@ -100,7 +100,7 @@ impl Classification {
     }
 }
 
-/// From +0: the empty sum of the standard library is −0, which would be printed.
+/// The sum starting at +0; the empty sum of the standard library is −0.
 fn sum(terms: impl Iterator<Item = f64>) -> f64 {
     terms.fold(0.0, |sum, term| sum + term)
 }

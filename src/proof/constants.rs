@@ -1,4 +1,4 @@
-//! The explicit constants of one τ, frozen once made: collect the zones, compute, then ask.
+//! The explicit constants for one τ and a fixed set of zones, computed at construction.
 
 use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
@@ -9,11 +9,12 @@ use fractional_sobolev::{
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Asked of γ_θ; the estimated error is added, so that the constant is an upper bound.
+/// Tolerance of γ_θ; the estimated error is added, so that the constant is an upper bound.
 const GAMMA: f64 = 1e-5;
-/// Zones 2^{−1}, ..., 2^{−LAW} from which the constant of the printed law is read, beside those asked for.
+/// Zones 2^{−1}, ..., 2^{−LAW} from which, with the requested zones, the constant of the printed law is
+/// determined.
 const LAW: i32 = 16;
-/// At τ = 2 the law is asked of θ ≤ 1/2 only: ln(1/θ) vanishes at 1, γ does not.
+/// At τ = 2 the law is evaluated for θ ≤ 1/2 only: ln(1/θ) vanishes at 1, γ does not.
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
 /// C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones.
@@ -42,18 +43,18 @@ pub struct ProofConstants {
     pub wirtinger: f64,
     /// 1/√3 of (6.2).
     pub pointwise: f64,
-    /// C of the printed law and of the one that holds; above τ = 2 the constant itself.
+    /// C of the printed law and of the corrected law; above τ = 2 the constant itself.
     factors: TwoLaws,
     /// γ_θ by the bits of θ; empty above τ = 2.
     gammas: HashMap<u64, f64>,
 }
 
 impl ProofConstants {
-    /// For 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always among them; q ≥
-    /// 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
+    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always
+    /// among them; q ≥ 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
     ///
-    /// The constants C of the laws are the largest quotients over all these zones: whatever is asked later,
-    /// they do not change. Cost: one eigenproblem per zone.
+    /// The constants C of the laws are the largest quotients over all these zones. Cost: one eigenproblem
+    /// per zone.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) from the constants.
@@ -116,15 +117,17 @@ impl ProofConstants {
         1.0 - 1.0 / self.q
     }
 
-    /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end, whatever θ.
+    /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end,
+    /// independent of θ.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for θ that is none of the zones the constants were made for.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for θ that is not one of the zones of
+    /// the constants.
     pub fn gamma(&self, theta: f64) -> Result<f64> {
         if self.tau > 2.0 {
             return Ok(self.factors.printed);
         }
-        let range = "the zones these constants were made for";
+        let range = "the zones of these constants";
         self.gammas.get(&theta.to_bits()).copied().ok_or(Error::Toolkit(ToolkitError::OutOfRange {
             name: "theta",
             value: theta,
@@ -143,8 +146,8 @@ impl ProofConstants {
         self.gamma(theta)
     }
 
-    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as it
-    /// holds; C above.
+    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as
+    /// corrected; C above.
     pub fn law(&self, theta: f64) -> TwoLaws {
         let TwoLaws { printed, corrected } = self.factors;
         match self.tau {

@@ -1,4 +1,4 @@
-//! An a priori bound for Signorini's problem with every constant known, τ = 2.
+//! An a priori bound for Signorini's problem with explicit constants, τ = 2.
 //!
 //! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies
 //! in Ω, and S_h is their union. No friction, no initial gap, one material, u_h = I^h u on Γ_D.
@@ -31,10 +31,10 @@ use crate::fem::{Form, Lame};
 use crate::numeric::search::sign_change;
 use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
 
-/// More than the rounding of a few dozen operations.
+/// Relative amount by which results are rounded up: more than the rounding of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-14;
 
-/// What the bound needs to know of a mesh.
+/// The data of a mesh that enter the bound.
 ///
 /// Only the triangles enter A; H concerns the contact segments, h the length of these.
 ///
@@ -87,7 +87,8 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
 
 /// The bound for one form, cone, and shape of mesh.
 ///
-/// The energy norm of the form is meant; the constants depend on neither h nor u, and every one is rounded up.
+/// The norm is the energy norm of the form; the constants depend on neither h nor u, and every one is
+/// rounded up.
 ///
 /// ```
 /// use signorini::{cone::Cone, fem::Form};
@@ -150,8 +151,8 @@ impl ExplicitBound {
         Ok(Self { approximation, projection, consistency })
     }
 
-    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles; [`ExplicitBound::constant`]
-    /// h |u|₂ if only `whole` is known: pass it twice.
+    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles;
+    /// [`ExplicitBound::constant`] h |u|₂ if only `whole` is known and passed for both.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless h > 0 and 0 ≤ near ≤ whole, all finite.

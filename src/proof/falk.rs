@@ -14,8 +14,8 @@
 //! * *The first infimum is known*: ½|u−v|² + ∫σ_N(v−u)_N = J(v) − J(u), which u_h minimises over its cone. It
 //!   equals |u−u_h|² + 2∫σ_N u_{h,N}: with it (4.5) is an equality for K̄^h, and for K^h it exceeds |u−u_h|²
 //!   by 2∫σ_N u_{h,N} ≥ 0.
-//! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative where ū_h
-//!   stays open under stress.
+//! * *The second infimum is known*: ∫σ_N v_N ≥ 0 on K, so v = 0 attains it, −∫σ_N ū_{h,N}; negative if ū_h
+//!   is open where σ_N < 0.
 //! * (4.8): −∫σ_N ū_h ≤ −∫(σ_N − π^hσ_N)(ū_h − u)_N − ∫(σ_N − π^hσ_N)u_N, since π^hσ_N ≤ 0 has ∫π^hσ_N ū_h ≥
 //!   0.
 //!
@@ -91,13 +91,13 @@ impl FalkTerms {
         Ok(terms)
     }
 
-    /// |u−v_h|² + ∫σ_N(v_h−u)_N, for the midpoint cone + inf_K ∫σ_N(v−ū_h)_N: what C multiplies.
+    /// |u−v_h|² + ∫σ_N(v_h−u)_N, for the midpoint cone + inf_K ∫σ_N(v−ū_h)_N: the factor of C in the lemma.
     pub fn bracket(&self, cone: Cone) -> f64 {
         let second = if cone == Cone::Midpoint { self.second_infimum } else { 0.0 };
         self.approximation + self.consistency + second
     }
 
-    /// The same with the infimum replaced by the two parts of (4.8).
+    /// The bracket with the infimum replaced by the two parts of (4.8).
     pub fn split_bracket(&self, cone: Cone) -> f64 {
         let second = if cone == Cone::Midpoint { self.first_part + self.second_part } else { 0.0 };
         self.approximation + self.consistency + second
@@ -114,7 +114,7 @@ impl FalkTerms {
     }
 
     /// The first infimum over its bound |u−I^hu|² + 2∫σ_N(I^h u)_N: at most 1, since u_h minimises over a
-    /// cone that holds I^h u.
+    /// cone that contains I^h u.
     pub fn interpolant_share(&self) -> f64 {
         self.first_infimum() / (self.approximation + 2.0 * self.consistency)
     }
@@ -130,7 +130,7 @@ impl FalkTerms {
     }
 }
 
-/// −∫_T σ_N: forces at inner vertices count half.
+/// −∫_T σ_N; forces at inner vertices count half.
 fn force_in(trace: &EdgeTrace, segment: Interval) -> f64 {
     let nodes = trace.nodes();
     let (from, to) =

@@ -81,7 +81,7 @@ pub enum Inequality {
 }
 
 impl Inequality {
-    /// Its name in small letters with hyphens: `first-case-two`.
+    /// Its name in lower case with hyphens: `first-case-two`.
     pub fn key(self) -> String {
         let name = format!("{self:?}");
         let letter = |(i, c): (usize, char)| {
@@ -91,7 +91,7 @@ impl Inequality {
         name.chars().enumerate().flat_map(letter).collect()
     }
 
-    /// Whether it is stated for τ ≥ 2 only.
+    /// True if it is stated for τ ≥ 2 only.
     pub fn is_limit(self) -> bool {
         matches!(
             self,
@@ -105,7 +105,7 @@ impl Inequality {
         )
     }
 
-    /// Whether both sides are equal, up to rounding.
+    /// True for an equality, up to rounding.
     pub fn is_equality(self) -> bool {
         matches!(self, Inequality::VertexToZero | Inequality::Complementarity | Inequality::MeanZero)
     }

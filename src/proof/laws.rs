@@ -1,6 +1,6 @@
 //! A bound with both laws of the Poincaré constant.
 
-/// A bound with the printed law of γ_θ, and with the one that holds; they differ at τ = 2 only.
+/// A bound with the printed law of γ_θ and with the corrected one; they differ at τ = 2 only.
 ///
 /// ```
 /// use signorini::proof::TwoLaws;
@@ -17,7 +17,7 @@ pub struct TwoLaws {
 }
 
 impl TwoLaws {
-    /// A bound that needs no law.
+    /// A bound that does not depend on the law.
     pub fn same(value: f64) -> Self {
         Self { printed: value, corrected: value }
     }

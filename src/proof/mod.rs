@@ -1,5 +1,6 @@
-//! The proofs of Theorems 3.1 and 4.1 as mathematics: which case a contact segment falls into, both sides of every
-//! inequality on one segment, Falk's terms of one pair, the explicit constants, and the best constants of a segment.
+//! The quantities in the proofs of Theorems 3.1 and 4.1: the case of a contact segment, both sides of every
+//! inequality on one segment, Falk's terms of one pair, the explicit constants, and the best constants of a
+//! segment.
 
 mod alternatives;
 mod chain;

@@ -1,6 +1,6 @@
 //! Sections 3 and 4: two cones, two consistency terms, two alternatives.
 
-/// Which of the two alternatives, with the consistency term it serves.
+/// The section of the paper, with its alternative and its consistency term.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Section {
     /// Section 3, Figure 3.2: zeros of u_N near both vertices; ∫ σ_N (I^h u)_N.

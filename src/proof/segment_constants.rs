@@ -12,11 +12,11 @@
 //! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
 //! free end: [`fractional_sobolev::moment`].
 //!
-//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far as it can be: at least ∫_n^1 t^{−1−2ν}
-//! dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|², and
-//! ‖σ‖_{L¹} ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over (s, 1) is
-//! that of (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is least at e =
-//! 1/2, where it is ((4^ν − 1)/ν)².
+//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far from x as possible: at least ∫_n^1
+//! t^{−1−2ν} dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖²
+//! ≤ |σ|², and ‖σ‖_{L¹} ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over
+//! (s, 1) is that of (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is
+//! least at e = 1/2, where it is ((4^ν − 1)/ν)².
 //!
 //! **K.** |·|_ν does not grow when |σ|, |w| are replaced by their monotone rearrangements, ‖·‖_{L¹} stays: E
 //! = (0, e), N = (e, 1) is the worst of all sets of measure e.
@@ -66,7 +66,7 @@ impl SegmentConstant {
         Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
     }
 
-    /// How far the further of these bounds is from the value, relative to it, the error included.
+    /// The larger relative distance of these bounds from the value, error included.
     ///
     /// # Errors
     /// As for [`SegmentConstant::bounds`].
@@ -200,15 +200,15 @@ fn product_of(moments: &[MomentConstant; 2]) -> Result<Estimate> {
     Ok(Estimate::new(value, error, first.work + second.work)?)
 }
 
-/// Where the maximum is looked for, how far a golden section goes, and the half width of the polynomial that
-/// refines it.
+/// The search interval of the maximum, the width of the golden-section search, and the half width of the
+/// polynomial that refines it.
 const RANGE: (f64, f64) = (0.1, 0.95);
 const COARSE_WIDTH: f64 = 0.004;
 const STEP: f64 = 0.01;
 
 /// The largest product over e: golden sections at low accuracy, then the maximum of the polynomial through
-/// five values of full accuracy. The value is that at its place, which is off by 1e-6 at most: 1e-11 of the
-/// product, flat there.
+/// five values of full accuracy. The maximum point is accurate to 1e-6 and the value, stationary there, to
+/// 1e-11.
 fn largest_product(
     order: Order,
     first: Moment,
@@ -244,7 +244,7 @@ fn largest_product(
     Ok(SegmentConstant { value, contact, moments })
 }
 
-/// Where the polynomial through the values at −2 ... 2 is stationary, near 0: Newton's method on its slope.
+/// The stationary point near 0 of the polynomial through the values at −2 ... 2, by Newton's method.
 fn stationary(values: &[f64; 5]) -> f64 {
     let [a, b, c, d, e] = *values;
     // Derivatives at 0 of the quartic.

@@ -1,6 +1,6 @@
 //! The chain of estimates from the consistency term to the final bound, and its steps.
 
-/// A step of the chain of estimates; its value bounds the one before.
+/// A step of the chain of estimates; its value bounds the previous one.
 ///
 /// ```
 /// use signorini::proof::Step;
@@ -14,9 +14,9 @@ pub enum Step {
     Hoelder,
     /// Interpolation, or the distance from a vertex to a zero.
     Interpolation,
-    /// Embedding, and Poincaré's inequality for the zone the segment has.
+    /// Embedding, and Poincaré's inequality for the zone of the segment.
     OwnZone,
-    /// The same as if every zone were as short as h_e θ.
+    /// The same with all zones replaced by zones of length h_e θ.
     ShortestZone,
     /// The law of the Poincaré constant in place of the constant.
     Law,
@@ -25,7 +25,7 @@ pub enum Step {
 }
 
 impl Step {
-    /// From the term to the final bound.
+    /// All steps, from the term to the final bound.
     pub const ALL: [Step; 7] = [
         Step::Term,
         Step::Hoelder,

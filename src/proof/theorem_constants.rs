@@ -1,5 +1,5 @@
-//! Theorems 3.1 and 4.1 for 3/2 < τ ≤ 2 with every constant a number, beside the error of a problem whose
-//! solution is known.
+//! Theorems 3.1 and 4.1 for 3/2 < τ ≤ 2 with explicit constants, for comparison with the error of a problem
+//! with known solution.
 //!
 //! s = τ − 1, ν = τ − 3/2, right isosceles triangles with legs h, the Laplacian:
 //!
@@ -33,7 +33,7 @@ use std::f64::consts::PI;
 
 /// Relative accuracy of constants and norms; all are rounded up by their errors.
 const ACCURACY: f64 = 1e-5;
-/// More than the rounding of a few dozen operations.
+/// Relative amount by which results are rounded up: more than the rounding of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-13;
 
 /// The constants of one τ, all rounded up.

@@ -32,7 +32,7 @@ pub(super) fn checked_theta(theta: f64) -> Result<f64> {
     Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)
 }
 
-/// How θ follows from h = 1/n.
+/// The choice of θ for h = 1/n.
 ///
 /// ```
 /// use signorini::proof::ThetaRule;
@@ -52,7 +52,7 @@ pub enum ThetaRule {
 }
 
 impl ThetaRule {
-    /// θ on a mesh of size h.
+    /// The value of θ on a mesh of size h.
     ///
     /// ```
     /// use signorini::proof::ThetaRule;

@@ -1,4 +1,5 @@
-//! Why no contact set is bad: the consistency term on one segment, over all contact sets.
+//! The consistency term on one segment over all contact sets: a bound that does not depend on the contact
+//! set.
 //!
 //! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost
 //! everywhere on E. The seminorm alone controls functions that vanish on a set: restricting the double
@@ -11,17 +12,17 @@
 //!
 //! ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_{τ−3/2,T} |u_N'|_{τ−3/2,T},
 //!
-//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, whatever E is and for 3/2 < τ ≤
-//! 2: the optimal rate with no case, no θ and no logarithm. (The idea of using both measures is that of
-//! Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor by itself, and
-//! pays θ^{τ−2} for the first.
+//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, for every E and 3/2 < τ ≤ 2:
+//! the optimal rate without cases, θ or logarithm. (The idea of using both measures is that of Drouet and
+//! Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor separately, with a factor
+//! θ^{τ−2} for the first.
 //!
-//! How near to ½ can it come? For the nodal cone only gaps at the ends of T open I^h u; closing the others
+//! Is ½ sharp? For the nodal cone I^h u is nonzero only by gaps at the ends of T; closing the others
 //! enlarges the space of σ_N and, as u_N ≤ 0, does not raise the norm of u_N': the worst set is the
-//! complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves with
-//! Gram matrices of piecewise constants, graded to all ends; the value is a lower bound of the supremum, from
-//! a mesh and therefore low by some per cent. For one gap [`super::one_gap_ratio`] has all digits, and
-//! [`super::consistency_constant`] the maximum. Cost: O(cells³) per set.
+//! complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves
+//! with Gram matrices of piecewise constants, graded to all ends; the value is a lower bound of the
+//! supremum, too small by some per cent because of the mesh. For one gap [`super::one_gap_ratio`] is
+//! accurate to rounding, and [`super::consistency_constant`] is the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
@@ -32,16 +33,16 @@ use nalgebra::{Cholesky, DMatrix};
 /// its part.
 const LAYERS: usize = 9;
 const RATIO: f64 = 0.25;
-/// Every cell is halved at most so often: 320 cells in each part.
+/// Largest number of bisections of every cell: 320 cells in each part.
 const HALVINGS: u32 = 4;
 
 /// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left`
 /// may be 0. At most ½.
 ///
-/// The value is that of conforming trial functions, so the supremum is not below it; the error is the change
-/// when every cell was halved last, which bounds what is left where the values converge at least linearly in
-/// the cell length (order 2 − 2ν > 1). For one gap of length b the nodal ratio of b is the midpoint ratio of
-/// 1 − b.
+/// The value is that of conforming trial functions, a lower bound of the supremum; the error estimate is
+/// the change at the last bisection, which bounds the remaining error if the values converge at least
+/// linearly in the cell length (order 2 − 2ν > 1). For one gap of length b the nodal ratio of b is the
+/// midpoint ratio of 1 − b.
 ///
 /// ```
 /// use signorini::{cone::Cone, proof::worst_ratio};
@@ -54,7 +55,8 @@ const HALVINGS: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for gaps that leave no contact or τ outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for gaps without contact between them or τ
+/// outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
 pub fn worst_ratio(
     cone: Cone,
     tau: f64,
@@ -81,12 +83,12 @@ pub fn worst_ratio(
             return Ok(Estimate::new(value, change, work)?);
         }
     }
-    let why = "the cells were halved as often as the matrices can hold";
+    let why = "the largest number of bisections is reached";
     let best = Estimate::new(before, change, work)?;
     Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
 }
 
-/// The ratio of the best piecewise constants on a graded mesh, every cell halved so often.
+/// The ratio of the best piecewise constants on a graded mesh, with every cell bisected this many times.
 fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -> Result<f64> {
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
     let partition = halved(&Mesh::graded(&points, LAYERS, RATIO)?, halvings)?;

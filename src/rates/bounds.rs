@@ -1,9 +1,9 @@
-//! The bounds that measured errors are compared with: before the paper, the paper, its proof sharpened, the
-//! optimal one.
+//! A priori bounds for comparison with measured errors: earlier results, the paper, its proof with the
+//! sharp constant, the optimal bound.
 
 use crate::error::{Error, Result};
 
-/// The bounds for the H¹ error that stand side by side.
+/// An a priori bound of the H¹ error.
 ///
 /// Each bound is C times the given function of h, C independent of h. Optimal ≤ Sharpened ≤ Paper ≤ Earlier for small h
 /// and 3/2 < τ ≤ 2; at τ = 3/2 all are h^{1/2}.
@@ -29,7 +29,7 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// The largest τ that bounds are asked for: that of a transition inside a straight edge.
+    /// The largest admissible τ, the regularity at a transition inside a straight edge.
     pub const SMOOTHEST: f64 = 2.5;
 
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
@@ -48,7 +48,7 @@ impl Bound {
         Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
     }
 
-    /// The formula in characters: `h^0.6875`, `h |ln h|^1/2`.
+    /// The formula as text: `h^0.6875`, `h |ln h|^1/2`.
     ///
     /// # Errors
     /// As [`Bound::exponent`].

@@ -1,4 +1,4 @@
-//! Rates of convergence: the a priori bounds of the paper, and the order that measured errors show.
+//! Rates of convergence: the a priori bounds of the paper, and the observed order of convergence.
 //!
 //! | | here |
 //! | --- | --- |

@@ -1,13 +1,14 @@
-//! An order of convergence with its uncertainty and the levels it was read on.
+//! The observed order of convergence with its uncertainty and range of levels.
 //!
-//! # What the uncertainty is
+//! # Definition of the uncertainty
 //!
-//! A pre-asymptotic series e = C h^p (1 + c h^q + ...) approaches its slope as slowly as h^q; near τ = 2, where
-//! e² = h² ∫_h r^{2τ−5} dr, as slowly as 1/|ln h|; and the errors of one transition scatter with its place in its cell. The
-//! difference of two windows of levels says little of what is still to come. Instead every order p is asked how well it
-//! explains the levels with *some* terms beside the leading one, none of which is larger than the leading one by much on
-//! the coarsest level, and with *some* scatter ([`super::posterior`]). The order is the mean over all p, the uncertainty
-//! the distance from it within which 96 % of the probability lies: it is small only when no other order would do.
+//! A pre-asymptotic series e = C h^p (1 + c h^q + ...) approaches its slope as slowly as h^q; near τ = 2,
+//! where e² = h² ∫_h r^{2τ−5} dr, as slowly as 1/|ln h|; and the errors of one transition depend on its
+//! position in its cell. The difference of the slopes on two windows of levels is therefore not a reliable
+//! error estimate. The likelihood of every order p is computed for models with *some* terms besides the
+//! leading one, none of which is much larger than the leading one on the coarsest level, and with *some*
+//! scatter ([`super::posterior`]). The order is the mean over all p, the uncertainty the distance from it
+//! within which 96 % of the probability lies: it is small only if no other order fits.
 //!
 //! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/beyond/orders.rs`): strips with one
 //! or more transitions or Cantor sets, 3/2 < τ ≤ 5/2, both cones, 5 to 10 levels, and corners. The true order lies within the
@@ -18,12 +19,12 @@ use fractional_sobolev::Estimate;
 use std::f64::consts::LN_2;
 use std::fmt;
 
-/// The order p of errors e ~ h^p with its uncertainty, and the mesh sizes it was read on.
+/// The order p of errors e ~ h^p with its uncertainty, and the mesh sizes from which it was determined.
 ///
-/// The uncertainty has one meaning: the order as h → 0 differs from p by at most this, with the terms beside the leading
-/// one that the levels leave possible. It is no bound: on strips and corners with known order, 5 to 10 levels, it contains
-/// the true order in at least 95 of 100 cases. Few levels, scatter, or a slope that still changes make it large; compare it
-/// with what is to be decided. Cost: some milliseconds.
+/// The uncertainty has one meaning: the order as h → 0 differs from p by at most this, for all lower-order
+/// terms that are consistent with the levels. It is not a bound: on strips and corners with known order, 5
+/// to 10 levels, it contains the true order in at least 95 of 100 cases. Few levels, scatter, or a slope
+/// that still changes make it large; compare it with what is to be decided. Cost: some milliseconds.
 ///
 /// ```
 /// use signorini::rates::ConvergenceOrder;
@@ -40,9 +41,9 @@ use std::fmt;
 pub struct ConvergenceOrder {
     /// p.
     pub order: f64,
-    /// What p may be off by.
+    /// The uncertainty of p.
     pub uncertainty: f64,
-    /// Which terms beside the leading one explain the levels best.
+    /// The most likely model of the terms besides the leading one.
     pub model: ErrorModel,
     /// Coarsest and finest mesh size used.
     pub regime: (f64, f64),
@@ -59,26 +60,26 @@ impl fmt::Display for ConvergenceOrder {
     }
 }
 
-/// Fewest levels: with four, three unknowns and the scatter leave nothing to decide by.
+/// Smallest number of levels; four do not determine three unknowns and the scatter.
 const LEVELS: usize = 5;
 /// Share of the probability within the uncertainty: a little more than the 95 % that are claimed.
 const WITHIN: f64 = 0.96;
-/// The order of linear elements in the energy norm, whatever the regularity.
+/// The largest order of linear elements in the energy norm.
 const ONE: f64 = 1.0;
 /// Largest power tried for the leading singularity: a transition inside a straight edge has 3/2.
 const LARGEST: f64 = 1.5;
-/// Fewest levels of a power of h alone: a line and what it leaves.
+/// Smallest number of levels for a single power of h.
 const FEWEST: usize = 3;
 /// An order whose own error falls by two ninths or more from one pair of meshes to the next is off by at most three and
 /// a half times its last change: beside the leading term one with another factor h^{1/2} and no larger a coefficient, or
 /// h^{3/4} and twice the coefficient, from eight elements on.
 const CHANGES: f64 = 3.5;
 impl ConvergenceOrder {
-    /// Of errors (h, e) of linear elements in the energy norm, coarsest first; `None` for fewer than five levels or
-    /// an error that is not positive.
+    /// The order from errors (h, e) of linear elements in the energy norm, coarsest first; `None` for fewer
+    /// than five levels or an error that is not positive.
     ///
-    /// The smooth part of the solution has order one: e² = A h^{2p} + B h² + C h² ln h + D h³, or anything slower that the
-    /// levels ask for. For p > 1 the order is one.
+    /// The smooth part of the solution has order one: e² = A h^{2p} + B h² + C h² ln h + D h³, or more
+    /// general terms if the levels require them. For p > 1 the order is one.
     pub fn of(points: &[(f64, f64)]) -> Option<Self> {
         Self::against(points, None)
     }
@@ -104,8 +105,9 @@ impl ConvergenceOrder {
         Some(Self::from_posterior(points, &found, ONE))
     }
 
-    /// Of a quantity (h, e) of which nothing is known but e = C h^p (1 + what vanishes as h → 0), p of either sign: terms of
-    /// an estimate, quotients of errors and bounds. `None` for fewer than three levels or a value that is not positive.
+    /// The order of a general quantity (h, e) with e = C h^p (1 + o(1)) as h → 0, p of either sign: terms
+    /// of an estimate, quotients of errors and bounds. `None` for fewer than three levels or a value that
+    /// is not positive.
     ///
     /// ```
     /// use signorini::rates::ConvergenceOrder;
@@ -129,9 +131,9 @@ impl ConvergenceOrder {
 
     /// The order between the last two of the levels (h, e), coarsest first, for values that are known with an error.
     ///
-    /// Its uncertainty is 3.5 times its change from the pair before, plus what the errors of the values leave; of the
-    /// first order nothing else is known, and its uncertainty is the order itself. `None` for fewer than two levels,
-    /// mesh sizes that do not decrease and values that are not positive.
+    /// Its uncertainty is 3.5 times its change from the previous pair plus the contribution of the errors
+    /// of the values; the uncertainty of the first order is the order itself. `None` for fewer than two
+    /// levels, mesh sizes that do not decrease and values that are not positive.
     ///
     /// ```
     /// use fractional_sobolev::{Estimate, Work};
@@ -157,8 +159,8 @@ impl ConvergenceOrder {
     }
 }
 
-/// The order p of e ~ h^p between two points (h, e): ln(e/e') / ln(h/h'), without an uncertainty. Not a number, or
-/// infinite, where an error vanishes.
+/// The order p of e ~ h^p between two points (h, e): ln(e/e') / ln(h/h'), without an uncertainty. NaN or
+/// infinite if an error vanishes.
 ///
 /// ```
 /// use signorini::rates::order_between;

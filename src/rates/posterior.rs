@@ -1,4 +1,4 @@
-//! The order of a series under several models at once: which p explain the levels, and how well.
+//! The posterior density of the order of a series under several models.
 //!
 //! With x = h/h₁ on the levels h₁ > h₂ > ... a model is
 //!
@@ -10,19 +10,19 @@
 //! function when its exponent meets that of the leading one, ψ_q = (x^{2p} − x^{2p+q})/q → x^{2p} ln(1/x) as q → 0:
 //! a power near a logarithm and the logarithm itself are one family.
 //!
-//! For given p, κ, σ the vector of 1 − A x^{2p}/e² is normal with a covariance of low rank plus σ² times the identity;
-//! the likelihood is exact by a singular value decomposition. Summed over models, κ and a geometric sequence of σ, it
-//! is a density of p, uniform before any level is seen, over an interval about the regression line.
-//! Cost: some thousand decompositions of a matrix of levels × terms, a few milliseconds.
+//! For given p, κ, σ the vector of 1 − A x^{2p}/e² is normal with a covariance of low rank plus σ² times
+//! the identity; the likelihood is exact by a singular value decomposition. Summed over models, κ and a
+//! geometric sequence of σ, it is a density of p, with a uniform prior over an interval about the
+//! regression line. Cost: some thousand decompositions of a matrix of levels × terms, a few milliseconds.
 
 use super::line::Line;
 use nalgebra::DMatrix;
 use std::fmt;
 
-/// Which terms beside the leading one explain the levels best.
+/// The model of the terms besides the leading one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorModel {
-    /// e² = A h^{2p} (1 + what vanishes slowly).
+    /// e² = A h^{2p} (1 + slowly vanishing terms).
     Power,
     /// e² = A h^{2p} + B h² + D h³.
     PowerAndSmooth,
@@ -45,16 +45,16 @@ impl fmt::Display for ErrorModel {
 pub(super) enum Terms {
     /// None.
     None,
-    /// ψ to h² and to h³: what is left of the sum over the cells at distance r of a singularity, h² ∫_h r^{2p−3} dr,
-    /// the smooth part and the term after it.
+    /// ψ to h² and to h³: the remainder of the sum over the cells at distance r of a singularity, h² ∫_h
+    /// r^{2p−3} dr, the smooth part and the term after it.
     Smooth,
-    /// And h² ln h: a slope of the data that jumps, or corners of another order.
+    /// In addition h² ln h: a jump of the slope of the data, or corners of another order.
     Logarithm,
-    /// ψ_q for q = 0, 1/4, ..., 3: nothing is assumed.
+    /// ψ_q for q = 0, 1/4, ..., 3: no assumption.
     Any,
 }
 
-/// A model: its terms, κ, and its share before any level is seen.
+/// A model: its terms, κ, and its prior probability.
 pub(super) type Model = (Terms, f64, f64);
 
 /// Models of errors of linear elements in the energy norm: the smooth part has order one.
@@ -68,25 +68,27 @@ pub(super) const ENERGY: [Model; 8] = [
     (Terms::Logarithm, 1.5, 0.14),
     (Terms::Any, 0.7, 0.14),
 ];
-/// Models of a quantity of which nothing is known.
+/// Models of a general quantity.
 pub(super) const ANY: [Model; 3] =
     [(Terms::None, 0.0, 0.1), (Terms::Any, 0.7, 0.45), (Terms::Any, 1.5, 0.45)];
 
-/// The q of [`Terms::Any`]: densest where terms are hard to tell from the leading one.
+/// The q of [`Terms::Any`]: densest where terms are hard to distinguish from the leading one.
 const ANY_EXPONENTS: [f64; 8] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
-/// Half of the interval of p about the slope of the regression line: further off no series of three levels lies.
+/// Half of the interval of p about the slope of the regression line: no series of three levels is farther
+/// off.
 const REACH: f64 = 0.8;
-/// Places of p in one pass, and how many of them the density must fill; else the range is narrowed to it.
+/// Number of values of p in one pass, and the number of them that the density must cover; otherwise the
+/// range is narrowed.
 const PLACES: usize = 41;
 const FILLED: usize = 14;
-/// Passes at most: each narrows the range to a third or less, from one to the rounding of p.
+/// Largest number of passes; each narrows the range to a third or less.
 const PASSES: usize = 30;
-/// Share of the largest density below which p is left out.
+/// Share of the largest density below which p is omitted.
 const NEGLIGIBLE: f64 = 1e-4;
-/// The scatter: from what the decompositions resolve to errors that say nothing, each 1.8 times the one before.
+/// The values of the scatter, from the resolution of the decompositions to uninformative errors, with ratio 1.8.
 const SCATTER: (f64, f64, usize) = (1e-7, 1.8, 28);
-/// A model must continue: this far below the finest level e² must be at least this share of what its order makes of the
-/// finest level. Else its leading term is one only in name, and the terms beside it explain the levels.
+/// A model must continue: at this distance below the finest level e² must be at least this share of the
+/// value extrapolated with its order. Otherwise its leading term is not the dominant one.
 const FAR: f64 = 1e-6;
 const CONTINUED: f64 = 0.1;
 /// Standard deviation of A about the regression line.
@@ -94,22 +96,22 @@ const LEADING: f64 = 2.0;
 
 /// The density of the order.
 pub(super) struct Posterior {
-    /// Places of p with their probabilities.
+    /// Values of p with their probabilities.
     places: Vec<(f64, f64)>,
-    /// Half the distance of neighbouring places where they lie furthest apart, weighted by the probability.
+    /// Half the largest distance of neighbouring values, weighted by the probability.
     resolution: f64,
-    /// Of the models that were given, the one with the largest probability.
+    /// The most likely of the given models.
     pub(super) model: ErrorModel,
 }
 
-/// The density of the order in one model, not normalised: places of p, ln of the density there, their distance.
+/// The density of the order in one model, not normalised: values of p, ln of the density, their distance.
 struct Density {
     places: Vec<(f64, f64)>,
     step: f64,
 }
 
 impl Posterior {
-    /// Of positive errors (h, e), coarsest first, three at least; orders above `largest` are not tried.
+    /// The density from at least three positive errors (h, e), coarsest first, for orders up to `largest`.
     ///
     /// For distances to a discrete solution of mesh size `reference` > 0 every term g(x) becomes g(x) − g(reference/h₁).
     pub(super) fn of(
@@ -160,7 +162,7 @@ impl Posterior {
 }
 
 impl Density {
-    /// On a range of p that is narrowed to where the density counts until it fills it.
+    /// The density on a range of p that is narrowed to its support.
     fn of((mut low, mut high): (f64, f64), logarithm: impl Fn(f64) -> f64) -> Self {
         let mut pass = 1;
         loop {

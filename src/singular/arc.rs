@@ -1,4 +1,4 @@
-//! Exponents, computed independently of the list, as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
+//! Exponents as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
 //!
 //! u = r^λ (U, V), σ = r^{λ−1} (..., S = σ_θθ, T = σ_rθ), shear modulus μ = 1, n = ν_P/(1 − ν_P):
 //!
@@ -6,12 +6,13 @@
 //!
 //! The first and second are the law of the material (1/(Λ + 2μ) = (1 − n)/2, Λ Lamé's first constant), the
 //! others the equilibrium; no coefficient grows as ν_P → 1/2. λ is quadratic in the last, so W = λU is a
-//! further unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at
-//! the N Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0. Unknowns
-//! are the Legendre coefficients of the slopes: A is the identity and an integral operator, and no digit is
-//! lost to differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A − sB)⁻¹B.
-//! Nothing of the characteristic functions is used. Simple eigenvalues converge exponentially in N; nearly
-//! double ones keep half the digits, their mean all. Cost: O((5N)³).
+//! further unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold
+//! at the N Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0.
+//! Unknowns are the Legendre coefficients of the slopes: A is the identity and an integral operator, and no
+//! digits are lost by differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A −
+//! sB)⁻¹B. The characteristic functions are not used: the computation is independent of the list. Simple
+//! eigenvalues converge exponentially in N; nearly double ones keep half the digits, their mean all. Cost:
+//! O((5N)³).
 
 use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result, ToolkitError};
@@ -22,7 +23,7 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Par, c64};
 use fractional_sobolev::gauss_legendre;
 
-/// Shifts that are tried: the one that gives the smallest matrix is far from all exponents.
+/// Candidate shifts; the one with the smallest matrix is far from all exponents.
 const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
 /// Largest degree.
 const DEGREES: usize = 200;

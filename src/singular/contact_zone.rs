@@ -1,9 +1,9 @@
-//! The contact zone at a clamped end, in closed form.
+//! The contact interval at an end on the Dirichlet boundary, in closed form.
 //!
-//! Half plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, closed without friction on
-//! (0, ℓ), free for x > ℓ, no load but what comes from far away. With Muskhelishvili's potential, σ_yy −
-//! iσ_xy = Φ⁺ − Φ⁻ and 2μ(u' + iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a
-//! real factor,
+//! Half plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, closed without friction
+//! on (0, ℓ), free for x > ℓ, loaded by the far field only. With Muskhelishvili's potential, σ_yy − iσ_xy =
+//! Φ⁺ − Φ⁻ and 2μ(u' + iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real
+//! factor,
 //!
 //! Φ(z) = z^{−1/2} exp(2iε arcosh √(z/ℓ)),
 //!
@@ -12,15 +12,15 @@
 //! | r < ℓ | −σ_N = 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)): presses, r^{−1/2} with the factor 2 sinh(πε) at the end |
 //! | r > ℓ | −u_N = (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ) |
 //!
-//! Both signs are right with the same sign of the factor. The gap closes again where tan 2εy = 2ε tanh y,
-//! near r/ℓ = e^{(π + arctan 2ε)/ε}/4. The page `section_1_clamped_end` derives it. Domain: −1 < ν < 1/2 (ε =
-//! 0 at ν = 1/2).
+//! Both sign conditions hold with the same sign of the factor. The gap closes again where tan 2εy = 2ε tanh
+//! y, near r/ℓ = e^{(π + arctan 2ε)/ε}/4. The page `section_1_clamped_end` derives it. Domain: −1 < ν < 1/2
+//! (ε = 0 at ν = 1/2).
 
 use crate::error::{Error, Result};
 use crate::numeric::search::sign_change;
 use std::f64::consts::PI;
 
-/// The field of one contact zone at a clamped end, in units of its real factor; μ = 1.
+/// The field of one contact interval at an end on the Dirichlet boundary, in units of its real factor; μ = 1.
 ///
 /// ```
 /// use signorini::singular::ContactZone;
@@ -58,8 +58,8 @@ impl ContactZone {
 
     /// −σ_N at the distance r; 0 off the zone.
     ///
-    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the clamped end and vanishes like
-    /// (ℓ − r)^{1/2} at the transition.
+    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the Dirichlet end
+    /// and vanishes like (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
             return 0.0;

@@ -1,18 +1,18 @@
-//! How many zeros lie in a rectangle: the argument principle, in steps that cannot miss a turn.
+//! The number of zeros in a rectangle, by the argument principle with steps that cannot miss a turn.
 //!
-//! At a point of the path with |f| = a, |f′| = b and |f″| ≤ M along the rest of it, f stays within
-//! b t + M t²/2 of its value for a step of length t. Where that is at most 7a/10, the image does not surround
-//! zero and the argument turns by exactly that of the quotient of the two values: the count is proved, but
-//! for rounding. A path that comes so near to a zero that values drown in rounding, or steps get lost, is
-//! refused; the caller moves it.
+//! At a point of the path with |f| = a, |f′| = b and |f″| ≤ M along the rest of it, f stays within b t + M
+//! t²/2 of its value for a step of length t. Where that is at most 7a/10, the image does not surround zero
+//! and the argument turns by exactly that of the quotient of the two values: the count is proved, but for
+//! rounding. A path so close to a zero that rounding dominates, or that steps become too short, is
+//! rejected; the caller moves it.
 
 use super::factor::Factor;
 use faer::c64;
 use std::f64::consts::TAU;
 
-/// Part of |f| by which it may change in a step.
+/// Largest relative change of f in a step.
 const CHANGE: f64 = 0.7;
-/// Values below this many roundings of their terms are refused.
+/// Values below this many roundings of their terms are rejected.
 const ROUNDINGS: f64 = 1e3;
 /// Steps of a side are at least this part of it; near a zero they shrink with its distance, a few per digit.
 const SHORTEST: f64 = 1e-12;
@@ -37,7 +37,7 @@ impl Rectangle {
         c64::new(0.5 * (self.left + self.right), 0.5 * (self.bottom + self.top))
     }
 
-    /// Whether it is its own mirror image in the real axis.
+    /// True if it is symmetric about the real axis.
     pub(super) fn is_symmetric(&self) -> bool {
         self.bottom == -self.top
     }
@@ -51,7 +51,7 @@ impl Rectangle {
     }
 }
 
-/// The zeros of f in a rectangle with their multiplicities; `None` where the path is too near to one.
+/// The zeros of f in a rectangle with their multiplicities; `None` if the path is too close to a zero.
 ///
 /// (1/2π) times the change of arg f around the rectangle, in steps so short that f changes by at most 0.7 |f| in each:
 /// |f''| is bounded on the rectangle, so no turn is missed.
@@ -68,7 +68,7 @@ pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<us
     ((turns - whole).abs() < INTEGER && whole >= 0.0).then_some(whole as usize)
 }
 
-/// By how much the argument of f turns from one point to another.
+/// The change of the argument of f from one point to another.
 ///
 /// Σ arg(f(z_{k+1})/f(z_k)) along the segment, each below arcsin 0.7 in absolute value.
 fn turn(f: &Factor, from: c64, to: c64, bend: f64, points: &mut u64) -> Option<f64> {

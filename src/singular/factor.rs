@@ -6,8 +6,8 @@
 //! | cosine | cos(λ w) | scalar, clamped/free |
 //! | mixed | 4κ cos²(λω) + (κ − 1)² − 4 λ² sin²ω | clamped/free |
 //!
-//! The mixed one is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form in which nothing cancels as κ → 1.
-//! All are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which
+//! The mixed one is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form without cancellation as κ → 1. All
+//! are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which
 //! the argument of f is known to turn by less than a right angle.
 
 use super::real::{Real, sine_cosine};
@@ -15,7 +15,7 @@ use faer::c64;
 use qd::Quad;
 use realfft::num_complex::Complex;
 
-/// Which fields belong to the zeros of a factor, in the basis of `basis`.
+/// The fields of the zeros of a factor, in the basis of `basis`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fields {
     /// Scalar: one function.
@@ -103,7 +103,7 @@ impl Factor {
         }
     }
 
-    /// The terms of f at λ added in absolute value: what its rounding is relative to.
+    /// The sum of the absolute values of the terms of f at λ, the scale of its rounding error.
     pub(super) fn terms(&self, z: c64) -> f64 {
         let w = self.angle.0;
         match self.shape {
@@ -120,8 +120,8 @@ impl Factor {
         }
     }
 
-    /// A height above which f has no zero with |Re λ| ≤ reach: there the exponential outweighs the linear
-    /// part, with half to spare, and goes on to do so.
+    /// A height above which f has no zero with |Re λ| ≤ reach: there and beyond the exponential exceeds
+    /// twice the linear part.
     pub(super) fn ceiling(&self, reach: f64) -> f64 {
         let w = self.angle.0;
         // grown sinh(w η) ≥ 3/2 (least + slope (reach + η)); both sides are convex and w grown ≥ slope.

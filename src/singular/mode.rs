@@ -38,7 +38,7 @@ pub struct Mode {
 }
 
 impl Mode {
-    /// The function that belongs to a zero of a factor.
+    /// The angular function of a zero of a factor.
     pub(super) fn of(wedge: &Wedge, fields: Fields, lambda: c64) -> Result<Self> {
         let ([first, second], is_turned) = wedge.ordered();
         let (zero, one, kappa) = (c64::new(0.0, 0.0), c64::new(1.0, 0.0), wedge.kappa());

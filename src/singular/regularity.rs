@@ -1,36 +1,37 @@
-//! Which exponents the sign conditions of contact leave, and how smooth a solution is at a corner.
+//! The exponents admitted by the sign conditions of contact, and the regularity of a solution at a corner.
 //!
-//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an open
-//! part of the contact edge and the corner itself is held (the other side clamped or closed) u_N ≤ 0. The
-//! term that leads the sum must satisfy this for one sign of c. A complex exponent changes sign infinitely
-//! often and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have
-//! u_N σ_N alternating in sign: r^{1/2} pulls or penetrates whatever its sign, r^{3/2} does neither for one.
+//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an
+//! open part of the contact edge and the corner itself is held (the other side clamped or closed) u_N ≤ 0.
+//! The term that leads the sum must satisfy this for one sign of c. A complex exponent changes sign
+//! infinitely often and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have
+//! u_N σ_N alternating in sign: r^{1/2} violates a sign condition with either sign, r^{3/2} satisfies both
+//! with one sign.
 //!
 //! r^λ U(θ), not a polynomial, lies in H^s for s < 1 + Re λ. So u ∈ H^τ for τ < 1 + Re λ with the first
 //! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that
-//! leads with a strict sign is free of conditions. Data are taken as smooth; for whole exponents, and loads
-//! that meet one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
+//! leads with a strict sign is free of conditions. Data are assumed to be smooth; for whole exponents, and
+//! loads that meet one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
 
 use super::mode::Mode;
 use super::spectrum::{Exponent, LARGEST};
 use super::wedge::{SideCondition, Wedge};
 use crate::error::Result;
 
-/// Values on a side below this, beside a largest displacement of one, are zero.
+/// Values on a side below this, relative to a largest displacement of one, count as zero.
 const ZERO: f64 = 1e-9;
 
-/// What the sign conditions of contact say of a term r^λ U(θ) that leads the others.
+/// The sign conditions of contact for a leading term r^λ U(θ).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SignCondition {
-    /// Nothing: it neither presses nor opens anywhere on the contact edge.
+    /// No condition: stress and gap vanish on the contact edge.
     Neutral,
     /// It may lead with one sign of its coefficient.
     Signed,
-    /// It pulls or penetrates with either sign.
+    /// It violates a condition with either sign.
     Excluded,
 }
 
-/// How smooth a solution is at a corner.
+/// The regularity of a solution at a corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerRegularity {
     /// Supremum of the τ with u ∈ H^τ near the corner for all data; 4 where no exponent below 3 limits it.
@@ -40,7 +41,7 @@ pub struct CornerRegularity {
 }
 
 impl Wedge {
-    /// What the sign conditions on the contact sides of this wedge say of an exponent that leads.
+    /// The sign conditions on the contact sides of this wedge for a leading exponent.
     ///
     /// ```
     /// use signorini::singular::{Medium, SignCondition, Wedge};
@@ -68,7 +69,8 @@ impl Wedge {
         }
     }
 
-    /// What must not be positive on each side: σ_N in contact, u_N where it is open and the corner held.
+    /// The quantity that must not be positive on each side: σ_N in contact, u_N where it is open and the
+    /// corner held.
     fn signs(&self, mode: &Mode) -> [f64; 2] {
         let sides = [self.sides().0, self.sides().1];
         [0, 1].map(|k| {

@@ -36,17 +36,18 @@ pub struct Exponent {
 }
 
 impl Exponent {
-    /// Whether Im λ ≠ 0.
+    /// True if Im λ ≠ 0.
     pub fn is_complex(&self) -> bool {
         self.im.value > 0.0
     }
 
-    /// How many zeros of the characteristic function it stands for: its multiplicity, doubled for a pair.
+    /// The number of zeros of the characteristic function it represents: its multiplicity, doubled for a
+    /// pair.
     pub fn zeros(&self) -> usize {
         self.multiplicity * if self.is_complex() { 2 } else { 1 }
     }
 
-    /// Whether r^λ ln r belongs to it: fewer functions than the multiplicity.
+    /// True if r^λ ln r occurs: fewer functions than the multiplicity.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -59,9 +60,10 @@ impl Exponent {
         self.modes.len() < self.multiplicity
     }
 
-    /// Whether all its functions are polynomials in x and y: a whole number without logarithm.
+    /// True if all its functions are polynomials in x and y: an integer exponent without logarithm.
     ///
-    /// A harmonic function of whole degree is one, and so are κφ − z conj φ′ − conj ψ with φ, ψ powers z^k.
+    /// A harmonic function of integer degree is one, and so are κφ − z conj φ′ − conj ψ with φ, ψ powers
+    /// z^k.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -77,8 +79,8 @@ impl Exponent {
     }
 }
 
-/// The exponents of a wedge, by increasing real part. No tolerance is asked for: Newton's method ends at rounding, and
-/// each error says what a double zero leaves of it.
+/// The exponents of a wedge, by increasing real part. There is no tolerance: Newton's method converges to
+/// rounding, and the errors account for the lost digits of double zeros.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// The exponents with 0 < Re λ < 3.
@@ -95,10 +97,10 @@ impl Spectrum {
 }
 
 impl Wedge {
-    /// All exponents with 0 < Re λ < 3; those within 1e-12 of 0 or 3 do not count, and exponents within 1e-12
-    /// of each other, relative, are one. The error of each is the rounding of its characteristic function,
-    /// taken in double-double, and of the result; opening and ratio are taken as they are. Cost: a
-    /// millisecond.
+    /// All exponents with 0 < Re λ < 3; those within 1e-12 of 0 or 3 do not count, and exponents within
+    /// 1e-12 of each other, relative, are one. The error of each is the rounding of its characteristic
+    /// function, taken in double-double, and of the result; opening and Poisson's ratio are taken as exact.
+    /// Cost: a millisecond.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -146,7 +148,7 @@ impl Wedge {
         Ok(Spectrum { exponents, work })
     }
 
-    /// The first exponent whose function is no polynomial, whatever signs of contact say.
+    /// The first exponent whose function is not a polynomial, without the sign conditions of contact.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -164,8 +166,8 @@ impl Wedge {
     }
 
     /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the
-    /// argument principle on one rectangle per factor. The zero at 0 that belongs to translations, or to
-    /// nothing, counts.
+    /// argument principle on one rectangle per factor. The zero at 0 that belongs to translations, or to no
+    /// field, is counted.
     ///
     /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function, and independent of the list.
     ///

@@ -1,4 +1,5 @@
-//! The wedge: opening, medium, what holds on its two sides, and the factors of its characteristic function.
+//! The wedge: opening, medium, boundary conditions on its two sides, and the factors of its characteristic
+//! function.
 //!
 //! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3
 //! − 4 ν_P
@@ -12,11 +13,11 @@
 //! | C-D | κ sin 2λω − λ sin 2ω = 0 | the even half of D-D at 2ω |
 //! | C-C | sin (λ−1)ω sin (λ+1)ω = 0 | two |
 //!
-//! u_N = 0 and σ_T = 0 on the line θ = 0 say that u is its own mirror image in it: hence the halves. The
-//! equations are those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the
-//! four conditions on the basis of `basis`, which the tests compute. λ = 0 of the even and odd parts is a
-//! translation or nothing. λ = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes the
-//! constant pressure, with u → 0.
+//! u_N = 0 and σ_T = 0 on the line θ = 0 mean that u is symmetric about it: hence the halves. The equations
+//! are those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the four
+//! conditions on the basis of `basis`, which the tests compute. λ = 0 of the even and odd parts is a
+//! translation or no field. λ = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes
+//! the constant pressure, with u → 0.
 //!
 //! Scalar (Laplace): contact closed is u = 0, as clamped; D-D and N-N sin λω = 0, D-N cos λω = 0.
 
@@ -27,7 +28,7 @@ use qd::Quad;
 use std::fmt;
 use std::str::FromStr;
 
-/// What holds on a side.
+/// The boundary condition on a side.
 ///
 /// u_N = u·n with the outward normal, σ_N = n·σn, σ_T the shear stress; contact has u_N ≤ 0, σ_N ≤ 0, σ_N u_N = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -105,7 +106,7 @@ impl FromStr for SideConditions {
     }
 }
 
-/// What the wedge is made of.
+/// The material of the wedge.
 ///
 /// μ does not enter the exponents. Plane stress is plane strain with ν/(1 + ν) for ν_P.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -138,7 +139,7 @@ pub struct Wedge {
 const SMALLEST: f64 = 1e-5;
 
 impl Wedge {
-    /// Opening in radians, in [1e-5, 2π].
+    /// The wedge with the given opening in radians, in [1e-5, 2π], medium and sides.
     ///
     /// ```
     /// use signorini::singular::{Medium, SideConditions, Wedge};
@@ -149,7 +150,8 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside, or a ratio outside (−1, 1/2).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an opening outside this interval,
+    /// or a Poisson's ratio outside (−1, 1/2).
     pub fn new(angle: f64, sides: SideConditions, medium: Medium) -> Result<Self> {
         let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
         Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;
@@ -174,7 +176,7 @@ impl Wedge {
         self.medium
     }
 
-    /// κ = 3 − 4 ν_P; 3 for a scalar medium, where it has no meaning.
+    /// κ = 3 − 4 ν_P; 3 for a scalar medium, where it is not used.
     pub(super) fn kappa(&self) -> f64 {
         match self.medium {
             Medium::Scalar => 3.0,
@@ -182,7 +184,7 @@ impl Wedge {
         }
     }
 
-    /// The sides as far as exponents go, C before D before N, and whether they were exchanged for that.
+    /// The sides in the order C, D, N, and whether they were exchanged; the exponents do not change.
     pub(super) fn ordered(&self) -> ([SideCondition; 2], bool) {
         let plain = |side| match (side, self.medium) {
             (SideCondition::Open, _) => SideCondition::Free,

@@ -1,11 +1,11 @@
-//! All zeros of a factor in a strip, none lost: counts on ever smaller rectangles, then iteration in
-//! double-double.
+//! All zeros of a factor in a strip: counts on bisected rectangles, then iteration in double-double.
 //!
 //! A rectangle with one or two zeros is left to the iteration, which must end inside with as many different
-//! zeros as were counted; otherwise it is cut. A cut that runs into a zero is moved. f is real on the real
-//! axis: a rectangle symmetric about it with one zero has a real one. Two zeros start from the parabola at
-//! the center; every step solves f + f′d + f″d²/2 = 0, which does not suffer where two zeros nearly meet. In
-//! double-double two zeros that binary64 data bring as near as 1e-8 of each other keep their sixteen digits.
+//! zeros as were counted; otherwise it is cut. A cut through a zero is moved. f is real on the real axis: a
+//! rectangle symmetric about it with one zero has a real one. Two zeros start from the parabola at the
+//! center; every step solves f + f′d + f″d²/2 = 0, which converges also for nearly double zeros. In
+//! double-double two zeros that binary64 data bring as near as 1e-8 of each other keep their sixteen
+//! digits.
 
 use super::count::{Rectangle, zeros};
 use super::factor::Factor;
@@ -17,17 +17,17 @@ use realfft::num_complex::Complex;
 
 type Wide = Complex<Quad>;
 
-/// Steps at most; the order of convergence is three.
+/// Largest number of steps; the order of convergence is three.
 const STEPS: usize = 40;
 /// A step below this, relative, ends the iteration.
 const SETTLED: f64 = 1e-24;
 /// Rounding of a value in double-double, relative to its terms.
 const ROUNDING: f64 = 1e-30;
-/// Nearer than this, relative, two zeros are one.
+/// Relative distance below which two zeros are identified.
 pub(super) const SAME: f64 = 1e-12;
-/// Cuts that are tried, as parts of a side.
+/// Positions of the cuts, as fractions of a side, tried in turn.
 const CUTS: [f64; 7] = [0.5, 0.4427, 0.5719, 0.3819, 0.6283, 0.4781, 0.5347];
-/// By how much the strip is wider than asked for.
+/// Widths added to the strip, tried in turn.
 const MARGINS: [f64; 5] = [0.0618, 0.0472, 0.0831, 0.0293, 0.0127];
 /// Smallest rectangle that is cut, relative to one.
 const SMALLEST: f64 = 1e-10;
@@ -65,7 +65,7 @@ pub(super) fn zeros_in_strip(f: &Factor, right: f64, points: &mut u64) -> Result
 }
 
 fn lost() -> Error {
-    let why = "zeros too near to each other or to the path";
+    let why = "zeros too close to each other or to the path";
     Error::out_of_reach("zeros of a characteristic function", SAME, 1.0, why)
 }
 
@@ -194,8 +194,8 @@ fn converge(f: &Factor, start: Wide, area: &Rectangle) -> Option<Wide> {
     area.contains(narrow(place)).then_some(place)
 }
 
-/// The nearest binary64 numbers, and by what the zero may be off: its rounding, and that of f over its slope
-/// or the root of its bend.
+/// The nearest binary64 numbers with the error of the zero: its rounding, and that of f over its slope, or
+/// the root of that over its second derivative.
 fn zero(f: &Factor, place: Wide, multiplicity: usize) -> Zero {
     let [_, slope, bend] = f.values(place).map(|value| narrow(value).norm());
     let at = narrow(place);

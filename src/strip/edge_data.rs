@@ -1,7 +1,7 @@
 //! Complementary data on the fine edge of a strip: u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0.
 //!
 //! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair
-//! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ, whatever the pair is.
+//! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ, for every pair.
 //! [`crate::problems`] builds pairs of given regularity.
 
 use super::sides::{LateralCondition, check_cells};
@@ -68,16 +68,16 @@ impl EdgeData {
 
     /// The same data, known to be of regularity `tau`.
     ///
-    /// Carried along for rates; it is neither checked nor used in a computation.
+    /// It is stored for rates, and neither checked nor used in computations.
     pub fn with_regularity(self, tau: f64) -> Self {
         Self { regularity: Some(tau), ..self }
     }
 
-    /// Reads u_N and λ (a density) from text: one line per node, two numbers per line, `#` starts a comment.
-    /// The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
+    /// The pair u_N and λ (a density) read from text: one line per node, two numbers per line, `#` starts a
+    /// comment. The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
     ///
-    /// Words are separated by blanks or commas. A density at a node is integrated by the trapezoidal rule: λ_i =
-    /// density/n, half of it at an end with natural sides.
+    /// Numbers are separated by blanks or commas. A density at a node is integrated by the trapezoidal
+    /// rule: λ_i = density/n, half of it at an end with natural sides.
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
@@ -87,8 +87,9 @@ impl EdgeData {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] one that is no pair;
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for the number of lines; and as [`EdgeData::new`].
+    /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] naming the line that is
+    /// not an admissible pair; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
+    /// the number of lines; and as [`EdgeData::new`].
     pub fn from_samples(text: &str, sides: LateralCondition) -> Result<Self> {
         let rows = pairs(text, "samples")?;
         for (node, &(line, [value, density])) in rows.iter().enumerate() {
@@ -125,7 +126,7 @@ impl EdgeData {
         self.cells
     }
 
-    /// What the sides do.
+    /// The lateral conditions.
     pub fn sides(&self) -> LateralCondition {
         self.sides
     }
@@ -140,12 +141,12 @@ impl EdgeData {
         &self.forces
     }
 
-    /// τ, when it is known analytically.
+    /// τ, if it is known analytically.
     pub fn regularity(&self) -> Option<f64> {
         self.regularity
     }
 
-    /// Number of gaps on the fine edge: maximal runs of nodes with u_N < 0.
+    /// Number of gaps on the fine edge: maximal ranges of nodes with u_N < 0.
     ///
     /// With periodic sides a gap through x = 0 is counted once.
     ///

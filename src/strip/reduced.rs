@@ -6,7 +6,7 @@ use super::operator::scalar::ScalarStrip;
 use crate::error::Result;
 use crate::fem::Lame;
 
-/// A strip of height m/n with n × m cells, n along the contact edge, held at the top.
+/// A strip of height m/n with n × m cells, n along the contact edge, with u = 0 at the top.
 ///
 /// ```
 /// use signorini::{cone::Cone, strip::Strip};
@@ -75,9 +75,9 @@ impl Strip {
         }
     }
 
-    /// Unknowns of the two-dimensional problem this stands for: (n + 1) m scalar, 2 n m elastic.
+    /// Number of unknowns of the two-dimensional problem it represents: (n + 1) m scalar, 2 n m elastic.
     ///
-    /// A number of binary64, exact below 2^53.
+    /// Exact below 2^53.
     ///
     /// ```
     /// use signorini::{fem::Lame, strip::Strip};

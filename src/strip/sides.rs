@@ -1,9 +1,9 @@
-//! What the sides of the strip do, and the checks that edge data pass.
+//! The lateral conditions of the strip, and checks of edge data.
 
 use crate::cone::Ends;
 use crate::error::{Error, Result, ToolkitError};
 
-/// What the sides x = 0 and x = 1 of the strip do.
+/// The lateral conditions at x = 0 and x = 1.
 ///
 /// Modes: cos(θ_k i), θ_k = kπ/n, k = 0, ..., n with natural sides; e^{iθ_k j}, θ_k = 2πk/n with periodic ones.
 ///
@@ -32,7 +32,7 @@ impl LateralCondition {
         }
     }
 
-    /// At least two cells, an even number on a ring, at most 2^26.
+    /// Checks for at least two cells, an even number with periodic sides, at most 2^26.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) otherwise.
@@ -40,7 +40,7 @@ impl LateralCondition {
         check_cells(cells, self)
     }
 
-    /// The edge as a contact cone sees it: open, or with joined ends.
+    /// The ends of the edge for a contact cone: open or joined.
     pub(crate) fn ends(self) -> Ends {
         match self {
             LateralCondition::Natural => Ends::Open,
@@ -59,7 +59,7 @@ impl LateralCondition {
     }
 }
 
-/// At least two cells, an even number on a ring.
+/// Checks for at least two cells, an even number with periodic sides.
 pub(crate) fn check_cells(cells: usize, sides: LateralCondition) -> Result<()> {
     let (admissible, range) = match sides {
         LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),

@@ -1,10 +1,11 @@
-//! Between an edge and the half as fine edge: P, linear interpolation, and its adjoint P'.
+//! Transfer between an edge and the edge of twice the mesh size: linear interpolation P and its adjoint P'.
 
 use super::sides::LateralCondition;
 
-/// P g: linear interpolation from the half as fine edge to one of `nodes` nodes.
+/// P g: linear interpolation from the edge of twice the mesh size to an edge of `nodes` nodes.
 ///
-/// (P g)_{2i} = g_i, (P g)_{2i+1} = (g_i + g_{i+1})/2; on a ring indices are modulo the coarse length.
+/// (P g)_{2i} = g_i, (P g)_{2i+1} = (g_i + g_{i+1})/2; with periodic sides indices are modulo the coarse
+/// length.
 pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
     (0..nodes)
         .map(|i| {
@@ -17,7 +18,7 @@ pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
         .collect()
 }
 
-/// P'b: the load on the half as fine edge.
+/// P'b: the load on the edge of twice the mesh size.
 ///
 /// (P'b)_i = b_{2i} + (b_{2i−1} + b_{2i+1})/2. Σ_i (P'b)_i = Σ_i b_i: the resultant is kept.
 pub(crate) fn restrict(fine: &[f64], sides: LateralCondition) -> Vec<f64> {

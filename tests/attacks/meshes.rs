@@ -154,7 +154,7 @@ fn a_body_that_nothing_holds_is_named_before_any_factorization() {
     for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
         let failed = ContactProblem::new(mesh.clone(), form, values).unwrap_err();
         assert_eq!(failed, Error::NotHeld { triangles: 32, node: 25, place: [3.0, 0.0] });
-        assert!(failed.to_string().contains("the body of 32 triangles with node 25 at (3, 0) is not held"));
+        assert!(failed.to_string().contains("the body of 32 triangles with node 25 at (3, 0) has no edge"));
     }
     // A reaction term holds it.
     assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load[..2 * count]).is_ok());

@@ -5,14 +5,15 @@
 //! | --- | --- | --- |
 //! | [`power_seminorm_squared`]: x^a | (0, 1) | a > ν − 1/2 |
 //! | [`jump_seminorm_squared`]: 0 on a cell, 1 on the next | (0, p + q) | ν < 1/2 |
-//! | [`hat_seminorm_squared`]: piecewise linear hat | an interval around it | 0 < ν < 1 |
+//! | [`hat_seminorm_squared`]: piecewise linear hat function | an interval around it | 0 < ν < 1 |
 //! | [`log_power_seminorm_squared`]: \|ln x\|^α | (0, 1) | ν = 1/2, 0 < α < 1/2 |
 //! | [`cosine_on_circle_seminorm_squared`]: cos kφ | the unit circle | 0 < ν < 1 |
 //! | [`coordinate_on_square_seminorm_squared`]: x₁ | the unit square | 0 < ν < 1 |
 //! | [`fractional_laplacian_constant`]: C(1, ν) | the line | 0 < ν < 1 |
 //!
-//! Every value is the *squared* seminorm, as the names say, but that of [`power_seminorm`]; all are sums of positive
-//! terms or differences of well separated ones. They are exact to rounding and take no tolerance.
+//! Every value is the *squared* seminorm, as in the name, except that of [`power_seminorm`]; all are sums
+//! of positive terms or differences of well separated ones. They are exact to rounding and take no
+//! tolerance.
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
@@ -26,13 +27,14 @@ use crate::quadrature::Rule;
 /// Rounding of the sums below, in units of the value: at most a few hundred operations, all of one sign.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// Points for an integrand analytic in an ellipse with ρ = 2 + √5 about (0, 1), singular at ±i: ρ^{-2n} <
-/// 1e-24.
+/// Number of points for an integrand analytic in an ellipse with ρ = 2 + √5 about (0, 1), singular at ±i:
+/// ρ^{-2n} < 1e-24.
 const SQUARE_POINTS: usize = 20;
 
 /// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the continued Beta function.
 ///
-/// The bracket is ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a − 1,
+/// The bracket equals ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a
+/// − 1,
 /// - below: Σ_k (1+2ν)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all
 ///   terms positive;
 /// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated against τ^{1-2ν}.
@@ -73,7 +75,7 @@ pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estima
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning) + f64::MIN_POSITIVE, work)
 }
 
-/// |x^a|_ν itself, right also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
+/// |x^a|_ν, accurate also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
 /// relative terms of the size of a.
 ///
 /// ```
@@ -156,9 +158,10 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |φ|²_ν for the hat φ that rises over `rise`, falls over `fall`, and vanishes on `before` and `after`.
+/// |φ|²_ν for the hat function φ that rises over `rise`, falls over `fall`, and vanishes on `before` and
+/// `after`.
 ///
-/// `before` and `after` may be zero: the hat then touches the end of the interval.
+/// `before` and `after` may be zero: the hat function then touches the end of the interval.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Mesh, Order, closed_forms};

@@ -1,4 +1,4 @@
-//! Best constants: on which domain, in which norm, and what is known of one.
+//! Best constants: their domains, their norms, and their bounds.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
@@ -42,7 +42,7 @@ pub enum Domain {
 }
 
 impl Domain {
-    /// The refusal of a domain.
+    /// The error for a domain without a method.
     pub(crate) fn refused(&self, with: &'static str, expected: &'static str) -> Error {
         Error::Incompatible { what: "domain", given: format!("{self:?}"), with, expected }
     }
@@ -73,13 +73,13 @@ pub enum ErrorNorm {
 }
 
 impl ErrorNorm {
-    /// The refusal of a norm.
+    /// The error for a norm without a method.
     pub(crate) fn refused(self, with: &'static str, expected: &'static str) -> Error {
         Error::Incompatible { what: "norm of the error", given: format!("{self:?}"), with, expected }
     }
 }
 
-/// What is known of a best constant: its value, bounds, and a function for which it is attained.
+/// A best constant: its value, lower and upper bounds, and a function for which it is attained.
 ///
 /// ```
 /// use fractional_sobolev::{BestConstant, Domain, ErrorNorm, interpolation_constant};
@@ -94,9 +94,9 @@ impl ErrorNorm {
 /// ```
 #[derive(Clone)]
 pub struct BestConstant {
-    /// The constant, to the tolerance that was asked for.
+    /// The constant, to the requested tolerance.
     pub constant: Estimate,
-    /// The quotient of a function, a lower bound up to quadrature and rounding.
+    /// A lower bound: the quotient of a function, up to quadrature and rounding.
     pub lower: Estimate,
     /// A proved upper bound, where one is known.
     pub upper: Option<Estimate>,
@@ -144,7 +144,7 @@ impl BestConstant {
         Ok(Self { constant: self.constant.times(factor)?, lower: self.lower.times(factor)?, upper, ..self })
     }
 
-    /// The same where its error meets the tolerance.
+    /// The same constant if its error meets the tolerance.
     pub(crate) fn met(self, what: &'static str, tolerance: Tolerance, why: &'static str) -> Result<Self> {
         if self.constant.relative_error() <= tolerance.relative() {
             return Ok(self);
@@ -153,7 +153,7 @@ impl BestConstant {
     }
 
     /// The constant of the same domain, order and tolerance in another norm of the error. On a triangle the
-    /// Gram matrices, nearly all of the cost, are used again.
+    /// Gram matrices, nearly all of the cost, are reused.
     ///
     /// # Errors
     /// As the function that returned this constant; [`Error::Incompatible`] for the embedding and the trace.
@@ -175,7 +175,7 @@ type PointFunction = dyn Fn(&[f64]) -> f64 + Send + Sync;
 
 /// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
 const ONE_NODE: f64 = 1e-10;
-/// Nodes of the graded cells this close to a given one, likewise, make way for it.
+/// Nodes of the graded cells closer than this to a given node (in the same sense) are removed.
 const MAKES_WAY: f64 = 1e-5;
 
 /// A function of x in (0, 1) on graded cells.
@@ -217,7 +217,7 @@ pub(crate) trait OnInterval: fmt::Debug + Send + Sync {
 #[derive(Clone)]
 pub struct Extremal(Kind);
 
-/// How a function is known.
+/// The representation of a function.
 #[derive(Clone)]
 enum Kind {
     Points(Arc<PointFunction>),
@@ -235,8 +235,8 @@ impl Extremal {
         Self(Kind::Interval(Arc::new(u)))
     }
 
-    /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside; of `gamma` and
-    /// `moment` the value at the nearer end.
+    /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside the
+    /// domain; the extremal functions of `gamma` and `moment` are continued by their end values.
     pub fn value(&self, point: &[f64]) -> f64 {
         match &self.0 {
             Kind::Points(u) => u(point),
@@ -244,8 +244,9 @@ impl Extremal {
         }
     }
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x: a picture that
-    /// resolves all scales. Empty for a function without cells, which those of `gamma` and `moment` have.
+    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x, for
+    /// pictures that resolve all scales. Empty for a function without cells; those of `gamma` and `moment`
+    /// have cells.
     pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match &self.0 {
             Kind::Points(_) => Vec::new(),
@@ -253,9 +254,9 @@ impl Extremal {
         }
     }
 
-    /// The interpolant of a degree on the graded cells, each cut into `pieces`, with additional nodes at
-    /// `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than 1e-5 to a
-    /// break) are left out.
+    /// The interpolant of the given degree on the graded cells, each cut into `pieces`, with additional
+    /// nodes at `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than
+    /// 1e-5 to a breakpoint) are left out.
     ///
     /// # Errors
     /// As for [`Function::interpolate`]; [`Error::Incompatible`] for a function without cells.
@@ -287,7 +288,7 @@ pub(crate) enum UnitOrder {
 }
 
 impl UnitOrder {
-    /// Of an order of a norm.
+    /// The order s of a norm.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside [0, 1].

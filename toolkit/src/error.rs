@@ -10,9 +10,9 @@ use crate::value::Estimate;
 /// Result with the library's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Why a question has no answer, or none that can be trusted.
+/// The error of this library: invalid input, an infinite result, or a tolerance that is not met.
 ///
-/// How an iteration ended (converged, stalled, cycled) is not an error but a status in its result.
+/// The termination of an iteration (converged, stalled, cycled) is a status in its result, not an error.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Error, Order, gamma};
@@ -28,7 +28,7 @@ pub enum Error {
     /// A parameter lies outside the range in which the formula holds.
     #[error("{name} = {value:?} is outside {range}")]
     OutOfRange {
-        /// What the parameter is called.
+        /// Name of the parameter.
         name: &'static str,
         /// The value that was given.
         value: f64,
@@ -38,7 +38,7 @@ pub enum Error {
     /// An entry of a list lies outside the range in which the formula holds.
     #[error("{name} at index {index} = {value:?} is outside {range}")]
     EntryOutOfRange {
-        /// What the entry is called.
+        /// Name of the entry.
         name: &'static str,
         /// Its position, from 0.
         index: usize,
@@ -50,61 +50,61 @@ pub enum Error {
     /// A count (cells, nodes, levels, ...) is not admissible.
     #[error("{name} = {value} is outside {range}")]
     CountOutOfRange {
-        /// What is counted.
+        /// Name of the count.
         name: &'static str,
         /// The count that was given.
         value: usize,
         /// The admissible set, as text.
         range: &'static str,
     },
-    /// A count that asks for more than the machine's memory.
-    #[error("{name} = {count} takes {needed:.3e} GB: this machine has {available:.1} GB")]
+    /// A count that requires more memory than the machine has.
+    #[error("{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB")]
     TooLarge {
-        /// What is counted.
+        /// Name of the count.
         name: &'static str,
         /// The count that was given.
         count: usize,
-        /// What it would take, in 10^9 bytes.
+        /// The required memory, in 10^9 bytes.
         needed: f64,
         /// The physical memory, in 10^9 bytes.
         available: f64,
     },
-    /// A name that is none of the known ones.
+    /// A name that is not one of the known names.
     #[error("unknown {what} '{given}': expected {expected}")]
     UnknownName {
-        /// What is named.
+        /// Kind of the name.
         what: &'static str,
         /// The name that was given.
         given: String,
         /// The known names, as text.
         expected: &'static str,
     },
-    /// A choice that is known but does not fit another one.
-    #[error("{what} {given} and {with} do not go together: expected {expected}")]
+    /// Two choices that cannot be combined.
+    #[error("{what} {given} cannot be combined with {with}: expected {expected}")]
     Incompatible {
-        /// What is chosen.
+        /// Name of the choice.
         what: &'static str,
         /// The choice.
         given: String,
-        /// What it does not fit, as text.
+        /// The other choice, as text.
         with: &'static str,
-        /// The choices that fit, as text.
+        /// The admissible choices, as text.
         expected: &'static str,
     },
     /// A value (data, load, function value) is NaN or infinite.
     #[error("{name} is not finite: {value} at index {index}")]
     NotFinite {
-        /// What the value is.
+        /// Name of the value.
         name: &'static str,
         /// Its position.
         index: usize,
         /// The value.
         value: f64,
     },
-    /// A function of the plane is NaN or infinite at a point where it is asked for.
+    /// A function of the plane is NaN or infinite at an evaluation point.
     #[error("{name} is not finite: {value} at ({:?}, {:?})", point[0], point[1])]
     NotFiniteAt {
-        /// What the function is.
+        /// Name of the function.
         name: &'static str,
         /// The point.
         point: [f64; 2],
@@ -114,7 +114,7 @@ pub enum Error {
     /// Two arrays that must agree in length do not.
     #[error("{name} has length {given}, expected {expected}")]
     LengthMismatch {
-        /// Which array.
+        /// Name of the array.
         name: &'static str,
         /// Its length.
         given: usize,
@@ -129,8 +129,8 @@ pub enum Error {
         /// The reason, as text.
         why: &'static str,
     },
-    /// The tolerance could not be met; carries what was reached and why more is not to be had.
-    #[error("{what}: relative error {reached:.1e} reached, {asked:e} asked{}: {why}", value_of(best))]
+    /// The tolerance could not be met; carries the best estimate and the limiting factor.
+    #[error("{what}: relative error {reached:.1e}, requested {asked:e}{}: {why}", value_of(best))]
     ToleranceNotMet {
         /// The quantity.
         what: &'static str,
@@ -140,81 +140,81 @@ pub enum Error {
         reached: f64,
         /// The best estimate of the quantity; `None` where no value was reached at all.
         best: Option<Estimate>,
-        /// Why more is not to be had, as text.
+        /// The limiting factor, as text.
         why: &'static str,
     },
     /// A matrix that should be positive definite is not, to working accuracy.
     #[error("{what} is not positive definite: pivot {pivot}")]
     NotPositiveDefinite {
-        /// Which matrix.
+        /// Name of the matrix.
         what: &'static str,
-        /// Where the factorization broke down.
+        /// Index of the pivot at which the factorization broke down.
         pivot: usize,
     },
-    /// A solver of another library refused the problem.
+    /// A solver of another library failed.
     #[error("solver: {reason}")]
     Solver {
-        /// What it said.
+        /// Its message.
         reason: String,
     },
-    /// Two triangles of a mesh have inner points in common.
+    /// Two triangles of a mesh overlap: they have interior points in common.
     #[error("triangles {} and {} overlap", triangles[0], triangles[1])]
     Overlap {
         /// Their numbers, from 0.
         triangles: [usize; 2],
     },
-    /// A triangle of a mesh is not usable.
+    /// A triangle of a mesh is invalid.
     #[error("triangle {triangle} {reason} {value:?}")]
     Triangle {
         /// Its number, from 0.
         triangle: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
-        /// The number that shows it.
+        /// The offending value.
         value: f64,
     },
-    /// An edge of a mesh is not usable.
+    /// An edge of a mesh is invalid.
     #[error("edge {}-{} {reason}", nodes[0], nodes[1])]
     Edge {
         /// Its end nodes.
         nodes: [usize; 2],
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
     },
-    /// A node of a mesh is not usable.
+    /// A node of a mesh is invalid.
     #[error("node {node} {reason}")]
     Node {
         /// Its number, from 0.
         node: usize,
-        /// What is wrong.
+        /// Description of the error.
         reason: &'static str,
     },
 }
 
-/// The best value of a quantity, as it stands in the message.
+/// The text of the best value in the message.
 fn value_of(best: &Option<Estimate>) -> String {
     best.map_or_else(String::new, |best| format!(" (best value {best})"))
 }
 
 impl Error {
-    /// The best estimate of `what` misses the tolerance that was asked, for the reason given.
+    /// [`Error::ToleranceNotMet`] with the best estimate of `what`, for the reason given.
     pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
         Error::ToleranceNotMet { what, asked, reached: best.relative_error(), best: Some(best), why }
     }
 
-    /// Nothing of `what` was reached that could be called a value: the relative uncertainty, and why.
+    /// [`Error::ToleranceNotMet`] without a value of `what`: the relative uncertainty and the reason.
     pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
         Error::ToleranceNotMet { what, asked, reached, best: None, why }
     }
 
-    /// [`Error::not_met`] with the best of several tries, if there is one.
+    /// [`Error::not_met`] with the best of several attempts, if there is one.
     pub(crate) fn best_of(what: &'static str, asked: f64, best: Option<Estimate>, why: &'static str) -> Self {
         best.map_or(Self::out_of_reach(what, asked, f64::INFINITY, why), |best| {
             Self::not_met(what, asked, best, why)
         })
     }
 
-    /// The best estimate of the quantity that a refusal names; `None` for all other errors.
+    /// The best estimate carried by [`Error::ToleranceNotMet`]; `None` for all other errors.
     pub fn best(&self) -> Option<Estimate> {
         match self {
             Error::ToleranceNotMet { best, .. } => *best,
@@ -222,7 +222,7 @@ impl Error {
         }
     }
 
-    /// The same refusal about a quantity that is made of the one refused.
+    /// The same error for a quantity derived from the one that missed its tolerance.
     pub(crate) fn carry(self, quantity: &'static str, of: impl FnOnce(Estimate) -> Result<Estimate>) -> Self {
         match self {
             Error::ToleranceNotMet { asked, best: Some(best), why, .. } => match of(best) {

@@ -1,15 +1,14 @@
-//! The speed-accuracy knob: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
+//! Accuracy against cost: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
 //!
 //! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|.
-//! The `error` of an estimate is *absolute*: an honest estimate of |v − v*|, never below the rounding of v
-//! itself.
+//! The `error` of an estimate is *absolute*: an estimate of |v − v*|, at least the rounding error of v.
 
 use crate::error::{Error, Given, Result};
 pub use crate::value::{Estimate, Work};
 use std::fmt;
 use std::str::FromStr;
 
-/// Requested relative accuracy, in [1e-15, 0.1], and how much work it may take.
+/// Requested relative accuracy in [1e-15, 0.1], with a limit of work.
 #[doc(alias("accuracy", "precision", "relative tolerance"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance {
@@ -17,12 +16,12 @@ pub struct Tolerance {
     work: u64,
 }
 
-/// Why a norm that ran into its limit of work is not known better.
-pub(crate) const SPENT: &str = "the limit of work is reached (Tolerance::with_work)";
+/// Message: the work limit is reached.
+pub(crate) const SPENT: &str = "the work limit is reached; raise Tolerance::with_work";
 
 impl Tolerance {
-    /// Evaluations of functions and kernels that an integral may take unless [`Tolerance::with_work`] says
-    /// otherwise: about ten seconds of a cheap function.
+    /// Default limit of function and kernel evaluations of an integral, see [`Tolerance::with_work`]: about
+    /// ten seconds for a cheap function.
     pub const WORK: u64 = 1 << 28;
 
     /// A number between 1e-15 and 0.1.
@@ -45,8 +44,8 @@ impl Tolerance {
         Self { relative, work: Self::WORK }
     }
 
-    /// The same accuracy, and at most so many evaluations of functions given by closures and of the kernel
-    /// between their values. Each integral that a norm is made of counts by itself.
+    /// The same accuracy with at most this many evaluations of the function and of the kernel. The limit
+    /// applies to each integral of a norm separately.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Tolerance};
@@ -59,7 +58,7 @@ impl Tolerance {
         Self { relative: self.relative, work: evaluations }
     }
 
-    /// How many evaluations an integral may take.
+    /// The limit of evaluations of an integral.
     pub(crate) const fn work(self) -> u64 {
         self.work
     }
@@ -74,7 +73,7 @@ impl Tolerance {
         Self::of(1e-8)
     }
 
-    /// 1e-12: as far as binary64 carries comfortably.
+    /// 1e-12: close to the limit of binary64.
     pub const fn reference() -> Self {
         Self::of(1e-12)
     }
@@ -147,8 +146,7 @@ impl Estimate {
     /// A value with its absolute error; the error is raised to the rounding of the value.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN leaves the library as an
-    /// answer.
+    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN is returned as a value.
     pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
         for (index, number) in [value, error].into_iter().enumerate() {
             if !number.is_finite() {
@@ -158,8 +156,7 @@ impl Estimate {
         Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
     }
 
-    /// What was found, be it above the tolerance: the best estimate of a refusal is as good an answer for a
-    /// caller who reads its error.
+    /// The estimate, or the best estimate of a tolerance that was not met, for callers who read its error.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Estimate, Order, gamma, Tolerance};
@@ -172,7 +169,7 @@ impl Estimate {
     /// ```
     ///
     /// # Errors
-    /// Those that carry no value.
+    /// The errors that carry no value.
     pub fn or_best(found: Result<Self>) -> Result<Self> {
         found.or_else(|error| error.best().ok_or(error))
     }
@@ -217,7 +214,7 @@ impl Estimate {
         Self::new(value, error, self.work + other.work)
     }
 
-    /// The estimate times a number that is known.
+    /// The estimate times an exact number.
     ///
     /// # Errors
     /// [`Error::NotFinite`] when the product is not finite.

@@ -45,9 +45,10 @@ use std::ops::Range;
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
 /// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
-/// The error of an estimate is that of comparing two accuracies, plus rounding; norms that are infinite are found to be
-/// so at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of functions on an
-/// interval take 10⁵ elements in seconds for s ≤ −0.3; for the interpolation spaces of [`DualOf`] in a fraction of a second.
+/// The error of an estimate is that of comparing two accuracies, plus rounding; infinite norms are detected
+/// at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of functions on
+/// an interval take 10⁵ elements in seconds for s ≤ −0.3; for the interpolation spaces of [`DualOf`] in a
+/// fraction of a second.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Mesh};
@@ -71,7 +72,7 @@ pub struct Function<'a> {
 #[derive(Debug)]
 enum Kind<'a> {
     Formula(SingularFunction<'a>),
-    /// x^a next to the constant 1: its seminorms by another integral.
+    /// x^a for small |a|: its seminorms by another integral.
     NearlyOne(NearlyOne, SingularFunction<'a>),
     Piecewise(PiecewisePolynomial),
     Load(MeshFunctional),
@@ -88,18 +89,21 @@ impl<'a> Function<'a> {
         Self { kind, gradient: Vec::new() }
     }
 
-    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
+    /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
-    /// A singularity at a breakpoint other than 0 is rounded in x: use [`Function::from_positions`].
+    /// At a singularity at a breakpoint x₀ other than 0 the distance x − x₀ is rounded: use
+    /// [`Function::from_positions`].
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breakpoints, [`Error::NotFinite`],
-    /// [`Error::EntryOutOfRange`] unless they increase strictly, by 1e-290 and by 1e-290 of the interval.
+    /// [`Error::CountOutOfRange`] for fewer than two breakpoints; [`Error::NotFinite`];
+    /// [`Error::EntryOutOfRange`] unless the breakpoints increase by at least 1e-290 and by at least 1e-290
+    /// times the length of the interval.
     pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         SingularFunction::new(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
-    /// As [`Function::from_fn`] for a function of the [`Position`], exact as close to a breakpoint as 1e-290.
+    /// The function f of a [`Position`], whose distance to the breakpoints is exact down to 1e-290;
+    /// otherwise as [`Function::from_fn`].
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -108,10 +112,11 @@ impl<'a> Function<'a> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// Layers beside a breakpoint are seen at any width down to 1e-290. Between the breakpoints f is evaluated at some
-    /// dozens of points: a kink or a wide peak there is found, at a cost, while a layer narrower than about 1/50 of the
-    /// interval may lie between these points, and then it is in neither the value nor the error. Declare its place, and
-    /// give f by the distance to it:
+    /// Layers at a breakpoint are resolved at any width down to 1e-290. Between the breakpoints f is
+    /// evaluated at some dozens of points: a kink or a wide peak is detected, at additional cost, but a
+    /// layer narrower than about 1/50 of the interval may lie between these points and is then missed in
+    /// both the value and the error. Declare its position as a breakpoint and express f by the distance to
+    /// it:
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -127,8 +132,8 @@ impl<'a> Function<'a> {
         SingularFunction::from_positions(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
-    /// As [`Function::from_positions`] for a function that is evaluated also where the distance underflows, by
-    /// [`Position::log_distance`]: for |ln x|^α at order 1/2, where what lies below 1e-300 counts.
+    /// The function f of a [`Position`], evaluated also where the distance underflows, by
+    /// [`Position::log_distance`]: for |ln x|^α at order 1/2, where distances below 1e-300 contribute.
     ///
     /// ```
     /// use fractional_sobolev::{Function, closed_forms};
@@ -147,7 +152,8 @@ impl<'a> Function<'a> {
         SingularFunction::from_log_distances(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
-    /// x^a on (0, 1), to all digits of |x^a|_s also for a near 0, where x^a is nearly constant.
+    /// The power x^a on (0, 1); |x^a|_s keeps full relative accuracy for a near 0, where x^a is nearly
+    /// constant.
     ///
     /// ```
     /// use fractional_sobolev::{Function, closed_forms};
@@ -199,9 +205,9 @@ impl<'a> Function<'a> {
         PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
     }
 
-    /// The continuous piecewise polynomial of degree p that agrees with f at the nodes; what f has beside its linear
-    /// interpolant is projected in L²(t(1−t)) on every element, so that polynomials of degree p are reproduced. f is
-    /// called with the distance from the left end of the mesh.
+    /// The continuous piecewise polynomial of degree p that agrees with f at the nodes; the difference
+    /// between f and its linear interpolant is projected in L²(t(1−t)) on every element, so that
+    /// polynomials of degree p are reproduced. f is called with the distance from the left end of the mesh.
     ///
     /// Norms of the result are norms of the interpolant: their error does not include its distance from f. For the norm
     /// of f itself use [`Function::from_fn`].
@@ -220,8 +226,8 @@ impl<'a> Function<'a> {
         PiecewisePolynomial::interpolate(mesh.clone(), degree, f).map(Self::from)
     }
 
-    /// A functional by its values ⟨f, φ_i⟩ on the hat functions of a mesh. It has norms of order −1 < s < 0 only,
-    /// with the supremum over the piecewise linears of the mesh.
+    /// The functional with the values ⟨f, φ_i⟩ on the hat functions of a mesh. Only its norms of order −1 <
+    /// s < 0 are defined, as suprema over the piecewise linears of the mesh.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -260,8 +266,8 @@ impl<'a> Function<'a> {
         Ok(Self::of(Kind::Plane(u)))
     }
 
-    /// A function of the [`PlanePosition`] on a triangulation, smooth on every triangle except at the given corners
-    /// (node, a), where it behaves like r^a.
+    /// The function f of a [`PlanePosition`] on a triangulation, smooth on every triangle except at the
+    /// given corners (node, a), where it behaves like r^a.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Triangles};
@@ -275,7 +281,8 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a corner that is no node, [`Error::OutOfRange`] for its exponent.
+    /// [`Error::CountOutOfRange`] for a corner that is not a node; [`Error::OutOfRange`] for an
+    /// inadmissible exponent.
     pub fn from_plane_positions(
         mesh: &Triangles,
         corners: &[(usize, f64)],
@@ -329,8 +336,8 @@ impl<'a> Function<'a> {
     /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
     /// 1), or constant on every element (degree 0).
     ///
-    /// Norms are those of this function: where the values are those of another one, the error of the norm does not include
-    /// the distance from it. A second norm with half the elements shows its size.
+    /// Norms are those of this piecewise polynomial: if its values approximate another function, the error
+    /// of the norm does not include the approximation error. Compare with half the elements to estimate it.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Curve};
@@ -352,8 +359,8 @@ impl<'a> Function<'a> {
         Ok(Self::of(Kind::Curve(u)))
     }
 
-    /// The function with its partial derivatives (one on an interval, two in the plane), which norms of order
-    /// 1 ≤ s < 2 of a formula need. Piecewise polynomials find their own.
+    /// The function together with its partial derivatives (one on an interval, two in the plane), which are
+    /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials need none.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -369,8 +376,8 @@ impl<'a> Function<'a> {
 
     /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm.
     ///
-    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2, where the distance from these counts, `-order` and
-    /// [`Order::plus_one`] keep all its digits.
+    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2 `-order` and [`Order::plus_one`] keep all
+    /// digits of the distance from these.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Order};
@@ -414,9 +421,10 @@ impl<'a> Function<'a> {
     /// |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} beyond. s as for [`Function::norm`].
     ///
     /// Finite for s < 1/2 where u jumps; at a corner or breakpoint with r^a for a > s − d/2. In the plane
-    /// (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve the distance is that of the plane,
-    /// the norm of traces on a Lipschitz curve up to equivalence. A singularity along an edge of a triangulation has no
-    /// rule of its own: [`Error::ToleranceNotMet`] says how far the others come.
+    /// (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve the distance is that
+    /// of the plane, the norm of traces on a Lipschitz curve up to equivalence. There is no special rule
+    /// for a singularity along an edge of a triangulation: [`Error::ToleranceNotMet`] reports the accuracy
+    /// that is reached.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Order};
@@ -460,9 +468,9 @@ impl<'a> Function<'a> {
 
     /// The norm of u in L^q, (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane q = 2.
     ///
-    /// Of values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree are bisected
-    /// until a Gauss rule and its two halves agree. Of a formula the zeros should be breakpoints, for q = ∞ the jumps:
-    /// |u|^q is not smooth there.
+    /// For values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree
+    /// are bisected until a Gauss rule and its two halves agree. For a formula, declare the zeros (for q =
+    /// ∞ the jumps) as breakpoints, because |u|^q is not smooth there.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`Function::norm`].
@@ -485,8 +493,8 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The mean (1/|I|) ∫ u of u over its interval; the tolerance is relative to the mean of |u|. Of a piecewise polynomial
-    /// it is exact to rounding.
+    /// The mean (1/|I|) ∫ u of u over its interval; the tolerance is relative to the mean of |u|. It is
+    /// exact to rounding for a piecewise polynomial.
     ///
     /// # Errors
     /// [`Error::Incompatible`] for a function that is not on an interval; else as [`Function::norm`].
@@ -502,12 +510,14 @@ impl<'a> Function<'a> {
     /// sup ∫ u v / ‖v‖ for the norm of order 0 < s < 1 that [`DualOf`] names; [`Function::norm`] of order −s is that
     /// of [`DualOf::Slobodeckij`].
     ///
-    /// In the interpolation spaces a piecewise polynomial has Balakrishnan's integral of resolvents, each in closed form
-    /// on every element: all digits on every mesh, some hundred passes over the elements. In the norm of
-    /// [`DualOf::Slobodeckij`] the supremum is taken over piecewise linears on M equal elements, with a correction for
-    /// what they miss; M doubles up to 2^20, and the error is that of doubling. A formula is replaced by a piecewise
-    /// polynomial graded to its breakpoints; the L² norm of the difference bounds the dual norm of the difference and is
-    /// part of the error. On a closed curve the interpolation spaces are periodic in the arc length.
+    /// In the interpolation spaces the dual norm of a piecewise polynomial is Balakrishnan's integral of
+    /// resolvents, each in closed form on every element: exact to rounding on every mesh, some hundred
+    /// passes over the elements. In the norm of [`DualOf::Slobodeckij`] the supremum is taken over
+    /// piecewise linears on M equal elements, with a correction of the discretisation error; M doubles up
+    /// to 2^20, and the error estimate is the change under doubling. A formula is replaced by a piecewise
+    /// polynomial graded to its breakpoints; the L² norm of the difference bounds the dual norm of the
+    /// difference and is part of the error. On a closed curve the interpolation spaces are periodic in the
+    /// arc length.
     ///
     /// ```
     /// use fractional_sobolev::{DualOf, Function, Mesh};
@@ -536,8 +546,8 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// u − v for its norms: a formula minus a piecewise polynomial on the same interval, or two piecewise polynomials
-    /// on one mesh.
+    /// The difference u − v: a formula minus a piecewise polynomial on the same interval, or two piecewise
+    /// polynomials on one mesh.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -590,7 +600,7 @@ impl<'a> Function<'a> {
         self.polynomials("derivative")?.derivative().map(Self::from)
     }
 
-    /// The largest degree of a piecewise polynomial on an element, an upper bound where it was declared higher.
+    /// The largest degree of a piecewise polynomial on an element, as declared.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -600,7 +610,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial.
+    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial.
     pub fn degree(&self) -> Result<usize> {
         self.polynomials("degree").map(PiecewisePolynomial::degree)
     }
@@ -608,8 +618,9 @@ impl<'a> Function<'a> {
     /// The value at the local coordinate t ∈ \[0, 1\] of an element, from left to right.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial; [`Error::CountOutOfRange`] when there is
-    /// no such element; [`Error::OutOfRange`] for t outside \[0, 1\].
+    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial;
+    /// [`Error::CountOutOfRange`] for an element outside the mesh; [`Error::OutOfRange`] for t outside \[0,
+    /// 1\].
     pub fn value(&self, element: usize, t: f64) -> Result<f64> {
         self.polynomials("value on an element")?.value(element, t)
     }
@@ -625,7 +636,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial.
+    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial.
     pub fn mesh(&self) -> Result<&Mesh> {
         self.polynomials("mesh").map(PiecewisePolynomial::mesh)
     }
@@ -633,8 +644,8 @@ impl<'a> Function<'a> {
     /// The part of a piecewise polynomial on the given elements.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is no piecewise polynomial; [`Error::CountOutOfRange`] for an empty
-    /// range or one that leaves the mesh.
+    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial;
+    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the mesh.
     pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
     }
@@ -717,7 +728,7 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The error of a quantity that this kind of function does not have.
+    /// The error for a quantity that is not defined for this kind of function.
     fn refused(&self, quantity: &str) -> Error {
         let expected = match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => {

@@ -22,11 +22,11 @@ const BALANCED: f64 = 1e-8;
 ///
 /// # Method
 ///
-/// Products go by FFT on uniform meshes and grids, by H²-matrices on other meshes: O(N log N) to O(N log²(1/τ)) at the
-/// relative tolerance τ; memory about 10 N numbers on a uniform mesh, 60 N on other meshes, 200 N on a grid. On an
-/// interval the fast product is prepared when it is first asked for; the dense matrix has entries exact to rounding,
-/// sums of a few integrals of one sign each, and costs O(N²) kernel values and nothing else. Constants are removed from
-/// x before a product, since A maps them to zero.
+/// Products are computed by FFT on uniform meshes and grids, by H²-matrices on other meshes: O(N log N) to
+/// O(N log²(1/τ)) at the relative tolerance τ; memory about 10 N numbers on a uniform mesh, 60 N on other
+/// meshes, 200 N on a grid. On an interval the fast product is prepared at its first use; the dense matrix
+/// has entries exact to rounding, sums of a few integrals of one sign each, and costs O(N²) kernel values.
+/// Constants are removed from x before a product, since A maps them to zero.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};
@@ -51,7 +51,7 @@ enum Form {
     Grid { squares: [usize; 2], h: f64, form: GridOperator },
 }
 
-/// On a mesh of an interval; the fast product is prepared when it is first used.
+/// The matrix on a mesh of an interval; the fast product is prepared at its first use.
 struct Interval {
     mesh: Mesh,
     order: Order,
@@ -92,16 +92,17 @@ impl std::fmt::Debug for Gram {
 }
 
 impl Gram {
-    /// For the hat functions of all nodes of a mesh, 0 < s < 1: over the square of the interval, the form of the
-    /// *regional* fractional Laplacian. That of the integral one, over the whole line, is [`Gram::zero_outside`].
+    /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral over
+    /// the square of the interval, the form of the *regional* fractional Laplacian. The form of the
+    /// integral one, over the whole line, is [`Gram::zero_outside`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for another order or a tolerance outside its range.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an order or a tolerance outside its range.
     pub fn new(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         Ok(Self::on_interval(mesh, s.given()?, tolerance.given()?, Basis::Hats))
     }
 
-    /// For the indicator functions of the elements of a mesh, 0 < s < 1/2.
+    /// The Gram matrix for the indicator functions of the elements of a mesh, 0 < s < 1/2.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -119,8 +120,8 @@ impl Gram {
         Ok(Self::on_interval(mesh, order, tolerance.given()?, Basis::Indicators))
     }
 
-    /// On the whole line, for the hat functions of the N − 1 inner nodes of a mesh, which vanish outside it: the form
-    /// ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 < s < 1.
+    /// The Gram matrix on the whole line for the hat functions of the N − 1 inner nodes of a mesh, which
+    /// vanish outside it: the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 < s < 1.
     ///
     /// This is the integral fractional Laplacian with u = 0 outside the interval: the weak form of (−Δ)^s u = f is
     /// C(1, s)/2 A x = b with [`fractional_laplacian_constant`](crate::closed_forms::fractional_laplacian_constant).
@@ -159,7 +160,8 @@ impl Gram {
         Self { form: Form::Interval(Box::new(Interval { mesh, order, tolerance, basis, fast, inverse })) }
     }
 
-    /// For the hat functions of all nodes of [`Triangles::grid`] with the same arguments, row by row from the bottom.
+    /// The Gram matrix for the hat functions of all nodes of [`Triangles::grid`] with the same arguments,
+    /// row by row from the bottom.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Gram, Triangles};
@@ -174,8 +176,8 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for no square,
-    /// [`Error::TooLarge`](crate::Error::TooLarge) for more than memory holds; as [`Gram::new`].
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a grid without squares,
+    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::new`].
     pub fn on_grid(
         squares: [usize; 2],
         h: f64,
@@ -227,11 +229,12 @@ impl Gram {
 
     /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of iterations.
     ///
-    /// By conjugate gradients; the preconditioner is the same power of the tridiagonal pencil of (u′, v′) and L², by
-    /// 10 to 40 tridiagonal solves. The number of iterations depends neither on the number of elements nor on their
-    /// lengths: about 15 for eight digits. Constants have no seminorm but with [`Gram::zero_outside`]: there b must
-    /// have the sum zero, and x is the solution of mean zero. The error of xᵀA x includes the rounding of the entries of A,
-    /// which exceeds the tolerance where elements are very short and s is near 1.
+    /// By conjugate gradients; the preconditioner is the same power of the tridiagonal pencil of (u′, v′)
+    /// and L², by 10 to 40 tridiagonal solves. The number of iterations depends neither on the number of
+    /// elements nor on their lengths: about 15 for eight digits. Except for [`Gram::zero_outside`]
+    /// constants have seminorm zero: then b must have the sum zero, and x is the solution of mean zero. The
+    /// error of xᵀA x includes the rounding of the entries of A, which exceeds the tolerance where elements
+    /// are very short and s is near 1.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -264,10 +267,12 @@ impl Gram {
         solve(interval.fast()?, interval.inverse(), load, interval.tolerance)
     }
 
-    /// The preconditioner of [`Gram::solve`] times r: a symmetric approximate inverse of A, for iterations of one's own.
+    /// The preconditioner of [`Gram::solve`] times r: a symmetric approximate inverse of A, for other
+    /// iterations.
     ///
-    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh. 10 to 40 tridiagonal
-    /// solves. Where constants have no seminorm it acts on r less its mean and returns a function of mean zero.
+    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh. Cost:
+    /// 10 to 40 tridiagonal solves. Where constants have seminorm zero it acts on r minus its mean and
+    /// returns a function of mean zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -293,9 +298,10 @@ impl Gram {
 
     /// The smallest positive and the largest eigenvalue of A x = λ M x, to the tolerance of the form: on an interval.
     ///
-    /// By block iterations with preconditioned residuals (LOBPCG): 5 to 20 steps of a few products each. The error
-    /// is a bound of the distance to the spectrum, by the residual, with the tolerance of the product. Their quotient is
-    /// the condition number of A relative to M, on the functions of mean zero where constants have no seminorm.
+    /// By block iterations with preconditioned residuals (LOBPCG): 5 to 20 steps of a few products each.
+    /// The error bounds the distance to the spectrum by the residual and the tolerance of the product.
+    /// Their quotient is the condition number of A relative to M, on the functions of mean zero where
+    /// constants have seminorm zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
@@ -320,7 +326,7 @@ impl Gram {
         extreme_eigenvalues(fast, inverse, &interval.mesh, interval.basis, interval.tolerance)
     }
 
-    /// What is done on an interval only.
+    /// The interval data, for methods that exist on an interval only.
     fn interval(&self, what: &'static str) -> Result<&Interval> {
         match &self.form {
             Form::Interval(interval) => Ok(interval),
@@ -333,7 +339,7 @@ impl Gram {
         }
     }
 
-    /// Bytes that the fast product holds.
+    /// The memory of the fast product in bytes.
     ///
     /// # Errors
     /// As [`Gram::new`].
@@ -344,7 +350,7 @@ impl Gram {
         }
     }
 
-    /// The diagonal of A: known on an interval; on a grid from N products.
+    /// The diagonal of A: stored on an interval; from N products on a grid.
     ///
     /// # Errors
     /// As [`Gram::apply`].
@@ -359,7 +365,7 @@ impl Gram {
     /// products.
     ///
     /// # Errors
-    /// [`Error::TooLarge`](crate::Error::TooLarge) for more than memory holds; as [`Gram::apply`].
+    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::apply`].
     pub fn to_dense(&self) -> Result<DMatrix<f64>> {
         let n = self.len();
         require_memory("entries", n.saturating_mul(n), 16)?;

@@ -1,4 +1,4 @@
-//! meshes of an interval given by the *lengths* of their elements.
+//! Meshes of an interval, given by the *lengths* of their elements.
 
 use super::grading::{algebraic_lengths, geometric_lengths, require_length_of_interval};
 use crate::error::{Error, Result};
@@ -12,17 +12,17 @@ use crate::numeric::sum::RunningSum;
 /// Scaled by its own size, every integral over two elements then stays inside the range of binary64.
 const LARGEST_RATIO: f64 = 1e303;
 
-/// Of one element: its length, its distances, and what their sums take on the way.
+/// Bytes per element: its length, its distances, and the workspace of their sums.
 const BYTES: usize = 48;
 
-/// Elements of an interval, left to right.
+/// A mesh of an interval, given by the lengths of its elements from left to right.
 ///
 /// # Method
 ///
 /// Distances between elements are sums of lengths, never differences of coordinates: an element of length
-/// 1e-300 may sit beside one of length 1 anywhere in the interval, and every distance keeps full relative
-/// accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
-/// relative error about 1 ulp whatever the count.
+/// 1e-300 may be adjacent to one of length 1 anywhere in the interval, and every distance keeps full
+/// relative accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
+/// relative error about 1 ulp for every number of elements.
 ///
 /// ```
 /// use fractional_sobolev::Mesh;
@@ -65,24 +65,24 @@ impl Mesh {
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
         require_finite("node", nodes)?;
         for (k, pair) in nodes.windows(2).enumerate() {
-            require_entry("node", k + 1, pair[1], "numbers above the node before", pair[0] < pair[1])?;
+            require_entry("node", k + 1, pair[1], "the numbers above the previous node", pair[0] < pair[1])?;
         }
         let left = nodes.first().copied().unwrap_or(0.0);
         Self::at(left, nodes.windows(2).map(|pair| pair[1] - pair[0]).collect())
     }
 
-    /// `count` elements of equal length on (0, length).
+    /// The uniform mesh with `count` elements on (0, length).
     ///
     /// # Errors
-    /// As [`Mesh::from_lengths`]; [`Error::TooLarge`] for more elements than memory holds.
+    /// As [`Mesh::from_lengths`]; [`Error::TooLarge`] if the memory does not suffice.
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
         require_length_of_interval(length)?;
         Self::from_lengths(vec![length / count.max(1) as f64; count])
     }
 
-    /// Nodes 0, L σ^{m}, ..., L σ, L: lengths shrink by σ towards the left end, where the first element has
-    /// length L σ^m.
+    /// The mesh with nodes 0, L σ^{m}, ..., L σ, L: lengths decrease by the factor σ towards the left end,
+    /// where the first element has length L σ^m.
     ///
     /// ```
     /// use fractional_sobolev::Mesh;
@@ -98,8 +98,8 @@ impl Mesh {
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
     }
 
-    /// Nodes L (i/n)^β, i = 0, ..., n, β > 0: short elements at the left end for β > 1, as powers x^a want
-    /// them. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    /// The mesh with nodes L (i/n)^β, i = 0, ..., n, β > 0: graded to the left end for β > 1, for powers
+    /// x^a. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
     ///
     /// ```
     /// use fractional_sobolev::Mesh;
@@ -132,8 +132,9 @@ impl Mesh {
         Self::from_lengths(lengths)
     }
 
-    /// Geometric towards every given point, of which the first and the last are the ends of the interval: each part
-    /// between neighbouring points, of length ℓ, has m + 1 elements on either half, the shortest, ℓ/2 σ^m, at its ends.
+    /// The mesh that is geometric towards every given point, of which the first and the last are the ends
+    /// of the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either
+    /// half, the shortest, ℓ/2 σ^m, at its ends.
     ///
     /// # Errors
     /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1.
@@ -147,9 +148,9 @@ impl Mesh {
         Self::at(coarse.left, lengths)
     }
 
-    /// (λ, the mesh in units of λ), λ a power of two: where lengths lie beyond 1e-100 ... 1e100, the one
-    /// between the shortest and the longest, so that squares and powers of them are numbers of binary64; else
-    /// 1.
+    /// (λ, the mesh in units of λ), λ a power of two: between the shortest and the longest length if
+    /// lengths lie outside [1e-100, 1e100], so that their squares and powers neither overflow nor
+    /// underflow; else 1.
     pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
         let shortest = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
         if shortest >= 1e-100 && self.total() <= 1e100 {
@@ -227,7 +228,7 @@ impl Mesh {
         sum.value()
     }
 
-    /// The common length, when all lengths agree to the last digit.
+    /// The common length if all lengths are equal, else `None`.
     pub(crate) fn uniform_length(&self) -> Option<f64> {
         let first = self.lengths[0];
         self.lengths.iter().all(|&h| h == first).then_some(first)

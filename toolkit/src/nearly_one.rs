@@ -1,16 +1,16 @@
-//! x^a next to the constant 1, by what it differs from it: its values lose all digits of the difference.
+//! Seminorms of x^a for small |a|, where values of x^a lose the digits of its variation.
 //!
 //! With x = ty and t = e^{−s}, |x^a|²_ν = a²/(a − ν + 1/2) ∫₀^∞ s² φ(as)² e^{−s} (1 − e^{−s})^{−1−2ν} ds on
 //! (0, 1), φ(z) = (1 − e^{−z})/z = 1 − z/2 + ...: no difference of near numbers is taken at any a, and for
 //! a → 0 the integral is that of ln x. The trapezoidal rule in s = exp(τ − e^{−τ}) converges exponentially
-//! (Takahasi & Mori, Publ. RIMS 9 (1974) 721-741); the same rule with twice the step tells the error. Cost 305
-//! points.
+//! (Takahasi & Mori, Publ. RIMS 9 (1974) 721-741); the same rule with twice the step gives the error. Cost
+//! 305 points.
 
 use super::order::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// From this |a| downwards a power is measured so.
+/// Largest |a| for which this method is used.
 const NEARLY: f64 = 1.0 / 256.0;
 /// Ends of the rule in τ, where the integrand is below 1e-39 of what it is at s = 1, and its step.
 const ENDS: [i32; 2] = [-144, 160];
@@ -23,7 +23,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub(super) struct NearlyOne(f64);
 
 impl NearlyOne {
-    /// None where x^a is far from 1, or 1 itself.
+    /// `None` if x^a is far from 1, or equal to 1.
     pub(super) fn new(a: f64) -> Option<Self> {
         (a != 0.0 && a.abs() <= NEARLY).then_some(Self(a))
     }

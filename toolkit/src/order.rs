@@ -4,7 +4,7 @@ use crate::error::{Error, Given, Result};
 use std::fmt;
 use std::str::FromStr;
 
-/// A fractional order 0 < ν < 1 that also knows ν − 1/2.
+/// A fractional order 0 < ν < 1, stored together with ν − 1/2.
 ///
 /// # Method
 ///
@@ -22,7 +22,7 @@ impl Order {
     /// ν = 1/2, the order of traces.
     pub const HALF: Self = Self { value: 0.5, offset: 0.0 };
 
-    /// The order ν itself.
+    /// The order ν.
     ///
     /// ```
     /// use fractional_sobolev::Order;

@@ -1,4 +1,4 @@
-//! Roots of squares with their errors, and what a tolerance is held against.
+//! Roots of squares with their errors, and the comparison with a tolerance.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -30,7 +30,7 @@ pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
     Estimate::new(value, error, work)
 }
 
-/// The estimate, unless its error exceeds the tolerance; a refusal says why.
+/// The estimate, or the error with the reason if it exceeds the tolerance.
 pub(super) fn accept(
     what: &'static str,
     estimate: Estimate,

@@ -1,9 +1,9 @@
-//! A number with its error and its work: plain data, below the errors, since a refusal carries the best one.
+//! A number with its error and its work: plain data, used by the errors, which carry the best estimate.
 
 use std::fmt;
 use std::ops::{Add, AddAssign};
 
-/// What an estimate cost, in counts that do not depend on the machine.
+/// The work of an estimate, in counts that do not depend on the machine.
 ///
 /// ```
 /// use fractional_sobolev::Work;
@@ -23,7 +23,7 @@ pub struct Work {
 }
 
 impl Work {
-    /// All counts together: only for comparing a function with itself.
+    /// The sum of all counts, for comparing runs of the same function.
     pub fn total(&self) -> u64 {
         self.points + self.pairs + self.iterations + self.factorizations
     }
@@ -48,7 +48,7 @@ impl AddAssign for Work {
     }
 }
 
-/// A number with an honest absolute error estimate and the work it took.
+/// A value with an estimate of its absolute error and its work.
 #[doc(alias("error bound", "interval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
@@ -56,12 +56,12 @@ pub struct Estimate {
     pub value: f64,
     /// Estimated absolute error; at least the rounding of `value`.
     pub error: f64,
-    /// What it cost.
+    /// The work.
     pub work: Work,
 }
 
 impl Estimate {
-    /// error / |value|, or the absolute error when the value is zero.
+    /// error / |value|, or the absolute error if the value is zero.
     pub fn relative_error(&self) -> f64 {
         if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
     }

@@ -164,12 +164,12 @@ pub(crate) fn command<P: Declarations>() -> Command {
         .arg(flag("json", "one JSON object per row and check, with all digits"))
         .arg(file("out", "directory for pictures (SVG)"))
         .arg(file("values", "file for the whole outcome as one JSON object, read by the book").hide(true))
-        .arg(flag("describe", "what may be asked, as JSON; computes nothing").hide(true))
+        .arg(flag("describe", "print the options as JSON, without a computation").hide(true))
         .arg(
             Arg::new("fault")
                 .long("fault")
                 .value_name("CHECK")
-                .help("move the number of a check across its bound; with `every`, try it with each and change nothing")
+                .help("move the value of a check across its bound; with `every`, each check in turn, outcome unchanged")
                 .hide(true),
         )
 }

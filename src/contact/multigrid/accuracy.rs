@@ -1,12 +1,12 @@
-//! The accuracy asked of the multigrid solver, its progress and its report.
+//! The requested accuracy of the multigrid solver, its progress and its report.
 
 use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
-/// How exact a discrete solution is to be.
+/// The requested accuracy of a discrete solution.
 ///
-/// The estimate that is compared is |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺ and
-/// C = λ⁺'(g − B ũ) ≥ 0.
+/// It is compared with the estimate |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺
+/// and C = λ⁺'(g − B ũ) ≥ 0.
 ///
 /// ```
 /// use signorini::contact::{Accuracy, Settings, Solver};
@@ -22,8 +22,8 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
-    /// The algebraic error is this share of the error of discretisation, as estimated on the way up: more is
-    /// worth nothing to the continuous solution.
+    /// The algebraic error as a share of the discretisation error, which is estimated from the coarser
+    /// levels; more accuracy does not improve the approximation of the continuous solution.
     OfDiscretisation(f64),
     /// The algebraic error over the solution, both in the energy norm.
     Relative(Tolerance),
@@ -36,7 +36,7 @@ impl Default for Accuracy {
     }
 }
 
-/// Where the iteration of multigrid is.
+/// The progress of the multigrid iteration.
 ///
 /// Levels are counted from the first one above the coarsest; `error` is an estimate of |u_k − x|_a on that level.
 ///
@@ -55,17 +55,17 @@ impl Default for Accuracy {
 pub struct Progress {
     /// The level, from 1.
     pub level: usize,
-    /// How many levels there are.
+    /// The number of levels.
     pub levels: usize,
     /// Unknowns of the level.
     pub unknowns: usize,
-    /// The step of the contact iteration there, from 1.
+    /// The step of the contact iteration on that level, from 1.
     pub step: usize,
     /// The estimated error in the energy norm.
     pub error: f64,
 }
 
-/// Why the direct solver was taken instead.
+/// The reason why the direct solver was used.
 ///
 /// The solution is then that of [`Solver::ActiveSet`](crate::contact::Solver::ActiveSet), with the same KKT residuals.
 ///
@@ -84,17 +84,17 @@ pub struct Progress {
 pub enum Fallback {
     /// The contact edge lies in several pieces.
     SeveralEdges,
-    /// Means on a closed edge, which the steps of the cycles do not know.
+    /// The midpoint cone on a closed edge, for which the cycles are not implemented.
     ClosedEdge,
     /// No coarser meshes: neither a hierarchy nor a grid that can be halved.
     NoLevels,
-    /// λ/μ above 100: cycles of point smoothers hardly converge.
+    /// λ/μ above 100: cycles with point smoothers converge very slowly.
     NearlyIncompressible,
-    /// The accuracy asked for was not reached.
+    /// The requested accuracy was not reached.
     NotReached,
 }
 
-/// λ/μ up to which cycles converge fast enough to be worth it.
+/// Largest λ/μ for which the cycles converge fast enough to be efficient.
 pub(super) const MOST_INCOMPRESSIBLE: f64 = 100.0;
 
 impl fmt::Display for Fallback {
@@ -109,7 +109,7 @@ impl fmt::Display for Fallback {
     }
 }
 
-/// What happened on one level.
+/// Statistics of one level.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -124,21 +124,21 @@ impl fmt::Display for Fallback {
 pub struct MultigridLevel {
     /// Unknowns, prescribed ones included.
     pub unknowns: usize,
-    /// Contact sets tried, each with a linear system of the level.
+    /// Number of contact sets tried, each with a linear system of the level.
     pub steps: usize,
-    /// Conjugate gradient steps, one cycle each.
+    /// Number of conjugate gradient steps, each with one cycle.
     pub gradient_steps: usize,
-    /// The factor of one cycle alone, from the gradients: 1 − κ.
+    /// The convergence factor 1 − κ of one cycle, estimated from the conjugate gradients.
     pub factor: f64,
     /// The estimated algebraic error in the energy norm.
     pub error: f64,
-    /// The expected error of discretisation in the energy norm; `None` on the first levels.
+    /// The estimated discretisation error in the energy norm; `None` on the first levels.
     pub discretisation: Option<f64>,
-    /// Seconds.
+    /// Wall-clock time in seconds.
     pub seconds: f64,
 }
 
-/// What multigrid reports beside the solution.
+/// The report of the multigrid solver.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -153,13 +153,13 @@ pub struct MultigridLevel {
 pub struct MultigridReport {
     /// |u_h|_a with the estimated error of u_h in the same norm; `None` for the direct solver.
     pub error: Option<Estimate>,
-    /// The expected error of discretisation in the energy norm.
+    /// The estimated discretisation error in the energy norm.
     pub discretisation: Option<f64>,
-    /// Contact sets tried by elimination on the coarsest mesh, or on the mesh itself where it took over; the
-    /// first of them is guessed from coarser functions on the edge.
+    /// Number of contact sets tried by elimination on the coarsest mesh, or on the mesh itself if the
+    /// direct solver was used; the first guess is from coarser functions on the edge.
     pub coarsest_steps: usize,
     /// The levels above the coarsest one.
     pub levels: Vec<MultigridLevel>,
-    /// Why the direct solver was taken, if it was.
+    /// The reason why the direct solver was used, if it was.
     pub fallback: Option<Fallback>,
 }

@@ -1,8 +1,8 @@
-//! The coarse problems behind a problem: the same form on coarser meshes, loads by P'F, gaps and prescribed
+//! The coarse problems of a problem: the same form on coarser meshes, loads by P'F, gaps and prescribed
 //! values at the nodes that stay.
 //!
 //! On nested meshes the coarse matrices are P'KP and the coarse problems minimise the same functional over
-//! coarser functions. On the image of a grid under a map that is not affine they are near that.
+//! coarser functions. On the image of a grid under a map that is not affine this holds approximately.
 
 use super::super::operator::Operator;
 use super::super::problem::ContactProblem;
@@ -10,21 +10,21 @@ use super::link::Link;
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{ContactEdge, Grid, Hierarchy, Part, Triangulation};
 
-/// A grid of at most so many nodes is not made coarser.
+/// Largest number of nodes of a grid that is not coarsened.
 const COARSEST: usize = 100;
 
-/// The problems behind a problem, coarsest first, without itself.
+/// The coarse problems of a problem, coarsest first.
 pub(super) struct Chain {
     /// One for every level but the finest.
     pub(super) problems: Vec<ContactProblem>,
-    /// From every level k to level k + 1: the middle of which two nodes a node is.
+    /// For every level k, the two nodes whose midpoint a node of level k + 1 is.
     pub(super) parents: Vec<Vec<[u32; 2]>>,
     /// The same along the contact edge.
     pub(super) links: Vec<Link>,
 }
 
 impl Chain {
-    /// By the hierarchy, or else by leaving out every other line of a grid; empty where there is neither.
+    /// The chain by the hierarchy, or by omitting every other line of a grid; empty if there is neither.
     pub(super) fn of(problem: &ContactProblem, hierarchy: Option<&Hierarchy>) -> Result<Self> {
         let mut meshes: Vec<(Triangulation, Vec<[u32; 2]>)> = Vec::new();
         if let Some(hierarchy) = hierarchy {

@@ -6,7 +6,8 @@ use crate::fem::Condensation;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
-/// A pivot below this share of its diagonal entry is rounding: some part of the body is not held.
+/// A pivot below this share of its diagonal entry counts as zero: some part of the body has no Dirichlet
+/// boundary.
 const VANISHED: f64 = 1e-14;
 
 /// The condensation and the factor of S on the free nodes.
@@ -32,7 +33,7 @@ impl Coarsest {
         shares.sum::<f64>() / normals.len() as f64
     }
 
-    /// Holds the marked nodes of the contact edge.
+    /// Fixes the marked nodes of the contact edge.
     pub(super) fn hold(&mut self, held: &[bool]) -> Result<()> {
         self.free = (0..held.len()).filter(|&k| !held[k]).collect();
         let (schur, free) = (self.condensation.schur(), &self.free);

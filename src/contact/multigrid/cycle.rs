@@ -1,5 +1,5 @@
-//! The V-cycle: one sweep, correction on the coarser level, one sweep backwards. Symmetric, so that conjugate
-//! gradients may use it; in f32, of residuals that are scaled to one.
+//! The V-cycle: one sweep, correction on the coarser level, one sweep backwards. It is symmetric, as
+//! conjugate gradients require, and is computed in f32 for residuals scaled to one.
 
 use super::super::problem::ContactProblem;
 use super::coarsest::Coarsest;
@@ -9,7 +9,7 @@ use super::link::Link;
 use super::vectors::{largest, rounded};
 use crate::error::Result;
 
-/// What a cycle works in on one level.
+/// The workspace of a cycle on one level.
 struct Work {
     x: Vec<f32>,
     b: Vec<f32>,
@@ -20,7 +20,7 @@ struct Work {
     normals: Vec<(usize, bool)>,
 }
 
-/// The levels up to some level, and what a contact set holds on them.
+/// The levels up to some level, with the unknowns fixed by a contact set.
 ///
 /// One V-cycle C with a forward sweep M before and M' after the correction: I − C K = (I − M⁻ᵀK)(I − P C_c P'K)(I −
 /// M⁻¹K), C_c the cycle of the coarser level and the exact inverse on the coarsest; C is symmetric positive definite.
@@ -34,7 +34,7 @@ pub(super) struct Cycle<'a, L> {
 }
 
 impl<'a, L: Level> Cycle<'a, L> {
-    /// For levels 0 to k, with `problems` beside them.
+    /// The cycle for levels 0 to k, with their `problems`.
     pub(super) fn new(
         levels: &'a [L],
         problems: &[&ContactProblem],
@@ -46,7 +46,7 @@ impl<'a, L: Level> Cycle<'a, L> {
         Self { levels, links, coarsest, coarse_places, work, sawtooths: Vec::new() }
     }
 
-    /// Holds what the contact set holds.
+    /// Fixes the unknowns of the contact set.
     pub(super) fn hold(&mut self, part: &[bool], sawtooths: Vec<Sawtooth>) -> Result<()> {
         self.sawtooths = sawtooths;
         let mut held = part.to_vec();

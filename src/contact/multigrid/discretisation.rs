@@ -1,10 +1,10 @@
 //! The error of discretisation from the energies of nested levels.
 //!
-//! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to what contact adds (≥
-//! 0); with an order p seen from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k −
-//! u_{k−1}|²/(4^p − 1). The load is that of the finest level, so what its data miss is not seen.
+//! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact
+//! term; with an order p estimated from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k −
+//! u_{k−1}|²/(4^p − 1). The load is that of the finest level, so that its data error is not included.
 
-/// The orders that are believed.
+/// The range of admissible orders.
 const ORDERS: (f64, f64) = (0.25, 1.0);
 
 /// The energies so far.
@@ -22,8 +22,8 @@ impl Discretisation {
         self.energies.push(energy);
     }
 
-    /// The expected |u − u_k|_a on the last level so far; `None` for fewer than three levels, and where J did
-    /// not fall.
+    /// The estimated |u − u_k|_a on the last level so far; `None` for fewer than three levels, and if J did
+    /// not decrease.
     ///
     /// |u − u_k| ≈ (2 (J_{k−1} − J_k)/(4^p − 1))^{1/2}, p = ½ log₂ of the quotient of the last two energy differences.
     pub(super) fn here(&self) -> Option<f64> {
@@ -32,7 +32,7 @@ impl Discretisation {
         (now > 0.0).then(|| (2.0 * now / (4_f64.powf(order(before, now)) - 1.0)).sqrt())
     }
 
-    /// The same on the next level.
+    /// The estimated discretisation error on the next level.
     pub(super) fn next(&self) -> Option<f64> {
         let [.., first, second, third] = self.energies[..] else { return None };
         let p = order((first - second).max(0.0), (second - third).max(0.0));
@@ -40,7 +40,7 @@ impl Discretisation {
     }
 }
 
-/// ½ log₂((J_{k−2} − J_{k−1})/(J_{k−1} − J_k)), clipped to the believed orders.
+/// ½ log₂((J_{k−2} − J_{k−1})/(J_{k−1} − J_k)), clipped to the admissible range.
 fn order(before: f64, now: f64) -> f64 {
     (0.5 * (before / now).log2()).clamp(ORDERS.0, ORDERS.1)
 }

@@ -1,4 +1,4 @@
-//! The contact edge of a level during the iteration: gaps, forces, what is wrong, the next set.
+//! The contact edge of a level during the iteration: gaps, forces, violated constraints, the next set.
 
 use super::super::edge_problem::HELD;
 use super::super::problem::ContactProblem;
@@ -9,7 +9,7 @@ use crate::error::Result;
 /// Signs below this multiple of the size of the terms are rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// What is known of the edge.
+/// The data of the edge.
 pub(super) struct Edge {
     pub(super) cone: EdgeCone,
     /// B g.
@@ -30,9 +30,10 @@ pub(super) struct Edge {
 pub(super) struct Contact {
     /// λ, zero off the set.
     pub(super) multiplier: Vec<f64>,
-    /// B u − g; zero on the set, except where a run between two fixed nodes cannot hold.
+    /// B u − g; zero on the set, except on a contact interval between two fixed nodes whose constraints are
+    /// inconsistent.
     pub(super) gap: Vec<f64>,
-    /// Constraints on the wrong side, ascending.
+    /// The violated constraints, ascending.
     pub(super) wrong: Vec<usize>,
 }
 
@@ -105,8 +106,8 @@ impl Edge {
         Contact { multiplier, gap, wrong }
     }
 
-    /// The residual along the edge without its sawtooths on runs that may move: B'λ has none, and what is
-    /// left of them is an error that no multiplier should carry.
+    /// The residual along the edge without its sawtooth components on contact intervals with a free
+    /// amplitude: B'λ has no such component, which is an iteration error.
     fn balanced_force(&self, residual: &[f64], set: &ContactSet) -> Vec<f64> {
         let mut force: Vec<f64> = self.places.iter().map(|&place| residual[place]).collect();
         if self.cone.kind() == Cone::Midpoint {
@@ -124,9 +125,10 @@ impl Edge {
         force
     }
 
-    /// The next set: all wrong constraints change sides where they only move the ends of runs, and in the
-    /// nodal cone; else those active at the projection of w + D⁻¹ B'λ. A run that is short by one segment
-    /// has a force at its end that rings through all of its multipliers, and the projection follows it.
+    /// The next set: in the nodal cone, and if only ends of contact intervals move, all violated
+    /// constraints are exchanged; otherwise the constraints active at the projection of w + D⁻¹ B'λ. In a
+    /// contact interval that is short by one segment the force at its end causes an oscillation of all its
+    /// multipliers, which the projection would follow.
     pub(super) fn next_set(&self, x: &[f64], set: &ContactSet, contact: &Contact) -> Result<ContactSet> {
         if self.cone.kind() == Cone::Nodal || only_ends_move(set, &contact.wrong) {
             return Ok(changed(set, &contact.wrong));
@@ -144,7 +146,7 @@ impl Edge {
         Ok(ContactSet::new(project_weighted(&target, &nearest).1))
     }
 
-    /// The energy norm of a change that mends all penetration, node by node.
+    /// The energy norm of a change that removes all penetration, node by node.
     ///
     /// (Σ_i k_i (B u − g)_{i,+}²)^{1/2}, k_i the larger K_kk of the nodes of constraint i.
     pub(super) fn penetration(&self, contact: &Contact) -> f64 {
@@ -156,8 +158,8 @@ impl Edge {
     }
 }
 
-/// Does every stretch of wrong constraints lie beside the end of a run, so that the end moves? A run that
-/// goes altogether, and contact within a gap, are left to the projection.
+/// True if all violated constraints are adjacent to an end of a contact interval. Intervals that vanish,
+/// and new contact in a non-contact interval, are left to the projection.
 fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
     wrong.chunk_by(|&a, &b| a + 1 == b && set.contains(a) == set.contains(b)).all(|stretch| {
         let (first, last, is_active) = (stretch[0], stretch[stretch.len() - 1], set.contains(stretch[0]));

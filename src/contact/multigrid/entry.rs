@@ -1,4 +1,4 @@
-//! The multigrid solver from outside.
+//! The entry point of the multigrid solver.
 
 use super::super::condensed;
 use super::super::problem::ContactProblem;
@@ -11,15 +11,15 @@ use crate::error::{Error, Result};
 use crate::fem::Form;
 use crate::mesh::Hierarchy;
 
-/// Unknowns of a coarsest mesh up to which it is worth eliminating.
+/// Largest number of unknowns of a coarsest mesh that is solved by elimination.
 const COARSEST: usize = 100_000;
 
 impl ContactProblem {
-    /// The discrete solution by multigrid, as exact as asked for. Coarser meshes are those of the hierarchy,
-    /// whose finest mesh must be that of the problem, or else every other line of a grid. Where there are
-    /// none, near Poisson's ratio 1/2, or where cycles do not reach the accuracy, the direct solver takes
-    /// over and the report says why. Loads whose squares leave the range of binary64 are solved for in units of a
-    /// power of two.
+    /// The discrete solution by multigrid, to the requested accuracy. Coarser meshes are those of the
+    /// hierarchy, whose finest mesh must be that of the problem, or else every other line of a grid. If
+    /// there are none, near Poisson's ratio 1/2, or if the cycles do not reach the accuracy, the direct
+    /// solver is used and the report gives the reason. Problems whose squared loads leave the range of
+    /// binary64 are scaled by a power of two.
     pub(in crate::contact) fn by_multigrid(
         &self,
         cone: Cone,
@@ -105,5 +105,5 @@ impl ContactProblem {
     }
 }
 
-/// Unknowns up to which the direct solver is tried when cycles fail: n = 1024, some 4 GB.
+/// Largest number of unknowns for which the direct solver is used if the cycles fail: n = 1024, some 4 GB.
 const LARGEST_DIRECT: usize = 2_200_000;

@@ -1,19 +1,19 @@
-//! The unknowns that a contact set leaves free, on a level and on the coarser ones.
+//! The free unknowns of a contact set, on a level and on the coarser ones.
 //!
-//! Active nodes of the nodal cone have no u_N left. On a run of active segments of the midpoint cone one
-//! amplitude of the sawtooth (−1)^i is left: one unknown with many nodes. Coarse functions keep their u_N
-//! where they vanish at every node of a run: so the coarse spaces lie in the fine one, and a cycle corrects
-//! exactly. What this takes from a coarse level lies within a coarse mesh size of the ends of contact, and
-//! the next finer level has it.
+//! At active nodes of the nodal cone u_N is fixed. On a contact interval of the midpoint cone one amplitude
+//! of the sawtooth (−1)^i is free: one unknown with many nodes. Coarse functions keep u_N if they vanish at
+//! all nodes of the contact intervals, so that the coarse spaces are subspaces of the fine one. The
+//! functions omitted on a coarse level lie within a coarse mesh size of the ends of contact and are
+//! represented on the next finer level.
 
 use super::super::problem::ContactProblem;
 use super::level::Level;
 use crate::cone::{ContactSet, Coordinates, EdgeCone};
 
-/// One unknown: the sawtooth on a run.
+/// One unknown: the sawtooth on a contact interval.
 #[derive(Debug, Clone)]
 pub(super) struct Sawtooth {
-    /// Place and sign of every node of the run.
+    /// Place and sign of every node of the contact interval.
     pub(super) nodes: Vec<(usize, f64)>,
     /// s'K over the unit, as (place, value).
     row: Vec<(usize, f32)>,
@@ -38,7 +38,8 @@ impl Sawtooth {
         }
     }
 
-    /// The part of the residual that moves the amplitude, ± its mean on the run, times a factor.
+    /// The part of the residual that moves the amplitude, ± its mean on the contact interval, times a
+    /// factor.
     pub(super) fn force(&self, residual: &[f64], factor: f64, out: &mut [f32]) {
         let sum: f64 = self.nodes.iter().map(|&(place, sign)| sign * residual[place]).sum();
         let mean = factor * sum / self.nodes.len() as f64;
@@ -54,19 +55,19 @@ impl Sawtooth {
     }
 }
 
-/// A contact set as the unknowns see it.
+/// The free and fixed unknowns of a contact set.
 pub(super) struct FreePart {
-    /// Nodes of the contact edge whose u_N is not free by itself.
+    /// Nodes of the contact edge whose u_N is not an independent unknown.
     pub(super) held: Vec<bool>,
     /// The amplitudes.
     pub(super) sawtooths: Vec<Sawtooth>,
-    /// What to add to u_N along the edge so that the active constraints hold.
+    /// The change of u_N along the edge that satisfies the active constraints.
     pub(super) change: Vec<f64>,
 }
 
 impl FreePart {
-    /// For the active constraints `set` and B w ≤ `bound` for a change w of u_N; nothing moves at fixed
-    /// nodes.
+    /// The free unknowns for the active constraints `set` and B w ≤ `bound`, for a change w of u_N that
+    /// vanishes at fixed nodes.
     pub(super) fn new<L: Level>(
         problem: &ContactProblem,
         level: &L,

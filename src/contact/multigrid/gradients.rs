@@ -1,11 +1,11 @@
-//! Conjugate gradients in a face, preconditioned by the cycle, and what they tell of it.
+//! Conjugate gradients in a face, preconditioned by the cycle, with estimates of its spectrum.
 //!
 //! A step makes the next direction conjugate to the last one by z'q/p'q, which allows for the roundings of
 //! the cycle. The coefficients are those of a Lanczos process: the least eigenvalue of its matrix estimates
-//! from above the least one, κ, of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|² ≥
-//! ρ for exact coarse spaces. Beside `numeric::ConjugateGradients`, which is the plain method in f64, this
-//! one reads what the cycle leaves in f32 where it lies, turns by another quotient, and keeps its
-//! coefficients.
+//! from above the least one, κ, of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|²
+//! ≥ ρ for exact coarse spaces. In contrast to `numeric::ConjugateGradients`, the plain method in f64, the
+//! preconditioned residual is in f32, the update of the direction uses another quotient, and the
+//! coefficients are kept.
 
 use super::cycle::Cycle;
 use super::level::Level;
@@ -23,12 +23,12 @@ pub(super) struct Gradients {
     /// Since the last start: step lengths and turns.
     lengths: Vec<f64>,
     turns: Vec<f64>,
-    /// The least eigenvalue seen.
+    /// The least eigenvalue found so far.
     least: f64,
 }
 
 impl Gradients {
-    /// For so many unknowns; `least` is what is known of κ, 1 for nothing.
+    /// The state for this many unknowns; `least` is a known bound of κ, else 1.
     pub(super) fn new(unknowns: usize, least: f64) -> Self {
         let zeros = || vec![0.0; unknowns];
         Self {
@@ -42,7 +42,7 @@ impl Gradients {
         }
     }
 
-    /// Starts from the residual that stands in it.
+    /// Starts from the stored residual.
     pub(super) fn start<L: Level>(&mut self, cycle: &mut Cycle<'_, L>) {
         self.least = self.least.min(self.least_eigenvalue());
         self.lengths.clear();
@@ -57,7 +57,7 @@ impl Gradients {
         self.rho
     }
 
-    /// One step; false where there is nothing to go along.
+    /// One step; false if no descent direction exists.
     pub(super) fn step<L: Level>(&mut self, level: &L, cycle: &mut Cycle<'_, L>, x: &mut [f64]) -> bool {
         level.multiply(&self.direction, &mut self.image);
         let curvature = dot(&self.direction, &self.image);
@@ -78,7 +78,7 @@ impl Gradients {
         true
     }
 
-    /// κ, as far as the iterations tell.
+    /// The estimate of κ from the iterations.
     pub(super) fn least(&self) -> f64 {
         self.least.min(self.least_eigenvalue())
     }

@@ -65,7 +65,7 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         }
     }
 
-    /// What the rows below and above give the inner nodes of an inner row.
+    /// Adds the contributions of the rows below and above to the inner nodes of an inner row.
     fn add_others(&self, beside: Beside<'_, T>, out: &mut [T]) {
         let m = out.len() / C;
         let s = &self.stencils[4];
@@ -79,7 +79,7 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         }
     }
 
-    /// What the row itself gives its inner nodes.
+    /// Adds the contributions of the row itself to its inner nodes.
     fn add_own_row(&self, row: &[T], out: &mut [T]) {
         let m = out.len() / C;
         let s = &self.stencils[4];

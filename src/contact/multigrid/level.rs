@@ -1,4 +1,4 @@
-//! What a cycle needs to know of a level, however its matrix is kept.
+//! The interface of a level for a cycle, independent of the storage of its matrix.
 
 use super::real::Real;
 
@@ -9,8 +9,8 @@ pub(super) enum Sweep {
     Backward,
 }
 
-/// A level: its matrix, and the way to the coarser level. Vectors have the layout of the level; the f32
-/// operations work with K / [`Level::unit`].
+/// A level: its matrix, and the transfer to the coarser level. Vectors have the layout of the level; the
+/// f32 operations work with K / [`Level::unit`].
 pub(super) trait Level: Sync {
     /// Number of unknowns, prescribed ones included.
     fn unknowns(&self) -> usize;
@@ -18,7 +18,7 @@ pub(super) trait Level: Sync {
     /// The unit of K: its largest diagonal entry.
     fn unit(&self) -> f64;
 
-    /// Where an unknown (node-major) lies.
+    /// The position of an unknown (node-major).
     fn place(&self, unknown: usize) -> usize;
 
     /// out ← K x.

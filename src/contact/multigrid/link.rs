@@ -5,7 +5,7 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::ContactEdge;
 use std::collections::HashMap;
 
-/// For every node of the fine contact edge the two nodes of the coarse one in the middle of which it lies.
+/// For every node of the fine contact edge, the two coarse nodes whose midpoint it is.
 #[derive(Debug, Clone)]
 pub(super) struct Link {
     parents: Vec<[usize; 2]>,
@@ -19,7 +19,7 @@ impl Link {
         let place = |node: u32| {
             let outside = Error::Toolkit(ToolkitError::Node {
                 node: node as usize,
-                reason: "is the parent of a contact node, and is none",
+                reason: "is the parent of a contact node, but not a contact node",
             });
             places.get(&(node as usize)).copied().ok_or(outside)
         };
@@ -40,8 +40,9 @@ impl Link {
         touched
     }
 
-    /// The fine set that lies in a coarse one. Where single segments of the midpoint cone are in contact by
-    /// turns they are so on the fine edge: the pattern belongs to the mesh, its extent to the solution.
+    /// The fine set that lies in a coarse one. Where segments of the midpoint cone are alternately active,
+    /// they are alternately active on the fine edge: the pattern depends on the mesh, its extent on the
+    /// solution.
     pub(super) fn refined(&self, cone: Cone, constraints: usize, coarse: &ContactSet) -> ContactSet {
         if cone == Cone::Nodal {
             let active = |k: usize| self.parents[k].iter().all(|&a| coarse.contains(a));
@@ -66,7 +67,7 @@ impl Link {
     }
 }
 
-/// Where three or more segments one after the other each differ from both neighbours: the first of them.
+/// The first of three or more consecutive segments that each differ from both neighbours.
 fn by_turns(set: &[bool]) -> Vec<Option<usize>> {
     let differs = |a: usize, b: usize| set.get(a).zip(set.get(b)).is_none_or(|(a, b)| a != b);
     let is_single = |&i: &usize| (i == 0 || differs(i - 1, i)) && differs(i, i + 1);

@@ -21,17 +21,16 @@ use fractional_sobolev::{Estimate, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// On a level that is not the last, the algebraic error over the error of discretisation that is expected
-/// there.
+/// Algebraic error over estimated discretisation error on all levels but the last.
 const ON_THE_WAY: f64 = 0.02;
-/// The same over the first error where nothing is expected yet.
+/// The same over the first error if there is no estimate yet.
 const AT_FIRST: f64 = 0.02;
 
-/// Unknowns of a level up to which elimination gives the set of the midpoint cone that signs have not found
-/// in so many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
+/// Largest number of unknowns of a level for which elimination is used if the midpoint set was not found by
+/// signs in this many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
 const ELIMINATED: [(usize, usize); 2] = [(10_000, 2), (140_000, 6)];
 
-/// What hears of every step.
+/// The observer of every step.
 pub(super) type Observer<'o> = dyn FnMut(&Progress) -> Result<()> + Send + 'o;
 
 /// Solves on all levels of a chain that is not empty.
@@ -57,7 +56,7 @@ pub(super) fn solve(
     }
 }
 
-/// What is to be solved.
+/// The problem to be solved.
 struct Job<'a> {
     problems: &'a [&'a ContactProblem],
     chain: &'a Chain,
@@ -209,13 +208,13 @@ fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> V
     fine
 }
 
-/// From the layout of the level.
+/// Node-major values from the layout of the level.
 fn node_major<L: Level>(level: &L, x: Vec<f64>) -> Vec<f64> {
     (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
 }
 
-/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal, and a
-/// logarithm for what the coarse functions see of it.
+/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal,
+/// with a logarithmic factor for the coarse functions.
 fn rounding(problem: &ContactProblem, u: &[f64]) -> f64 {
     let stiff = (0..u.len()).step_by(7).map(|i| problem.diagonal(i)).fold(0.0, f64::max);
     let rows = sizes(problem, u).into_iter().fold(0.0, f64::hypot);

@@ -1,12 +1,13 @@
-//! Contact on one level: truncated Newton steps, linear systems no more exactly than the set needs.
+//! Contact on one level: truncated Newton steps, linear systems are solved only as accurately as the set
+//! requires.
 //!
-//! First patches over the ends of the runs that are guessed ([`super::patch`]) mend the guess: no linear
-//! system of the level is solved for a set that its neighbourhood contradicts. A step holds the constraints
-//! of the set with equality and lowers the error by conjugate gradients; as soon as the error is a fiftieth of
-//! what it was, signs of forces and gaps tell which constraints are wrong, and patches over them give the next
-//! set. Where these change nothing the signs decide, as in the condensed active set. When the set stands, the
-//! gradients go on to the accuracy asked for. A set that comes back is decided more exactly, then one
-//! constraint at a time.
+//! First the guess is corrected on patches over the ends of its contact intervals ([`super::patch`]), so
+//! that no linear system of the level is solved for a set that is locally inconsistent. A step imposes the
+//! constraints of the set as equations and reduces the error by conjugate gradients; when it is reduced by
+//! a factor of 50, the signs of forces and gaps give the violated constraints, and patches over them the
+//! next set. If the patches change nothing, the next set follows from the signs, as in the condensed active
+//! set. When the set does not change, the conjugate gradients continue to the requested accuracy. If a set
+//! recurs, the error is reduced further, then constraints are exchanged one at a time.
 
 use super::super::problem::ContactProblem;
 use super::cycle::Cycle;
@@ -20,29 +21,29 @@ use crate::cone::{Cone, ContactSet, Status};
 use crate::error::Result;
 use std::collections::HashSet;
 
-/// The error of a step is lowered by this before signs decide.
+/// Factor by which the error of a step is reduced before the signs are used.
 const DECIDED: f64 = 0.02;
-/// When a set comes back, decisions are made this much more exactly.
+/// Factor by which the error is reduced further when a set recurs.
 const SHARPER: f64 = 1e-3;
-/// Decisions are never made more exactly than this.
+/// Largest reduction of the error before the signs are used.
 const SHARPEST: f64 = 1e-10;
-/// Steps allowed.
+/// Largest number of steps.
 pub(super) const STEPS: usize = 60;
-/// A first error below this share of the solution is as good as none: a patch may be all of a coarse body.
+/// Share of the solution below which the first error counts as zero: a patch may cover a coarse body.
 const SOLVED: f64 = 1e-8;
-/// Starts from the true residual before the accuracy asked for is out of reach.
+/// Largest number of restarts from the true residual before the requested accuracy counts as not reached.
 const TRIES: usize = 3;
-/// What the gradients are to leave of the accuracy asked for; of an accuracy that was missed, at most half
-/// and at least a tenth as much.
+/// Share of the requested accuracy at which the conjugate gradients stop; after a miss, at most a half and
+/// at least a tenth of it.
 const SPARE: f64 = 0.4;
 const LESS: (f64, f64) = (0.1, 0.5);
-/// Conjugate gradient steps allowed for one set: at the factor 0.9 enough for 1e-12.
+/// Largest number of conjugate gradient steps for one set: at the factor 0.9 enough for 1e-12.
 const GRADIENT_STEPS: usize = 300;
-/// More than this is never relied on of κ, whatever few steps say, and of an estimate this share.
+/// Largest value of κ that is assumed, and the share of its estimate that is used.
 const KAPPA: f64 = 0.15;
 const RELIED: f64 = 0.7;
 
-/// Everything of one level.
+/// The data of one level.
 pub(super) struct Stage<'s, 'c, L> {
     problem: &'s ContactProblem,
     level: &'s L,
@@ -57,16 +58,16 @@ pub(super) struct Stage<'s, 'c, L> {
     guess: Guess,
 }
 
-/// What a guess of the set is worth.
+/// The reliability of a guess of the set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Guess {
-    /// Signs of forces and gaps decide, for so many steps.
+    /// The signs of forces and gaps are used, for this many steps.
     Signs(usize),
-    /// It is the set; inexact forces do not decide.
+    /// The set is known; inexact forces do not change it.
     Known,
 }
 
-/// When to stop.
+/// The stopping criterion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Goal {
     /// An energy norm of the error over that of the solution.
@@ -85,7 +86,7 @@ pub(super) struct Outcome {
     pub(super) history: Vec<ContactSet>,
     /// Conjugate gradient steps.
     pub(super) gradient_steps: usize,
-    /// The least eigenvalue of cycle times K that was seen.
+    /// The least eigenvalue of cycle times K found so far.
     pub(super) least: f64,
     /// |u|_a.
     pub(super) norm: f64,
@@ -95,7 +96,7 @@ pub(super) struct Outcome {
     pub(super) energy: f64,
 }
 
-/// What an iterate says of itself.
+/// Norm and energy of an iterate.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sizes {
     /// |x|_a.
@@ -128,13 +129,14 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         }
     }
 
-    /// With another view of the guess; at first signs decide.
+    /// The stage with another reliability of the guess; the signs are used by default.
     pub(super) fn with(mut self, guess: Guess) -> Self {
         self.guess = guess;
         self
     }
 
-    /// From an iterate and a guess of the set; `report` hears of the step and the estimated error.
+    /// The solution from an iterate and a guess of the set; `report` is called with the step and the
+    /// estimated error.
     pub(super) fn solve(
         &mut self,
         x: &mut [f64],
@@ -221,7 +223,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         }
     }
 
-    /// Moves the iterate onto the set.
+    /// Changes the iterate so that the set holds.
     fn hold(&self, x: &mut [f64], set: &ContactSet) -> FreePart {
         let slack = self.edge.slack(x);
         let part = FreePart::new(self.problem, self.level, (self.edge.cone, set), &slack, &self.edge.fixed);
@@ -229,7 +231,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         part
     }
 
-    /// Mends the set near the given constraints, and the iterate with it.
+    /// Corrects the set near the given constraints, and the iterate with it.
     fn mend(&self, x: &mut [f64], set: &mut ContactSet, constraints: &[usize]) -> Result<()> {
         patch::mend((self.problem, self.level, &self.edge, &self.load), x, set, constraints)
     }
@@ -243,7 +245,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         Ok(sizes)
     }
 
-    /// Judges the iterate by its residual as it is.
+    /// Estimates the error of the iterate from its true residual.
     fn end(&mut self, x: &[f64], set: &ContactSet, gradients: &mut Gradients, goal: f64) -> Result<Outcome> {
         let least = gradients.least();
         let Sizes { norm, energy } = self.residual(x, &mut gradients.residual);
@@ -293,7 +295,7 @@ fn error_of(gradients: &Gradients) -> f64 {
     (gradients.rho() / relied(gradients.least())).sqrt()
 }
 
-/// What is relied on of an estimate of κ.
+/// The value of κ used for an estimate.
 fn relied(least: f64) -> f64 {
     (RELIED * least).min(KAPPA)
 }

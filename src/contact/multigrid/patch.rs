@@ -1,14 +1,13 @@
-//! Contact on patches of a level: the set near some constraints from all functions that vanish away from
-//! them.
+//! Contact on patches of a level: the set near some constraints from functions supported near them.
 //!
 //! For an iterate x, J(x + d) is minimised over B (x + d) ≤ g and d in the patch: nodal functions within
-//! [`DEPTH`] edges of the nodes of the constraints, and, where a run of the midpoint cone leaves the patch,
-//! the sawtooth on its part outside as one function more, without which the run would seem clamped. So J
-//! falls, whatever the set was (local minimisation beside a linear correction, as in truncated nonsmooth
-//! Newton methods: C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009)). Elimination leaves the nodes of
-//! the edge, a dozen or two, and the active set solves there. What the ends of contact do depends on the nodes
-//! near them; what a patch does not feel is left to the next linear system. Cost for m constraints:
-//! O((m + DEPTH)³), however many unknowns the level has.
+//! [`DEPTH`] edges of the nodes of the constraints, and, if a contact interval of the midpoint cone leaves
+//! the patch, the sawtooth on its part outside as a further function, without which the interval would be
+//! fixed. J decreases for every set (local minimisation beside a linear correction, as in truncated
+//! nonsmooth Newton methods: C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009)). Elimination leaves
+//! the nodes of the edge, a dozen or two, and the active set solves there. The motion of the ends of
+//! contact depends on the nodes near them; effects from outside the patch are left to the next linear
+//! system. Cost for m constraints: O((m + DEPTH)³), however many unknowns the level has.
 
 use super::super::active_set::solve_on_edge;
 use super::super::edge_problem::EdgeProblem;
@@ -23,12 +22,12 @@ use std::ops::Range;
 
 /// Edges of the mesh from the constraints to the border of their patch.
 const DEPTH: usize = 8;
-/// Constraints further apart have patches of their own.
+/// Distance of constraints from which on they have separate patches.
 const APART: usize = 2 * DEPTH;
-/// Constraints over which a patch may reach; its edge is a dense matrix.
+/// Largest number of constraints of a patch, whose edge has a dense matrix.
 const WIDEST: usize = 512;
 
-/// Mends the set near the given constraints (ascending), and the iterate with it.
+/// Corrects the set near the given constraints (ascending), and the iterate with it.
 pub(super) fn mend<L: Level>(
     (problem, level, edge, load): (&ContactProblem, &L, &Edge, &[f64]),
     x: &mut [f64],
@@ -46,13 +45,13 @@ pub(super) fn mend<L: Level>(
 
 /// The nodes and functions of a patch.
 struct Patch {
-    /// Nodes of the edge; the first and the last one stand for what is outside, where there is an outside.
+    /// Nodes of the edge; the first and the last one represent the part outside, if there is one.
     edge: Range<usize>,
     /// Their unknowns of u_N, and whether they are held.
     kept: Vec<(usize, bool)>,
     /// Unknown of the body to unknown of the patch, with a sign.
     number: BTreeMap<usize, (usize, f64)>,
-    /// Nodes of the body, those that stand for what is outside last.
+    /// Nodes of the body, those that represent the part outside last.
     nodes: Vec<usize>,
 }
 

@@ -2,8 +2,8 @@
 //! "MSH file format version 2").
 //!
 //! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh,
-//! physical surfaces its regions in ascending order of their tags. What happens on a curve follows from the
-//! name of its group, in any case, whatever stands behind a blank, `_` or `-`:
+//! physical surfaces its regions in ascending order of their tags. The boundary condition on a curve is
+//! given by the name of its group, case-insensitively, up to the first blank, `_` or `-`:
 //!
 //! | name | part |
 //! | --- | --- |
@@ -12,9 +12,9 @@
 //! | `free`, `neumann` | [`Part::Neumann`](super::super::Part::Neumann) |
 //!
 //! so that `contact left` and `contact_2` are contact, too. A curve is in one group. Nodes in no triangle
-//! (points of the geometry) are left out. All triangles lie in one plane z = const; a surface whose triangles
-//! all run clockwise is turned. What was read passes the checks of [`Triangulation::new`].
-//! Cost: O(length of the file); nothing is reserved on the word of a count in the file.
+//! (points of the geometry) are left out. All triangles lie in one plane z = const; a surface whose
+//! triangles all run clockwise is turned. The result passes the checks of [`Triangulation::new`]. Cost:
+//! O(length of the file); memory is not reserved by counts in the file.
 
 use super::lines::Lines;
 use super::raw::Raw;
@@ -24,7 +24,7 @@ use crate::text::{quoted, read_text};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Reads a `.msh` file.
+/// The triangulation in a `.msh` file.
 ///
 /// ```no_run
 /// let mesh = signorini::mesh::read_msh("body.msh".as_ref())?;
@@ -33,13 +33,13 @@ use std::path::Path;
 /// ```
 ///
 /// # Errors
-/// [`File`](crate::Error::File) when it cannot be read, and those of [`parse_msh`].
+/// [`File`](crate::Error::File) if it cannot be read, and those of [`parse_msh`].
 pub fn read_msh(path: &Path) -> Result<Triangulation> {
     // A binary file has its format in a line of text, too.
     parse_msh(&read_text(path)?)
 }
 
-/// Reads the text of a `.msh` file.
+/// The triangulation in the text of a `.msh` file.
 ///
 /// ```
 /// let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
@@ -53,9 +53,9 @@ pub fn read_msh(path: &Path) -> Result<Triangulation> {
 ///
 /// # Errors
 /// [`Syntax`](crate::Error::Syntax) with the line where the text does not follow the format, a binary file
-/// among them; [`AtLine`](crate::Error::AtLine) with the line that gives what is no triangulation:
-/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is no boundary part, and the errors of
-/// [`Triangulation::new`].
+/// among them; [`AtLine`](crate::Error::AtLine) with the line of invalid data:
+/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part, and the
+/// errors of [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();
     let mut lines = Lines::of(text);
@@ -74,7 +74,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
             ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
             ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
             ("$Nodes" | "$Elements" | "$Entities", None) => {
-                return Err(lines.fault("no $MeshFormat section before"));
+                return Err(lines.fault("a section before $MeshFormat"));
             }
             _ => {
                 lines.skip_section(header)?;
@@ -84,7 +84,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
         lines.expect_end(header)?;
     }
     if format.is_none() {
-        return Err(lines.fault("no $MeshFormat section: this is no .msh file of Gmsh"));
+        return Err(lines.fault("no $MeshFormat section: not a .msh file of Gmsh"));
     }
     raw.triangulation(lines.number())
 }
@@ -107,7 +107,7 @@ fn read_format(lines: &mut Lines<'_>) -> Result<Format> {
         (Some("2.2"), Some("0")) => Ok(Format::Two),
         (version, _) => {
             let found = quoted(version.unwrap_or(""));
-            let why = format!("format 4.1 or 2.2 is read, found {found}: save as ASCII in one of these");
+            let why = format!("found format {found}, expected 4.1 or 2.2: save as ASCII in one of these");
             Err(lines.fault(&why))
         }
     }

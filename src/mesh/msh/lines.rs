@@ -1,10 +1,10 @@
-//! The lines of a Gmsh file with their numbers; blank ones are passed over.
+//! The lines of a Gmsh file with their numbers; blank lines are skipped.
 
 use crate::error::{Error, Result};
 use crate::text::quoted;
 use std::str::FromStr;
 
-/// How errors call the format.
+/// Name of the format in errors.
 const FORMAT: &str = "msh";
 
 /// Lines with their numbers.
@@ -54,7 +54,7 @@ impl<'a> Lines<'a> {
     }
 
     fn number_of<T: FromStr>(&self, word: &str) -> Result<T> {
-        word.parse().map_err(|_| self.fault(&format!("{} is not a number of the right kind", quoted(word))))
+        word.parse().map_err(|_| self.fault(&format!("{} is not an admissible number", quoted(word))))
     }
 
     /// The `N` numbers of the next line.
@@ -63,19 +63,19 @@ impl<'a> Lines<'a> {
         numbers[..].try_into().map_err(|_| self.fault(&format!("{} numbers, expected {N}", numbers.len())))
     }
 
-    /// A tag and `N` more, all there is on the next line.
+    /// The tag and `N` further numbers that make up the next line.
     pub(super) fn tagged<const N: usize>(&mut self) -> Result<(u64, [u64; N])> {
         let numbers: Vec<u64> = self.numbers()?;
         let split = numbers.split_first().and_then(|(&tag, rest)| Some((tag, rest.try_into().ok()?)));
         split.ok_or_else(|| self.fault(&format!("{} numbers, expected {}", numbers.len(), N + 1)))
     }
 
-    /// A count as it stands in a block of mixed numbers.
+    /// A count in a block of mixed numbers.
     pub(super) fn count(&self, given: i64) -> Result<u64> {
-        u64::try_from(given).map_err(|_| self.fault(&format!("{given} is no count")))
+        u64::try_from(given).map_err(|_| self.fault(&format!("{given} is not a count")))
     }
 
-    /// Passes over a section that is not read.
+    /// Skips a section that is not read.
     pub(super) fn skip_section(&mut self, header: &str) -> Result<()> {
         let (line, end) = (self.line, header.replacen('$', "$End", 1));
         while let Some(next) = self.next() {
@@ -96,18 +96,18 @@ impl<'a> Lines<'a> {
         Err(self.fault(&format!("expected {end}, found {}", quoted(line))))
     }
 
-    /// A fault in the line read last.
+    /// The error for the line read last.
     pub(super) fn fault(&self, reason: &str) -> Error {
         fault(self.line, reason)
     }
 }
 
-/// A fault in a line.
+/// The error for a line.
 pub(super) fn fault(line: usize, reason: &str) -> Error {
     Error::Syntax { format: FORMAT, line, reason: reason.to_owned() }
 }
 
-/// What a line gives has a fault.
+/// The error for invalid data of a line.
 pub(super) fn at(line: usize, cause: Error) -> Error {
     Error::AtLine { format: FORMAT, line, cause: Box::new(cause) }
 }

@@ -1,4 +1,4 @@
-//! What the sections of a `.msh` file hold, by the tags of the file, and the triangulation they make.
+//! The data of the sections of a `.msh` file by its tags, and the triangulation from them.
 
 use super::lines::{Lines, at, fault};
 use crate::error::{Error, Result, ToolkitError};
@@ -13,11 +13,11 @@ pub(super) struct Surface {
     pub(super) group: Option<i64>,
 }
 
-/// A line or a triangle as the file has it.
+/// A line or a triangle of the file.
 pub(super) struct Element<T, const N: usize> {
-    /// Where in the file.
+    /// Line in the file.
     pub(super) line: usize,
-    /// What it belongs to.
+    /// The entity it belongs to.
     pub(super) of: T,
     /// Tags of its nodes.
     pub(super) nodes: [u64; N],
@@ -36,9 +36,9 @@ pub(super) struct Raw {
     pub(super) groups: HashMap<(i32, i64), i64>,
     /// Line and place of a node tag.
     nodes: HashMap<u64, (usize, [f64; 3])>,
-    /// With their physical group.
+    /// The lines with their physical group.
     pub(super) lines: Vec<Element<Option<i64>, 2>>,
-    /// With their surface.
+    /// The triangles with their surface.
     pub(super) triangles: Vec<Element<Surface, 3>>,
 }
 
@@ -97,7 +97,7 @@ impl Raw {
         }
         let places: Vec<(usize, [f64; 3])> = tags.iter().map(|tag| self.nodes[tag]).collect();
         if let Some(node) = places.iter().position(|(_, place)| place[2] != places[0].1[2]) {
-            let reason = "has another z: the body must lie in a plane z = const";
+            let reason = "has a different z: the body must lie in a plane z = const";
             let tag = tags[node] as usize;
             return Err(at(places[node].0, Error::Toolkit(ToolkitError::Node { node: tag, reason })));
         }
@@ -123,7 +123,7 @@ impl Raw {
         if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(regions) }
     }
 
-    /// The line that gives the node, edge or triangle which is not usable; node k has the k-th tag.
+    /// The line of an invalid node, edge or triangle; node k has the k-th tag.
     fn line_of(&self, cause: &Error, tags: &[u64]) -> Option<usize> {
         match *cause {
             Error::Toolkit(ToolkitError::Triangle { triangle, .. }) => {
@@ -139,7 +139,8 @@ impl Raw {
         }
     }
 
-    /// A surface drawn clockwise has all its triangles clockwise; single ones are a fault and stay.
+    /// Reverses surfaces whose triangles are all clockwise; single clockwise triangles are an error and are
+    /// kept.
     fn turn_clockwise_surfaces(&self, triangles: &mut [[usize; 3]], nodes: &[Point]) {
         let is_clockwise = |corners: &[usize; 3]| doubled_area(corners.map(|node| nodes[node])) < 0.0;
         let mut all: HashMap<i64, bool> = HashMap::new();
@@ -153,7 +154,7 @@ impl Raw {
         }
     }
 
-    /// What a group of curves is called to be; `None` without a group.
+    /// The boundary part named by a group of curves; `None` without a group.
     fn part(&self, group: Option<i64>) -> Result<Option<Part>> {
         let Some(group) = group else {
             return Ok(None);

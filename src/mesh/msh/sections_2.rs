@@ -42,7 +42,7 @@ impl Raw {
     }
 }
 
-/// The tags of so many nodes; `None` for other numbers.
+/// The tags of the nodes of an element; `None` for another number of nodes.
 fn corners<const N: usize>(nodes: &[i64]) -> Option<[u64; N]> {
     let nodes: Vec<u64> = nodes.iter().map(|&node| u64::try_from(node).ok()).collect::<Option<_>>()?;
     nodes.try_into().ok()

@@ -4,13 +4,14 @@
 //!
 //! F = i z^p / sin πp,  at p = 1: F = i z ℓ^{1−α} / (π (1 − α)),  and i z ln ℓ / π for α = 1.
 //!
-//! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}: contact
-//! [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; a load g = ∂u/∂n − σ_N on the edge makes up for the rest, as on a
-//! strip ([`TransitionPowers`]). −s y keeps u < 0 on the other sides, and no element sees it.
+//! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}:
+//! contact [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; the edge carries the load g = ∂u/∂n − σ_N, as on a strip
+//! ([`TransitionPowers`]). The term −s y gives u < 0 on the other sides and is represented exactly by the
+//! elements.
 //!
 //! * *three sides held*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
-//!   they are open. The load is normal to a side that turns at the corners; u has one value there.
+//!   they are open. The normal, and with it the load, is discontinuous at the corners; u is continuous.
 
 use super::super::transition_powers::TransitionPowers;
 use crate::error::{Error, Result};

@@ -9,7 +9,7 @@ use crate::fem::{Cubature, Field, Form};
 use crate::mesh::{Part, Point, SideParts, Triangulation, distance, unit_square};
 use fractional_sobolev::{Rule, gauss_legendre};
 
-/// Points along each side of a triangle's rule for errors, below p = 1 and from there on; one less for loads.
+/// Points along each side of a triangle's rule for errors, for p < 1 and for p ≥ 1; one less for loads.
 const POINTS: [usize; 2] = [5, 4];
 /// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
 const EDGE_POINTS: usize = 24;

@@ -34,7 +34,7 @@ pub(super) use three_halves::problem as three_halves_problem;
 
 /// Points along each side of a triangle's rule for errors, graded toward the transitions.
 const POINTS: usize = 4;
-/// Most points along each side of a triangle's rule for an error of given accuracy.
+/// Largest number of points along each side of a triangle's rule for an error of given accuracy.
 const MOST_POINTS: usize = 16;
 
 /// A contact problem on the unit square with known solution u.
@@ -118,7 +118,7 @@ impl KnownSolution {
 
     /// r^p about the transition 2/5, contact before it; scalar without Lamé's constants, else elastic.
     ///
-    /// u_N = −c r^p in the gap, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load that makes up for the rest.
+    /// u_N = −c r^p in the gap, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -157,7 +157,8 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Harmonic(Harmonic::new(powers, position, false)?) })
     }
 
-    /// The same with a reaction term and conditions of contact on the whole boundary: Remark 1 as printed.
+    /// The problem of [`KnownSolution::transition`] with a reaction term and contact conditions on the
+    /// whole boundary: Remark 1 as printed.
     ///
     /// −Δu + u = f with f = u, since u is harmonic; u ≤ 0 on all four sides, open on three of them.
     ///
@@ -206,7 +207,8 @@ impl KnownSolution {
 
     /// The ends of contact on y = 0; with contact on the whole boundary those inside that side.
     ///
-    /// Abscissae in (0, 1), ascending. Those fixed here, 3/10, 2/5 and 7/10, are no nodes of a uniform dyadic mesh.
+    /// Abscissae in (0, 1), ascending. The fixed ones, 3/10, 2/5 and 7/10, are not nodes of a uniform
+    /// dyadic mesh.
     pub fn transitions(&self) -> Vec<f64> {
         match self.formula {
             Formula::ThreeHalves => vec![three_halves::TRANSITION],
@@ -330,8 +332,8 @@ impl KnownSolution {
         self.with_field(|field| field.sample(problem.mesh().nodes()))
     }
 
-    /// Norms of u − v for nodal values v on the mesh of a problem, by a fixed rule graded toward the transitions: four
-    /// points along each side of a triangle, exact to a thousandth.
+    /// The norms of u − v for nodal values v on the mesh of a problem, by a fixed rule graded toward the
+    /// transitions: four points along each side of a triangle, with a relative error of 1e-3.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -352,10 +354,11 @@ impl KnownSolution {
         self.norms(problem, values, POINTS)
     }
 
-    /// a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem. The error is what a rule with one point less
-    /// along each side of a triangle changes; points are added until the tolerance is met. The rule converges
-    /// algebraically near the transition: the true error of quadrature may be a few times as large. Cost: two passes over the
-    /// mesh with 9 to 25 points on a triangle for two digits.
+    /// The energy error a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem. Its error
+    /// estimate is the difference to the rule with one point less along each side of a triangle; points are
+    /// added until the tolerance is met. Near the transition the rule converges algebraically, and the true
+    /// quadrature error may be a few times as large. Cost: two passes over the mesh with 9 to 25 points on
+    /// a triangle for two digits.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -417,8 +420,9 @@ impl KnownSolution {
         }
     }
 
-    /// |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the error is
-    /// what a rule of fewer points changes, and points are added until the tolerance is met.
+    /// |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the
+    /// error estimate is the difference to a rule with fewer points, and points are added until the
+    /// tolerance is met.
     ///
     /// Enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over strips
     /// and finite, since u ∈ H^{5/2−ε}.

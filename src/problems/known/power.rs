@@ -11,7 +11,7 @@
 //!   β/(2μ) times the scalar one, and the normal stress Re Z' is the scalar ∂u/∂n: same σ_N, same load.
 //!
 //! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
-//! ν < p − 1/2. For p = 3/2 no load would be left.
+//! ν < p − 1/2. For p = 3/2 the load vanishes.
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
@@ -21,7 +21,7 @@ use std::f64::consts::PI;
 
 /// a: no node of uniform dyadic meshes.
 pub(super) const TRANSITION: f64 = 0.4;
-/// Of a dozen operations.
+/// Rounding of a dozen operations.
 const ROUNDING: f64 = 1e-14;
 
 /// The solution, by its power and material.
@@ -31,7 +31,7 @@ pub(super) struct Power {
     pub(super) lame: Option<Lame>,
 }
 
-/// Which function of the edge.
+/// A function on the contact edge.
 ///
 /// Both are multiples of r^{p−1} on one side of the transition and 0 on the other.
 ///
@@ -58,7 +58,7 @@ impl Power {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
     pub(super) fn new(power: f64, lame: Option<Lame>) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
-        let power = Error::require("p", power, "(1/2, 3/2), not about 1", admissible)?;
+        let power = Error::require("p", power, "(1/2, 3/2) except (0.99, 1.01)", admissible)?;
         Ok(Self { power, lame })
     }
 
@@ -182,8 +182,8 @@ impl Power {
         Ok(Function::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
-    /// What the edge carries besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in
-    /// the gap.
+    /// The edge load besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in the
+    /// gap.
     pub(super) fn loads(&self) -> [f64; 2] {
         let slope = self.sign() * self.power;
         [-slope - self.pressure(), slope * (PI * self.power).cos()]

@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::fem::{Field, Form};
 use crate::mesh::{Part, Point, Triangulation};
 
-/// The end of contact: no node of a uniform dyadic mesh, and 2/5 of the edge.
+/// The end of contact: 2/5 of the edge, not a node of a uniform dyadic mesh.
 pub(super) const TRANSITION: f64 = 0.4;
 
 fn polar([x, y]: Point) -> (f64, f64) {

@@ -1,8 +1,9 @@
 //! g − P g_h by modes: interpolation from a coarse edge is diagonal up to aliasing, so that no transform of
 //! the fine length is needed once ĝ is known.
 //!
-//! P interpolates linearly from n to N = r n cells; its kernel is the hat of width r, whose transform is the
-//! square of Dirichlet's kernel over r. With the periods P and p = P/r of the (evenly extended) edges
+//! P interpolates linearly from n to N = r n cells; its kernel is the hat function of width r, whose
+//! transform is the square of Dirichlet's kernel over r. With the periods P and p = P/r of the (evenly
+//! extended) edges
 //!
 //! (P g_h)^(k) = s(k) ĝ_h(k mod p),  s(k) = sin²(πk/p) / (r sin²(πk/P)) for k ≠ 0,  s(0) = r.
 //!
@@ -32,7 +33,7 @@ pub(super) struct Interpolated<'a> {
 }
 
 impl Interpolation {
-    /// To the edge of period P, a power of two.
+    /// The interpolation to the edge of period P, a power of two.
     pub(super) fn new(period: usize) -> Self {
         let inverse = (0..=period / 2).map(|k| (PI * k as f64 / period as f64).sin().powi(-2)).collect();
         Self { period, inverse }
@@ -63,7 +64,7 @@ impl Interpolated<'_> {
     }
 }
 
-/// By how much rounding of the modes `exact` of period P moves the square root of Σ S |ĝ − ĝ_h|² γ/P.
+/// The effect of the rounding of the modes `exact` of period P on the square root of Σ S |ĝ − ĝ_h|² γ/P.
 ///
 /// ε log₂ P (γ max S)^{1/2} ‖g‖₂: absolute, in the energy norm.
 pub(super) fn rounding(exact: &[Complex<f64>], largest_symbol: f64) -> f64 {

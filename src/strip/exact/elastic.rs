@@ -38,14 +38,14 @@ pub(super) struct ExactElastic {
     loads: Vec<Vec<f64>>,
     /// Modes of u_x and u_y.
     exact: [Vec<Complex<f64>>; 2],
-    /// By how much their rounding moves an error.
+    /// The effect of their rounding on an error.
     rounding: f64,
     interpolation: Interpolation,
 }
 
 impl ExactElastic {
-    /// The test problem as exact solution on the strip of height `height.0/height.1`; periodic sides, frictionless.
-    /// `coarsest` is the smallest number of cells errors are wanted for.
+    /// The test problem as exact solution on the strip of height `height.0/height.1`; periodic sides,
+    /// frictionless. `coarsest` is the smallest number of cells for which errors are computed.
     ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the

@@ -5,7 +5,7 @@ use crate::strip::operator::scalar::check_layers;
 use crate::strip::sides::LateralCondition;
 use crate::strip::transfer::restrict;
 
-/// How often `fine` is halved to give `cells`, less than `levels` times.
+/// The number of halvings, less than `levels`, that lead from `fine` to `cells`.
 pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize> {
     let level = (0..levels).find(|&level| fine >> level == cells);
     level.ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {

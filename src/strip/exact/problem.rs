@@ -1,4 +1,4 @@
-//! Either strip with an exact solution, behind one face.
+//! The scalar and the elastic strip with an exact solution, with one interface.
 
 use super::elastic::ExactElastic;
 use super::reference::Reference;
@@ -13,7 +13,7 @@ use fractional_sobolev::Estimate;
 use std::fmt;
 use std::str::FromStr;
 
-/// Which strip.
+/// The kind of strip.
 ///
 /// ```
 /// use signorini::strip::{LateralCondition, StripKind};
@@ -66,9 +66,10 @@ impl FromStr for StripKind {
 
 /// Complementary data as exact solution on a unit square strip.
 ///
-/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse problem is
-/// the Galerkin problem of the reference. The errors |u − u_h|_a need the edge values alone: with d = u_N − P u_h,N,
-/// |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the surplus of the coarse strip's energy in the interior.
+/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse
+/// problem is the Galerkin problem of the reference. The errors |u − u_h|_a depend on the edge values only:
+/// with d = u_N − P u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the surplus of the coarse
+/// strip's energy in the interior.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -95,8 +96,8 @@ enum Exact {
 impl StripProblem {
     /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the test problem only.
     ///
-    /// `coarsest` is the smallest number of cells for which errors will be asked. Cost: O(N log N), N the cells of the
-    /// data.
+    /// `coarsest` is the smallest number of cells for which errors are computed. Cost: O(N log N), N the
+    /// cells of the data.
     ///
     /// # Errors
     /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
@@ -132,7 +133,7 @@ impl StripProblem {
         }
     }
 
-    /// The edge operator on `cells` cells and the number of unknowns it stands for.
+    /// The edge operator on `cells` cells and the number of unknowns it represents.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -184,8 +185,9 @@ impl StripProblem {
         }
     }
 
-    /// |u − u_h|_a for the discrete solution with edge values `values` on `cells` cells. It takes no tolerance: the
-    /// energy is a finite sum of nonnegative terms over modes, and the error is its rounding.
+    /// |u − u_h|_a for the discrete solution with edge values `values` on `cells` cells. There is no
+    /// tolerance: the energy is a finite sum of nonnegative terms over modes, and the error is its
+    /// rounding.
     ///
     /// Cost: O(N). `error` of the estimate bounds the rounding of the modes, η (γ max S)^{1/2} ‖u_N‖₂ with η = ε log₂
     /// P.

@@ -1,13 +1,13 @@
-//! What the discrete solutions are compared with, by name.
+//! The reference solutions, by name.
 
 use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
-/// What the discrete solutions are compared with.
+/// The reference for the discrete solutions.
 ///
-/// `Nested` measures |u_fine − u_h|_a, which misses the error of the fine mesh; `Harmonic` includes it, and needs the
-/// edge alone as well.
+/// `Nested` measures |u_fine − u_h|_a, which misses the error of the fine mesh; `Harmonic` includes it, and
+/// depends on the edge values only as well.
 ///
 /// ```
 /// use signorini::strip::Reference;

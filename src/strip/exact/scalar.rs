@@ -6,10 +6,10 @@
 //!
 //! |u − u_h|²_a = ⟨T d, d⟩ + ⟨G g_h, g_h⟩,  d = g − P g_h:
 //!
-//! the fine energy of the difference at the edge, and what the coarse mesh stores too much in the interior
-//! (module `defect`). Both are sums of nonnegative terms over modes, so nothing cancels; the plain difference
-//! of energies loses six and more digits at n = 2^18. d is formed by modes (module `difference`): O(N) per error
-//! and one transform of the coarse length.
+//! the fine energy of the difference at the edge, and the surplus energy of the coarse mesh in the interior
+//! (module `defect`). Both are sums of nonnegative terms over modes, without cancellation; the plain
+//! difference of energies loses at least six digits at n = 2^18. d is formed by modes (module
+//! `difference`): O(N) per error and one transform of the coarse length.
 
 use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
@@ -34,7 +34,7 @@ const DEFECTS: f64 = 1e-14;
 pub(super) struct ExactEdge {
     /// ĝ.
     modes: Vec<Complex<f64>>,
-    /// By how much rounding of ĝ moves an error.
+    /// The effect of the rounding of ĝ on an error.
     rounding: f64,
     interpolation: Interpolation,
     cells: usize,

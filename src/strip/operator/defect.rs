@@ -1,5 +1,4 @@
-//! How much more energy the coarse strip stores than the fine one: differences of symbols without
-//! cancellation.
+//! The surplus energy of the coarse strip over the fine one: differences of symbols without cancellation.
 //!
 //! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h in the
 //! shape g_h exceeds that of the finer strip (or of the continuous harmonic function) in the shape P g_h by
@@ -44,7 +43,7 @@ pub(crate) fn halving(theta: f64, layers: f64) -> f64 {
     half_plane / coarse.tanh() + same + alias * coth_difference(coarse, fine_alias - coarse)
 }
 
-/// Beyond this argument coth is 1 to the last digit.
+/// Argument from which on coth is 1 to rounding.
 const DEEP: f64 = 20.0;
 
 /// coth a − coth(a + d) for a, d ≥ 0.

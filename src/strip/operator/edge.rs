@@ -98,15 +98,15 @@ impl EdgeOperator {
         self.sides.nodes(self.cells)
     }
 
-    /// What the sides do.
+    /// The lateral conditions.
     pub fn sides(&self) -> LateralCondition {
         self.sides
     }
 
     /// The given contact cone on this edge.
     ///
-    /// Open with natural sides, a ring with periodic ones: n + 1 or n nodes; the midpoint cone has n constraints on
-    /// both.
+    /// Open with natural sides, closed with periodic ones: n + 1 or n nodes; the midpoint cone has n
+    /// constraints on both.
     pub fn cone(&self, cone: Cone) -> EdgeCone {
         cone.on(self.nodes(), self.sides.ends())
     }

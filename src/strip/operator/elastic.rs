@@ -1,4 +1,4 @@
-//! The elastic strip of height H with periodic sides, clamped on top, contact at the bottom; plane strain.
+//! The elastic strip of height H with periodic sides, u = 0 on top, contact at the bottom; plane strain.
 //!
 //! ∫ 2μ ε(u):ε(v) + λ div u div v = ℓ(v). Per mode the edge keeps a Hermitian 2 × 2 matrix A (module `slab`)
 //! for (u_x, u_y); contact is frictionless, so the tangential component is condensed: S_N = A_yy −
@@ -101,7 +101,7 @@ impl ElasticStrip {
         &self.operator
     }
 
-    /// Unknowns of the two-dimensional problem this stands for: 2 n m.
+    /// Number of unknowns of the two-dimensional problem it represents: 2 n m.
     pub(crate) fn virtual_unknowns(&self) -> f64 {
         2.0 * self.operator.nodes() as f64 * self.layers as f64
     }
@@ -135,8 +135,8 @@ impl ElasticStrip {
         })
     }
 
-    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j = 0
-    /// ... m − 1, asked for from the top downwards.
+    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j =
+    /// 0 ... m − 1, evaluated from the top downwards.
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
@@ -173,8 +173,8 @@ impl ElasticStrip {
     }
 }
 
-/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: those need the
-/// most doublings and are the ones whose differences matter.
+/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: these require
+/// the most doublings, and their differences are used.
 pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.

@@ -1,4 +1,4 @@
-//! How much more energy the coarse elastic strip stores than the fine one, mode by mode.
+//! The surplus energy of the coarse elastic strip over the fine one, mode by mode.
 //!
 //! As in the scalar module, interpolation from n to 2n cells aliases mode θ into θ/2 and θ/2 + π, so that
 //!

@@ -1,7 +1,7 @@
 //! Real Fourier transforms of one length, with their buffers.
 //!
-//! The only failure the transforms know is a buffer of another length than planned; buffers are made here
-//! from the plan, so it cannot happen, and it would be an error all the same.
+//! The transforms fail only for buffers of another length than planned; buffers are allocated here by the
+//! plan, so that this cannot happen, and it is reported as an error.
 
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
@@ -15,7 +15,7 @@ pub(crate) struct RealFourier {
     backward: Arc<dyn ComplexToReal<f64>>,
 }
 
-/// P real numbers, P/2 + 1 modes, and what the transforms need besides; reused from transform to transform.
+/// P real numbers, P/2 + 1 modes, and the workspace of the transforms; reused between transforms.
 #[derive(Default)]
 pub(crate) struct Workspace {
     pub(crate) real: Vec<f64>,

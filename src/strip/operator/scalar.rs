@@ -1,9 +1,9 @@
 //! The scalar strip (0,1) × (0,H): ∫ ∇u·∇v = ℓ(v), u = 0 on top, natural sides, contact at the bottom.
 //!
-//! P1 on n × m squares of side h = 1/n, each cut from bottom left to top right (the Laplacian does not see
-//! the cut, the mass matrix does). Per cosine mode cos(θ i), θ = kπ/n, s = sin(θ/2), φ = 2 asinh s, the
-//! interior rows obey −u_{j−1} + (2 + 4s²) u_j − u_{j+1} = F_j; eliminating them leaves the edge with the
-//! symbol
+//! P1 on n × m squares of side h = 1/n, each cut from bottom left to top right (the stiffness matrix does
+//! not depend on the cut, the mass matrix does). Per cosine mode cos(θ i), θ = kπ/n, s = sin(θ/2), φ = 2
+//! asinh s, the interior rows obey −u_{j−1} + (2 + 4s²) u_j − u_{j+1} = F_j; eliminating them leaves the
+//! edge with the symbol
 //!
 //! S(θ) = sinh φ coth(mφ) = 2 s √(1+s²) coth(mφ),  S(0) = 1/m.
 //!
@@ -51,13 +51,13 @@ impl ScalarStrip {
         self.operator
     }
 
-    /// Unknowns of the two-dimensional problem this stands for: (n + 1) m.
+    /// Number of unknowns of the two-dimensional problem it represents: (n + 1) m.
     pub(crate) fn virtual_unknowns(&self) -> f64 {
         self.operator.nodes() as f64 * self.layers as f64
     }
 
-    /// Condenses a volume load given by its rows: `row(j, F)` writes the n + 1 dual values F_j of layer j = 0
-    /// ... m − 1 (j = 0 is the contact edge). Rows are asked for from the top downwards.
+    /// Condenses a volume load given by its rows: `row(j, F)` writes the n + 1 dual values F_j of layer j =
+    /// 0 ... m − 1 (j = 0 is the contact edge). Rows are evaluated from the top downwards.
     ///
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.

@@ -16,8 +16,8 @@
 //!
 //! Since T = O(θ²), R = O(θ) are kept apart from C = O(1), low modes keep their relative accuracy: 1e-13
 //! after 18 doublings for λ = μ, 1e-12 for λ = 100 μ, where doubling the plain 4 × 4 stiffness loses ε n²
-//! (4e-7). With the top clamped (d = −û) the edge matrix is T − R − R* + C. A slab whose bottom no longer
-//! feels the top is not doubled further. Cost O(log L) per mode.
+//! (4e-7). With the top clamped (d = −û) the edge matrix is T − R − R* + C. Doubling stops when the
+//! condition at the top no longer affects the bottom. Cost O(log L) per mode.
 //!
 //! Written for any real field: binary64, or double-double where differences of these matrices are wanted
 //! (`elastic_defect`).
@@ -30,7 +30,7 @@ use std::ops::Neg;
 
 /// A real field with the four operations.
 pub(crate) trait Field: Num + Copy + Neg<Output = Self> + From<f64> {
-    /// About the square root of the rounding, with a margin.
+    /// Relative change at which doubling stops: about the square root of the rounding, with a margin.
     const SETTLED: f64;
     /// The nearest binary64.
     fn approximate(self) -> f64;
@@ -52,7 +52,7 @@ impl Field for Quad {
     }
 }
 
-/// sin²(θ/2) and sin θ: all a layer needs to know of its mode.
+/// sin²(θ/2) and sin θ: the parameters of a layer.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Mode<T> {
     pub(crate) half_sine_squared: T,
@@ -206,9 +206,10 @@ impl<T: Field> Slab<T> {
 
 /// The edge matrix of 2^doublings layers with the top clamped.
 ///
-/// The clamped top is felt at depth L like exp(−2κL), so that a doubling squares what is missing: once a
-/// doubling changes the matrix by less than the square root of the rounding, the slab is as good as infinite.
-/// (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π decay far more slowly.)
+/// The effect of the clamped top at depth L decays like exp(−2κL), so that a doubling squares the remaining
+/// error: once a doubling changes the matrix by less than the square root of the rounding, the slab is
+/// effectively infinite. (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π
+/// decay far more slowly.)
 pub(crate) fn edge_matrix<T: Field>(mode: Mode<T>, lame: Lame, doublings: u32) -> Matrix<T> {
     let mut slab = Slab::layer(mode, lame);
     let mut matrix = slab.clamped();

@@ -1,8 +1,8 @@
 //! The linear problem on a face: Π A Π x = Π b by preconditioned conjugate gradients.
 //!
-//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the
-//! energy norm of the error with constants near 1. Iterations needed for a given reduction do not depend on n
-//! or on the gaps.
+//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to
+//! the energy norm of the error with constants near 1. Iterations needed for a given reduction do not
+//! depend on n or on the contact set.
 
 use super::precondition::Preconditioner;
 use crate::cone::Face;
@@ -11,7 +11,7 @@ use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::fourier::Workspace;
 
-/// What one inner solve did.
+/// The result of one inner solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Inner {
     pub(crate) iterations: usize,
@@ -64,7 +64,7 @@ impl<'a> FaceSolver<'a> {
         }
     }
 
-    /// Improves x (made to lie on the face) until ρ ≤ max(goal · ‖b‖, reduction · ρ at the start), at most
+    /// Improves x (projected onto the face) until ρ ≤ max(goal · ‖b‖, reduction · ρ at the start), at most
     /// `limit` times.
     pub(crate) fn solve(
         &mut self,

@@ -1,4 +1,4 @@
-//! What the contact iteration on the edge hands back.
+//! The result of the contact iteration on the edge.
 
 use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 
@@ -33,7 +33,7 @@ pub struct EdgeSolution {
     ///
     /// Nonpositive, since g = 0 is admissible; summed in pairs.
     pub energy: f64,
-    /// How the iteration ended.
+    /// The termination status of the iteration.
     pub status: Status,
     /// The four scaled KKT residuals.
     pub kkt: KktResiduals,

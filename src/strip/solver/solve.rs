@@ -3,13 +3,13 @@
 //! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
 //! constraints active in the projection define a face, the next w solves the linear problem on it. For the
 //! nodal cone this is the primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge
-//! matrix is an M-matrix; for the midpoint cone the textbook rule stalls in checkerboards and the projection
-//! does not. While the set moves the linear problems are solved to two digits only. A start from the half as
-//! fine grid carries over set and values. Should a set ever come back, the iteration goes on with feasible
-//! descent: every step lowers J, so that no set can return.
+//! matrix is an M-matrix; for the midpoint cone the textbook rule stalls in checkerboard patterns and the
+//! projection does not. While the set changes the linear problems are solved to two digits only. A start
+//! from the grid of twice the mesh size interpolates set and values. If a set recurs, the iteration
+//! continues with feasible descent: every step decreases J, so that no set can recur.
 //!
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion
-//! along each run. Cost: O(n log n) per inner iteration, a few dozen of them per level.
+//! along each contact interval. Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
 use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
@@ -24,21 +24,22 @@ use fractional_sobolev::{Given, Tolerance};
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
-/// Reduction of the residual asked of the linear problems while the contact set moves.
+/// Reduction of the residual of the linear problems while the contact set changes.
 const REDUCTION: f64 = 1e-2;
 
-/// Linear problems allowed; a start from the half as fine grid takes about ten.
+/// Largest number of linear problems; about ten are typical for a start from the grid of twice the mesh
+/// size.
 const STEPS: usize = 200;
 
-/// Inner iterations allowed in a linear problem; the preconditioned ones take about twenty.
+/// Largest number of inner iterations per linear problem; about twenty are typical.
 const INNER_STEPS: usize = 200;
 
-/// An exact linear problem, solved again, that keeps more of its residual than this has reached rounding.
+/// A repeated accurate linear solve that leaves more than this share of its residual has reached rounding.
 const STALLED: f64 = 0.5;
 
 impl EdgeOperator {
-    /// The contact solution min ½ g'A g − b'g over the cone for nodal forces b; `start` is a solution on the half as
-    /// fine edge, or on this one.
+    /// The contact solution min ½ g'A g − b'g over the cone for nodal forces b; `start` is a solution on
+    /// the edge of twice the mesh size, or on this one.
     ///
     /// The residual of the linear problem on the last contact set is at most `tolerance`, relative and in the energy
     /// norm, and the set reproduces itself at this accuracy; 1e-13 is a hundred roundings above what binary64 reaches.
@@ -55,8 +56,8 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`], [`ToolkitError::NotFinite`], [`ToolkitError::OutOfRange`] for data that do not
-    /// fit. How the iteration ended is in the status; a tolerance that rounding does not allow ends as
+    /// [`ToolkitError::LengthMismatch`], [`ToolkitError::NotFinite`], [`ToolkitError::OutOfRange`] for
+    /// invalid data. The termination of the iteration is a status; a tolerance below rounding ends as
     /// [`Status::Stalled`].
     pub fn solve_contact(
         &self,
@@ -108,7 +109,7 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact runs refined.
+    /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact intervals refined.
     fn start(&mut self, start: Option<&EdgeSolution>, scale: f64) -> Result<()> {
         let Some(start) = start else {
             self.active = self.next_set()?;
@@ -178,7 +179,7 @@ impl<'a> Iteration<'a> {
         Ok(inner.residual)
     }
 
-    /// w + (b − A w)/σ on contact runs, w in gaps.
+    /// w + (b − A w)/σ on contact intervals, w in gaps.
     fn shifted(&mut self) -> Result<Vec<f64>> {
         let mut product = vec![0.0; self.operator.nodes()];
         self.solver.product(&self.values, &mut product)?;
@@ -267,7 +268,7 @@ impl<'a> Iteration<'a> {
     }
 }
 
-/// A 64-bit hash of the active flags; a collision would start the descent early, which converges all the same.
+/// A 64-bit hash of the active flags; a collision would start the descent early, which also converges.
 fn fingerprint(active: &[bool]) -> u64 {
     let mut hasher = DefaultHasher::new();
     active.hash(&mut hasher);

@@ -1,8 +1,10 @@
-//! Norms on polygonal curves that know the arc length s alone: L^q, and duals of interpolation spaces.
+//! Norms on polygonal curves that depend on the arc length s only: L^q, and dual norms of interpolation
+//! spaces.
 //!
-//! The eigenfunctions of −d²/ds² on a closed curve of length L are 1 and the pairs cos, sin of 2πks/L. Even
-//! about s = L/2 are the cosines of an interval of length L/2, odd the sines of it, with the same eigenvalues:
-//! f splits into (f(s) ± f(L−s))/2 on (0, L/2), and the squares of the two dual norms there, doubled, add up.
+//! The eigenfunctions of −d²/ds² on a closed curve of length L are 1 and the pairs cos, sin of 2πks/L. The
+//! functions even about s = L/2 are the cosines of an interval of length L/2, the odd ones its sines, with
+//! the same eigenvalues: f splits into (f(s) ± f(L−s))/2 on (0, L/2), and the squares of the two dual norms
+//! there, doubled, add up.
 
 use super::function::BoundaryFunction;
 use crate::dual::DualOf;
@@ -13,7 +15,7 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::root::{accept, root_of_squares, scaled};
 
-/// Nodes of the two halves that are nearer than this, relative to the length, are one.
+/// Nodes of the two halves closer than this, relative to the length, are merged.
 const ONE_NODE: f64 = 16.0 * f64::EPSILON;
 
 impl BoundaryFunction {
@@ -29,17 +31,17 @@ impl BoundaryFunction {
         self.along()?.lq_norm(q, tolerance)
     }
 
-    /// The dual norm to any of the norms that [`DualOf`] names: [`BoundaryFunction::dual_norm`] for
-    /// `Slobodeckij`; for the interpolation spaces between L²(Γ) and H¹(Γ), or H¹_0(Γ), the norms of which are
-    /// Σ_k (1+λ_k)^ν v_k² with the eigenpairs of −d²/ds² along the curve.
+    /// The dual norm for each norm of [`DualOf`]: [`BoundaryFunction::dual_norm`] for `Slobodeckij`; for
+    /// the interpolation spaces between L²(Γ) and H¹(Γ), or H¹_0(Γ), the norms of which are Σ_k (1+λ_k)^ν
+    /// v_k² with the eigenpairs of −d²/ds² along the curve.
     ///
     /// # Method
     ///
-    /// They know the arc length alone, no corners. On an open curve the norms of
-    /// [`PiecewisePolynomial::dual_norm`] on (0, L). On a closed one λ = (2πk/L)², each k ≥ 1 twice; f is
-    /// split into its even and odd part, on half of the length by cosines and by sines; a closed curve has no
-    /// ends, so that `InterpolationZero` is `Interpolation`. Cost O(N), a hundred thousand elements in a
-    /// second, in place of the 1500 elements of `Slobodeckij`.
+    /// These norms depend on the arc length only, not on corners. On an open curve they are the norms of
+    /// [`PiecewisePolynomial::dual_norm`] on (0, L). On a closed curve λ = (2πk/L)², each k ≥ 1 twice; f is
+    /// split into its even and odd parts, expanded on half of the length in cosines and sines. A closed
+    /// curve has no ends, so that `InterpolationZero` equals `Interpolation`. Cost O(N): 10⁵ elements in a
+    /// second; `Slobodeckij` is limited to 1500 elements.
     ///
     /// # Errors
     /// As [`BoundaryFunction::dual_of_slobodeckij`] and [`PiecewisePolynomial::dual_norm`].

@@ -1,8 +1,8 @@
 //! Polygonal curves with a mesh on every side, and distances on them.
 //!
-//! Points are known by their side and the distance from its ends. Two points of sides that meet at distances
-//! σ, τ from the common vertex are √((σ−τ)² + στ |a−b|²) apart, a and b the directions of the sides from
-//! there: no digits are lost towards a corner, whatever its angle.
+//! A point is stored as its side and its distances from the two ends of the side. Two points on adjacent
+//! sides at distances σ, τ from the common vertex have the distance √((σ−τ)² + στ |a−b|²), a and b the
+//! directions of the sides from the vertex: no digits are lost near a corner of any angle.
 
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
@@ -27,7 +27,7 @@ struct Side {
     mesh: Mesh,
 }
 
-/// How two elements lie to each other, with what distances need.
+/// Relative position of two elements, with the data from which distances are computed.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Relation {
     /// on one side: distances along it
@@ -40,8 +40,8 @@ pub(super) enum Relation {
 }
 
 impl Curve {
-    /// The boundary of the polygon with these vertices, in either orientation; side k, from vertex k on, has
-    /// the elements of `meshes[k]`, scaled to its length.
+    /// The boundary of the polygon with the given vertices, in either orientation. Side k, which starts at
+    /// vertex k, has the elements of `meshes[k]`, scaled to its length.
     ///
     /// ```
     /// use fractional_sobolev::{Mesh, Curve};
@@ -55,14 +55,16 @@ impl Curve {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than three vertices, [`Error::LengthMismatch`] unless there are
-    /// as many meshes; [`Error::NotFinite`] by the vertex, [`Error::EntryOutOfRange`] by the side for one of
-    /// length zero, by the vertex for sides that turn back; [`Error::Edge`] for a side that meets another.
+    /// [`Error::CountOutOfRange`] for fewer than three vertices; [`Error::LengthMismatch`] unless there is
+    /// one mesh per side; [`Error::NotFinite`] with the index of the vertex; [`Error::EntryOutOfRange`]
+    /// with the index of a side of length zero, or of a vertex at which the curve turns back;
+    /// [`Error::Edge`] for a side that meets another.
     pub fn closed(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, true)
     }
 
-    /// As [`Curve::closed`] without the side from the last vertex to the first: part of a boundary.
+    /// The open polygonal curve through the given vertices: as [`Curve::closed`], without the side from the
+    /// last vertex to the first.
     ///
     /// ```
     /// use fractional_sobolev::{Mesh, Curve};
@@ -74,13 +76,13 @@ impl Curve {
     /// ```
     ///
     /// # Errors
-    /// As [`Curve::closed`], two vertices being enough.
+    /// As [`Curve::closed`]; two vertices suffice.
     pub fn open(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, false)
     }
 
-    /// The closed curve with `count` elements on every side, on either half of it graded towards the corners
-    /// like (i/n)^β; β = 1 for equal ones. `count` is even.
+    /// The closed curve with `count` elements on every side, graded on both halves towards the corners like
+    /// (i/n)^β; equal elements for β = 1. `count` must be even.
     ///
     /// ```
     /// use fractional_sobolev::Curve;
@@ -132,7 +134,7 @@ impl Curve {
         Ok(curve)
     }
 
-    /// Sides that follow each other do not turn back, others do not meet.
+    /// Checks that consecutive sides do not turn back and that other sides do not meet.
     fn require_simple(&self) -> Result<()> {
         let count = self.sides.len();
         for i in 0..count {
@@ -165,7 +167,7 @@ impl Curve {
         !apart(0) && !apart(1) && sides(a, b, c, d) <= 0.0 && sides(c, d, a, b) <= 0.0
     }
 
-    /// The curve with every element cut in halves.
+    /// The curve with every element bisected.
     pub(super) fn halved(&self) -> Result<Self> {
         let halves = |side: &Side| {
             let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
@@ -186,7 +188,7 @@ impl Curve {
         self.elements.len()
     }
 
-    /// The last side ends where the first begins.
+    /// True if the last side ends where the first begins.
     pub(super) fn is_closed(&self) -> bool {
         self.closed
     }
@@ -196,7 +198,8 @@ impl Curve {
         self.sides.iter().map(|side| side.mesh.total()).sum()
     }
 
-    /// The nodes in turn: as many as elements on a closed curve, one more on an open one; rounded.
+    /// The coordinates of the nodes in order, rounded: as many as elements on a closed curve, one more on
+    /// an open one.
     pub fn nodes(&self) -> Vec<[f64; 2]> {
         let mut nodes: Vec<[f64; 2]> = Vec::with_capacity(self.len() + 1);
         for side in &self.sides {
@@ -215,8 +218,7 @@ impl Curve {
         self.sides[side].mesh.lengths()[cell]
     }
 
-    /// The place of the point at distance t from the left end of an element, as [`Curve::apart`]
-    /// wants it.
+    /// The point at distance t from the left end of an element, as the argument of [`Curve::apart`].
     pub(super) fn place(&self, e: usize, t: f64) -> Place {
         let (side, cell) = self.elements[e];
         let mesh = &self.sides[side].mesh;
@@ -224,7 +226,7 @@ impl Curve {
         Place { side, from_start: mesh.from_left()[cell] + t, to_end: mesh.from_right()[cell + 1] + rest }
     }
 
-    /// How the sides of two elements lie.
+    /// The relative position of the sides of two elements.
     pub(super) fn relation_of(&self, e: usize, f: usize) -> Relation {
         self.relation(self.elements[e].0, self.elements[f].0)
     }
@@ -248,7 +250,7 @@ impl Curve {
         }
     }
 
-    /// The distance of two places in the plane.
+    /// The distance of two points in the plane.
     pub(super) fn apart(&self, relation: Relation, x: Place, y: Place) -> f64 {
         let around = |s: f64, t: f64, bend: f64| (s - t).hypot((s * t * bend).sqrt());
         match relation {
@@ -270,7 +272,7 @@ impl Curve {
         f == e + 1 || self.closed && e + 1 == self.len() && f == 0
     }
 
-    /// Places where a function is asked for: the nodes at both ends of an element.
+    /// The nodes at both ends of an element.
     pub(super) fn nodes_of(&self, e: usize) -> [usize; 2] {
         [e, if self.closed { (e + 1) % self.len() } else { e + 1 }]
     }

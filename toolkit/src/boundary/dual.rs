@@ -1,5 +1,5 @@
-//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit on halved
-//! meshes.
+//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit under mesh
+//! refinement.
 
 use super::curve::Curve;
 use super::function::BoundaryFunction;
@@ -11,24 +11,25 @@ use crate::numeric::parallel;
 use crate::order::Order;
 use nalgebra::DMatrix;
 
-/// Elements of the finest mesh at most: a second of kernel values, and a dense factorization.
+/// Largest number of elements of the finest mesh: about a second of kernel evaluations and a dense
+/// factorization.
 const MOST: usize = 1500;
-/// Asked of the entries.
+/// Relative accuracy of the matrix entries.
 const ENTRIES: f64 = 1e-13;
-/// Rounding of the factorization, relative.
+/// Relative rounding error of the factorization.
 const ROUNDING: f64 = 1e-12;
 
 impl BoundaryFunction {
-    /// sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ): the norm of H^{−ν}(Γ), in which normal derivatives and boundary
-    /// densities are measured.
+    /// The norm of H^{−ν}(Γ), sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ), the norm of normal derivatives and
+    /// boundary densities.
     ///
     /// # Method
     ///
-    /// On a mesh the supremum over continuous piecewise linears is √(bᵀ(M+A)⁻¹b), a lower bound, by one dense
-    /// factorization. Every element is halved until 1500 elements; with d_k the steps of the values, which
-    /// shrink by a factor r, the limit is taken as v_k + d_k r/(1−r) and its error as its last change, or as
-    /// its distance to v_k where there is no other. Elements that shrink towards corners and jumps of f
-    /// give more digits.
+    /// On a mesh the supremum over continuous piecewise linears is √(bᵀ(M+A)⁻¹b), a lower bound, by one
+    /// dense factorization. The mesh is bisected up to 1500 elements. With increments d_k that shrink by a
+    /// factor r, the limit is extrapolated as v_k + d_k r/(1−r); its error is its last change, or its
+    /// distance to v_k if only one limit is available. Meshes graded towards corners and jumps of f give
+    /// more digits.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
@@ -52,7 +53,7 @@ impl BoundaryFunction {
                 best = Some(best.filter(|best| best.error <= found.error).unwrap_or(found));
             }
             if 2 * curve.len() > MOST {
-                let why = "meshes of 1500 elements do not suffice: grade them towards corners and jumps";
+                let why = "1500 elements do not suffice; grade the mesh towards corners and jumps";
                 return Err(Error::best_of("dual norm", tolerance.relative(), best, why));
             }
             curve = curve.halved()?;
@@ -61,7 +62,8 @@ impl BoundaryFunction {
     }
 }
 
-/// The limit of values on halved meshes; none before the third, unless they do not change.
+/// The extrapolated limit of the values on bisected meshes; `None` for fewer than three values, unless they
+/// agree.
 fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Estimate>> {
     let [.., a, b, c] = values[..] else { return Ok(None) };
     let (first, second) = (b - a, c - b);
@@ -79,7 +81,7 @@ fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Est
     Estimate::new(found, change + rounding, work).map(Some)
 }
 
-/// √(bᵀ(M+A)⁻¹b) on one mesh.
+/// The supremum √(bᵀ(M+A)⁻¹b) on one mesh.
 fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
     let n = curve.len();
     let nodes = n + usize::from(!curve.is_closed());

@@ -12,12 +12,12 @@ use crate::order::Order;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use rayon::prelude::*;
 
-/// Elements at most: some minutes.
+/// Largest number of elements; some minutes.
 const MOST: usize = 20_000;
-/// Asked of the kernel over what is asked of the root.
+/// Relative accuracy of the kernel over that of the seminorm.
 const SHARE: f64 = 0.5;
-/// What ends the accuracy.
-const LIMIT: &str = "rounding of the values beside their differences";
+/// Message: what limits the accuracy.
+const LIMIT: &str = "rounding of the values limits the accuracy of their differences";
 
 /// A function on a [`Curve`]: continuous and linear on every element, or constant on every element.
 #[doc(alias("H1/2", "H-1/2", "trace", "boundary element", "BEM", "Gagliardo"))]
@@ -30,7 +30,8 @@ pub(crate) struct BoundaryFunction {
 }
 
 impl BoundaryFunction {
-    /// Continuous and linear on every element, by its values at [`Curve::nodes`].
+    /// The function that is continuous and linear on every element, with the given values at
+    /// [`Curve::nodes`].
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -41,7 +42,7 @@ impl BoundaryFunction {
         Ok(Self { curve, ends, constants: false })
     }
 
-    /// Constant on every element, as normal derivatives are approximated.
+    /// The function that is constant on every element, as approximate normal derivatives are.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -60,24 +61,25 @@ impl BoundaryFunction {
         &self.ends
     }
 
-    /// |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 < ν < 1: the
-    /// norm that traces have on a Lipschitz curve, up to equivalence.
+    /// The seminorm |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 <
+    /// ν < 1; on a Lipschitz curve equivalent to the seminorm of the trace space.
     ///
     /// # Method
     ///
-    /// Every pair of elements: neighbours in Duffy's coordinates about their common point, straight on or
-    /// over a corner of any angle; others by Gauss rules on pieces no longer than their distance. Cost O(N²)
-    /// pairs at 10 to 100 kernel values, some seconds for 2000 elements, 20 000 at most.
+    /// The sum over all pairs of elements: adjacent elements in Duffy's coordinates about their common
+    /// point, on one side or across a corner of any angle; all others by Gauss rules on pieces no longer
+    /// than their distance. Cost O(N²) pairs with 10 to 100 kernel values each, some seconds for 2000
+    /// elements; at most 20 000 elements.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for constants that jump and ν ≥ 1/2; [`Error::CountOutOfRange`] beyond 20 000
-    /// elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding exceeds the
-    /// tolerance.
+    /// [`Error::InfiniteNorm`] for piecewise constants with a jump and ν ≥ 1/2; [`Error::CountOutOfRange`]
+    /// beyond 20 000 elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding
+    /// exceeds the tolerance.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
-    /// ||u||_ν, its square the sum of the squares of the L² norm and of the seminorm.
+    /// The norm ||u||_ν, whose square is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// # Errors
     /// As [`BoundaryFunction::seminorm`].

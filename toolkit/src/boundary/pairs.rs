@@ -18,15 +18,15 @@ use crate::order::Order;
 use crate::quadrature::Rule;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Points of a rule at most: enough for pieces as long as their distance.
+/// Largest number of points of a rule: enough for pieces as long as their distance.
 const MOST_POINTS: usize = 16;
 
-/// What one cut counts as.
+/// Kernel evaluations that one cut counts as.
 const OF_CUT: u64 = 4;
-/// Why the work allowed is not enough.
-const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): two sides without a common corner, or at a \
-     small angle, are so near each other that elements are cut in pieces as short as that distance; elements graded \
-     towards that place take fewer";
+/// Message: the work limit is exceeded.
+const NEEDLES: &str = "the work limit is reached: two sides without a common corner, or at a small angle, are so close to \
+     each other that elements are subdivided to that distance; grade the elements towards that place, or raise \
+     Tolerance::with_work";
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {
@@ -58,20 +58,22 @@ impl<'a> CurvePairs<'a> {
         })
     }
 
-    /// The same with so many evaluations of the kernel at most for elements that are cut in pieces.
+    /// The same with at most this many kernel evaluations for elements that are cut in pieces.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { left: AtomicU64::new(evaluations), ..self }
     }
 
-    /// Whether so many evaluations are left, which are then taken.
+    /// Deducts this many evaluations; false if fewer are left.
     fn spend(&self, count: u64) -> bool {
         let left = self.left.load(Ordering::Relaxed);
         self.left.store(left.saturating_sub(count), Ordering::Relaxed);
         left > count
     }
 
+    /// Checks that all pairs were visited.
+    ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] when what was visited is not all.
+    /// [`Error::ToleranceNotMet`] if not all pairs were visited.
     pub(super) fn require_all(&self) -> Result<()> {
         if self.left.load(Ordering::Relaxed) > 0 {
             return Ok(());
@@ -79,7 +81,7 @@ impl<'a> CurvePairs<'a> {
         Err(Error::out_of_reach("norm on a curve", self.asked, f64::INFINITY, NEEDLES))
     }
 
-    /// Of linears with values differing by one at the ends of an element of length h.
+    /// The form of one element of length h for linears whose end values differ by one.
     pub(super) fn own(&self, h: f64) -> f64 {
         2.0 * self.kernel.scaling(h) / (self.kernel.two_minus * self.kernel.three_minus)
     }
@@ -179,8 +181,8 @@ impl<'a> CurvePairs<'a> {
         }
     }
 
-    /// For pieces of this length over their distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and one point
-    /// for the linears.
+    /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²),
+    /// and one point for the linears.
     fn rule(&self, ratio: f64) -> &Rule {
         let z = 2.0 / ratio.max(1e-8);
         let rho = z + z.hypot(1.0);

@@ -1,16 +1,15 @@
 //! Quadratic forms of e^{-τ|x-y|} over piecewise polynomials, exactly and in one pass over the elements.
 //!
-//! For a run of elements of total length ℓ
+//! For a block of consecutive elements of total length ℓ
 //!   a = ∫ e^{-τ(x-left)} f,  b = ∫ e^{-τ(right-x)} f,  d = ∫∫ e^{-τ|x-y|} f(x) f(y),  e = e^{-τℓ},
-//! and two neighbouring runs join by
+//! and two neighbouring blocks are joined by
 //!   a = a₁ + e₁ a₂,  b = b₂ + e₂ b₁,  d = d₁ + d₂ + 2 b₁ a₂,  e = e₁ e₂,
 //! in a binary tree: rounding grows like the logarithm of the number of elements, and is carried along.
 //! On an element of length h, z = τh, f = Σ f_k P_k(2t-1) and its autocorrelation
 //! ∫_0^{1-r} f(t) f(t+r) dt = Σ c_n P_n(2r-1), n ≤ 2p + 1:
 //!   a = h Σ f_k m_k(z),  b = h Σ (-1)^k f_k m_k(z),  d = 2h² Σ c_n m_n(z),
 //!   m_n(z) = ∫_0^1 e^{-zt} P_n(2t-1) dt = (-1)^n e^{-z/2} i_n(z/2),
-//! i_n the modified spherical Bessel functions.
-//! Cost O(N (p + 1)) for one τ.
+//! i_n the modified spherical Bessel functions. Cost O(N (p + 1)) for one τ.
 
 use crate::error::Result;
 use crate::numeric::legendre;
@@ -18,7 +17,7 @@ use crate::numeric::sum::RunningSum;
 use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 
-/// Elements summed one after the other before halves are joined.
+/// Number of elements summed sequentially before halves are joined.
 const RUN: usize = 4;
 
 /// A piecewise polynomial on (0, 1) by Legendre coefficients.
@@ -32,7 +31,7 @@ pub(super) struct Cells {
     correlations: Vec<f64>,
 }
 
-/// The four integrals of a run of elements, and what rounding does to the first three.
+/// The four integrals of a block of elements, and the rounding errors of the first three.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Run {
     pub(super) near: f64,

@@ -1,10 +1,11 @@
-//! Dual norms of functions with declared breaks: of a piecewise polynomial, and of what it leaves.
+//! Dual norms of functions with declared breakpoints: of a piecewise polynomial approximation, and of the
+//! remainder.
 //!
-//! Every arm is cut at R/2^k towards its break, and f interpolated by a polynomial of degree p at Gauss points
-//! on each piece: with a singularity at the break no nearer than the piece is long, the difference falls like
-//! (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the difference is at most its L²
-//! norm, which is integrated at other points; within the last piece, layer by layer as far as f can be asked,
-//! and beyond as a geometric series.
+//! Every side is cut at R/2^k towards its breakpoint, and f interpolated by a polynomial of degree p at
+//! Gauss points on each piece: with a singularity at the breakpoint no nearer than the piece is long, the
+//! difference falls like (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the
+//! difference is at most its L² norm, which is integrated at other points; within the last piece, layer by
+//! layer as far as f can be evaluated, and as a geometric series beyond.
 
 use super::functional::DualOf;
 use crate::error::{Error, Result};
@@ -16,12 +17,12 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 
-/// Degrees, one after the other, until the difference is small enough.
+/// Degrees, in turn, until the difference is small enough.
 const DEGREES: [usize; 3] = [6, 12, 18];
-/// Layers of the last piece that are looked at.
+/// Number of layers of the last piece that are evaluated.
 const LOOKED_AT: usize = 24;
 
-/// A piecewise polynomial, and the square of the L² norm of what it leaves.
+/// A piecewise polynomial, and the square of the L² norm of the remainder.
 #[derive(Default)]
 pub(crate) struct Interpolant {
     lengths: Vec<f64>,
@@ -34,10 +35,11 @@ impl SingularFunction<'_> {
     /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||, as
     /// [`PiecewisePolynomial::dual_norm`]: dual to [`SingularFunction::norm`].
     ///
-    /// The function is replaced by a piecewise polynomial graded to its breaks; the L² norm of the difference
-    /// bounds the dual norm of the difference and is part of the error. Functions of
-    /// [`SingularFunction::from_positions`] keep their digits at singularities that those of
-    /// [`SingularFunction::new`] lose. Cost: some dozens of pieces per break, then as for them.
+    /// The function is replaced by a piecewise polynomial graded to its breakpoints; the L² norm of the
+    /// difference bounds the dual norm of the difference and is part of the error. Functions of
+    /// [`SingularFunction::from_positions`] keep their digits at singularities; those of
+    /// [`SingularFunction::new`] lose them. Cost: some dozens of pieces per breakpoint, then that of the
+    /// piecewise polynomial.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
@@ -72,25 +74,25 @@ impl SingularFunction<'_> {
                 break;
             }
         }
-        let why = "what a piecewise polynomial leaves of the function, or its own dual norm";
+        let why = "error of the piecewise polynomial approximation or of its dual norm";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }
 
 impl Interpolant {
-    /// The polynomial, and the L² norm of what it leaves, on an interval `unit` times as long.
+    /// The polynomial, and the L² norm of the remainder, on an interval `unit` times as long.
     pub(crate) fn finish(self, unit: f64) -> Result<(PiecewisePolynomial, f64)> {
         let partition = Mesh::from_lengths(self.lengths.iter().map(|length| length * unit).collect())?;
         let left = self.left.sqrt() * unit.sqrt();
         Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, left))
     }
 
-    /// ∫ of a square that is left on a piece pushed.
+    /// Adds the integral of the squared remainder on a piece.
     pub(crate) fn leave(&mut self, square: f64) {
         self.left += square;
     }
 
-    /// Appends an arm, from left to right.
+    /// Appends a side, from left to right.
     pub(crate) fn add(&mut self, u: &SingularFunction, arm: &Arm, degree: usize, goal: f64) -> Result<()> {
         let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
         let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
@@ -160,7 +162,7 @@ impl Interpolant {
     }
 }
 
-/// ∫ (f - value)² within the last piece of an arm.
+/// ∫ (f - value)² within the last piece of a side.
 fn within(arm: &Arm, layers: usize, value: f64, middle: &impl Fn(usize) -> Result<f64>) -> Result<f64> {
     let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
     let (mut sum, mut last, mut ratio) = (0.0, 0.0, 0.0f64);

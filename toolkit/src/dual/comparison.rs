@@ -1,4 +1,4 @@
-//! The forms that are known twice, chosen to follow the regional form from place to place.
+//! Comparison forms, known exactly and discretely, that approximate the regional form locally.
 //!
 //! The form m ∫ u v + a (u, v)_ν of (1.1) on (0, 1) acts on short waves at x like b(x) + ac |ξ|^{2ν},
 //!   b(x) = m - a (x^{-2ν} + (1-x)^{-2ν}) / ν:
@@ -20,17 +20,18 @@ use crate::order::Order;
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// Closer to an end b is as here.
+/// Closer to an end than this, b is held constant.
 const NEAR: f64 = 0.003;
-/// Nodes at most; and from so many elements on, and for orders up to this, more than one.
+/// Largest number of nodes; smallest number of elements and largest order for which more than one node is
+/// used.
 const MOST_NODES: usize = 8;
 const MANY: usize = 1000;
 const LARGEST_ORDER: f64 = 0.8;
 /// Equal elements for whose waves the nodes are counted.
 const SHORT: f64 = 262_144.0;
-/// What is left of the ends with one node, relative to Q.
+/// Error left at the ends with one node, relative to Q.
 const ENDS: f64 = 1e-6;
-/// b h^{2ν} from which on more nodes are worth nothing.
+/// Value of b h^{2ν} from which on more nodes gain nothing.
 const TOO_SLOW: f64 = 0.5;
 
 /// An interval of length ℓ in (0, 1) as (0, 1): the elements of f that count there, m and a.
@@ -78,7 +79,7 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// For f of `count` elements, to a relative `tolerance`.
+    /// The comparison forms for f with `count` elements, to a relative `tolerance`.
     pub(super) fn new(order: Order, [m, a]: [f64; 2], count: usize, tolerance: f64) -> Self {
         let (nu, constant) = (order.value(), symbol_constant(order));
         let at = |x: f64| m - a * (x.powf(-2.0 * nu) + (1.0 - x).powf(-2.0 * nu)) / nu;
@@ -101,7 +102,7 @@ impl Comparison {
         Self { order, nodes, constant }
     }
 
-    /// θ_j on the elements of f in a part, for every node; nothing where there is one node.
+    /// θ_j on the elements of f in a part, for every node; empty for one node.
     pub(super) fn shares(&self, partition: &Mesh, part: &Part) -> Vec<Vec<f64>> {
         let mut shares = vec![Vec::with_capacity(part.elements.len()); self.nodes.len()];
         if self.nodes.len() == 1 {

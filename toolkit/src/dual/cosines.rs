@@ -1,8 +1,7 @@
-//! The regional form's nearest relative that is diagonal: β ∫ u v + c ⟨A^ν u, v⟩, A = -d²/dx² with Neumann
-//! ends on (0, 1).
+//! A diagonal form close to the regional form: β ∫ u v + c ⟨A^ν u, v⟩, A = -d²/dx² with Neumann ends on (0, 1).
 //!
 //! With c = 2π / (Γ(1+2ν) sin πν) the form c ⟨A^ν u, v⟩ has the symbol c |ξ|^{2ν} of (1.1) on the line; on
-//! the interval it is (1.1) with the kernel of all even images. Its dual form is known twice:
+//! the interval it is (1.1) with the kernel of all even images. Its dual form has two representations:
 //! - exactly, by resolvents ([`super::resolvent`]):
 //!   1/(β + cλ^ν) = (sin πν / π) ∫_0^∞ c s^ν / (β² + 2βc s^ν cos πν + c² s^{2ν}) ds / (s + λ);
 //! - over the piecewise linears on M equal elements: they are spanned by the interpolants of cos kπx, whose
@@ -21,7 +20,7 @@ use realfft::{RealFftPlanner, RealToComplex};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-/// Trapezoidal nodes at most.
+/// Largest number of trapezoidal nodes.
 const MOST_NODES: f64 = 1e6;
 
 /// ⟨f, (β + cA^ν)^{-1} f⟩ on (0, 1) for f without mean, and its error, to a relative `goal`.

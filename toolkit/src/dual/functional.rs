@@ -1,5 +1,5 @@
-//! Dual norms of functions, however rough: by resolvents in the interpolation spaces (`resolvent`), by piecewise
-//! linears with a known correction for (1.1) (`regional`).
+//! Dual norms of piecewise polynomials: by resolvents in the interpolation spaces (`resolvent`), by
+//! piecewise linears with a known correction for (1.1) (`regional`).
 
 use super::resolvent::Ends;
 use crate::error::Result;
@@ -8,7 +8,7 @@ use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
-/// The norm whose dual is meant.
+/// The norm to which the dual norm is taken.
 ///
 /// | [`DualOf`] | ‖v‖² | space |
 /// | --- | --- | --- |
@@ -42,8 +42,9 @@ pub enum DualOf {
 }
 
 impl PiecewisePolynomial {
-    /// The largest value times a power of two near the L² norm of f over it, the interval over its length: squares of
-    /// a load on a short element neither over- nor underflow. 0 for the zero function.
+    /// The unit of f: its largest value times a power of two near the L² norm of f over that value on the
+    /// unit interval, so that squares of a load on a short element neither overflow nor underflow. 0 for
+    /// the zero function.
     pub(super) fn unit_of_load(&self) -> f64 {
         let size = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
         if size == 0.0 {
@@ -58,15 +59,15 @@ impl PiecewisePolynomial {
     /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||_ν with (1.1): dual to
     /// [`PiecewisePolynomial::norm`].
     ///
-    /// The interpolation spaces: Balakrishnan's integral of resolvents, each in closed form on every element
-    /// and summed in O(N): all digits on every mesh, some hundred passes (a fraction of a second for
-    /// 100 000 elements).
+    /// In the interpolation spaces the dual norm is Balakrishnan's integral of resolvents, each in closed
+    /// form on every element and summed in O(N): exact to rounding on every mesh, some hundred passes (a
+    /// fraction of a second for 100 000 elements).
     ///
-    /// The norm (1.1): Q_h + R − R_h, piecewise linears on M equal elements with what they miss taken from
-    /// forms that are known exactly and follow (1.1) from place to place; M doubles up to 2^20. Eight digits
-    /// for ±1 on 100 000 elements, equal or not, take seconds from ν = 0.3 on; at ν = 0.1 unequal elements
-    /// take forty seconds, and equal ones stop at 4e-8. A refusal carries the best value. The error is that
-    /// of doubling: honest, not proved.
+    /// In the norm (1.1) it is Q_h + R − R_h: piecewise linears on M equal elements, corrected by
+    /// comparison forms that are known exactly and approximate (1.1) locally; M doubles up to 2^20. Eight
+    /// digits for ±1 on 100 000 elements, equal or not, take seconds from ν = 0.3 on; at ν = 0.1 unequal
+    /// elements take forty seconds, and equal ones stop at 4e-8. An error carries the best value. The error
+    /// estimate is the change under doubling; it is not a proved bound.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds

@@ -1,9 +1,10 @@
-//! Q_h - R_h: the regional form over the piecewise linears on M equal elements, and beside it R over the same.
+//! Q_h - R_h: the difference of the regional form and the comparison form over the piecewise linears on M
+//! equal elements.
 //!
-//! Where R of [`super::comparison`] has more than one node, the ends have windows. There b(x) grows beyond what
-//! nodes can follow, and the doubling of the mesh would go on for long: f within ℓ/2 of an end is taken alone,
-//! on an interval of length ℓ, on meshes of h and of h/8; then on ℓ/8, of h/8 and of h/64. Their differences
-//! are added.
+//! Where R of [`super::comparison`] has more than one node, the ends have windows. There b(x) grows faster
+//! than the nodes resolve, and the mesh would have to be doubled many times. Therefore f within ℓ/2 of an
+//! end is treated separately, on an interval of length ℓ, on meshes of h and of h/8; then on ℓ/8, of h/8
+//! and of h/64. Their differences are added.
 
 use super::comparison::{Comparison, Part};
 use super::cosines::Cosines;
@@ -18,11 +19,11 @@ use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 use std::iter::once;
 
-/// ℓ of the first window is one part in so many; the next is so many times shorter, its mesh so much finer.
+/// Factor between the interval and the first window, and between successive windows and their mesh sizes.
 const WINDOW: usize = 16;
 const FINER: usize = 8;
 const WINDOWS: usize = 2;
-/// Elements of f from which on an end has a window.
+/// Number of elements of f from which on an end has a window.
 const CROWD: usize = 4;
 /// Rounding of Q_h relative to ε M^{2ν}; measured below 0.02.
 const ROUNDING: f64 = 0.1;

@@ -1,16 +1,16 @@
-//! Dual norms, sup ⟨f, v⟩ / ‖v‖: what [`Function::dual_norm`](crate::Function::dual_norm) and norms of negative order
-//! compute.
+//! Dual norms sup ⟨f, v⟩ / ‖v‖, for [`Function::dual_norm`](crate::Function::dual_norm) and norms of
+//! negative order.
 //!
 //! | ⟨f, v⟩ | supremum over | here |
 //! | --- | --- | --- |
 //! | ∫ f v, f a piecewise polynomial, up to 10⁵ elements | H^ν(I), (1.1) | `regional` |
-//! | the same, in interpolation spaces | what [`DualOf`] names | `resolvent` |
+//! | the same, in interpolation spaces | the spaces of [`DualOf`] | `resolvent` |
 //! | ∫ f v, f a formula with breakpoints | both | `closure` |
-//! | f by its values on hat functions | the piecewise linears of the mesh, (1.1) | [`MeshFunctional`] |
+//! | f given by its values on hat functions | the piecewise linears of the mesh, (1.1) | [`MeshFunctional`] |
 //!
-//! ∫ (u − u_h) v is in `fields`, ∫_Γ f v on the boundary of a polygon in `boundary`. Two suprema of other kinds have
-//! names of their own: the largest mean beside the seminorm, under a condition, [`crate::GammaBounds`]; moments under
-//! a condition, [`crate::moment`]. In the plane there is no method for dual norms.
+//! ∫ (u − u_h) v is in `fields`, ∫_Γ f v on the boundary of a polygon in `boundary`. Two related suprema
+//! are elsewhere: the largest norm over the seminorm under a constraint, [`crate::GammaBounds`], and
+//! moments under a constraint, [`crate::moment`]. In the plane there is no method for dual norms.
 
 mod cells;
 pub(crate) mod closure;

@@ -1,4 +1,5 @@
-//! Dual norms of functionals that are known by their values on the hats of a mesh: one SPD solve with M + A.
+//! Dual norms of functionals that are known by their values on the hat functions of a mesh: one SPD solve
+//! with M + A.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -13,11 +14,11 @@ use crate::order::Order;
 use crate::root::accept;
 use nalgebra::DMatrix;
 
-/// Dense Cholesky up to this many unknowns.
+/// Largest number of unknowns for dense Cholesky.
 const DENSE: usize = 300;
 
-/// A functional on the piecewise linears of a mesh, by its values ⟨f, φ_i⟩ on the N + 1 hats: a load vector, or a
-/// residual.
+/// A functional on the piecewise linears of a mesh, by its values ⟨f, φ_i⟩ on the N + 1 hat functions: a
+/// load vector, or a residual.
 #[doc(alias("load vector", "residual", "dual norm"))]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MeshFunctional {
@@ -26,7 +27,7 @@ pub(crate) struct MeshFunctional {
 }
 
 impl MeshFunctional {
-    /// One value per node.
+    /// The functional with one value per node.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`] with the index.
@@ -35,11 +36,11 @@ impl MeshFunctional {
         Ok(Self { partition, values: values.to_vec() })
     }
 
-    /// sup ⟨f, v⟩/||v||_ν over the piecewise linears v of the mesh, with (1.1): a lower bound of the supremum over
-    /// all v, of which the values on the hats tell no more.
+    /// sup ⟨f, v⟩/||v||_ν over the piecewise linears v of the mesh, with (1.1): a lower bound of the
+    /// supremum over all v, the best that follows from the values on the hat functions.
     ///
-    /// Up to 300 nodes by a dense factorization, else by conjugate gradients on the fast product: O(N log N)
-    /// a step.
+    /// Computed by a dense factorization for up to 300 nodes, else by conjugate gradients with the fast
+    /// product: O(N log N) per step.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`], [`Error::ToleranceNotMet`] with the best value.
@@ -119,7 +120,7 @@ impl System for WithMass {
     }
 }
 
-/// Steps whose gains together stand for what is still to come: convergence is linear or faster.
+/// Number of last steps whose total gain estimates the remaining error; convergence is linear or faster.
 const SETTLED: usize = 20;
 
 /// bᵀ (M + A)⁻¹ b by conjugate gradients on the fast product, with the diagonal as preconditioner.
@@ -154,6 +155,6 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
     let rest = gains.iter().rev().take(SETTLED).sum::<f64>();
     let work = Work { iterations: gains.len() as u64, ..Work::default() };
     let best = Estimate::new(value.value(), rest, work)?;
-    let why = "conjugate gradients took their last step";
+    let why = "conjugate gradients reached the largest number of steps";
     Err(Error::not_met("square of the dual norm", tolerance.relative(), best, why))
 }

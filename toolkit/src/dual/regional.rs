@@ -1,17 +1,18 @@
-//! The dual of the norm (1.1): piecewise linears on equal elements, with what they miss taken from a form
-//! that is known twice.
+//! The dual of the norm (1.1): piecewise linears on equal elements, corrected by a comparison form that is
+//! known exactly and discretely.
 //!
-//! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linears on M equal elements,
-//! and R, R_h the two for the forms of [`super::comparison`], R exact and R_h by transforms. At a jump of f
-//! both representers have the same singularity x^{2ν}, and near it both meshes are the same: what R_h misses
-//! is what Q_h misses, up to the next singularity x^{4ν} and the ends. So
+//! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linears on M equal
+//! elements, and R, R_h the two for the forms of [`super::comparison`], R exact and R_h by transforms. At a
+//! jump of f both representers have the same singularity x^{2ν}, and near it both meshes are the same: the
+//! discretisation errors of R_h and Q_h agree up to the next singularity x^{4ν} and the ends. So
 //!   Q ≈ Q_h + R - R_h,
-//! whose error falls like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), and far from the ends with
-//! a small factor where R has several nodes, wherever the jumps lie: the mesh need not be that of f. M is doubled; the error is that of the doubling, and
-//! where every element of f is cut alike and three values fall by the known factor, of the limit they point
-//! to. Q_h is found by conjugate gradients with R_h's form as preconditioner (5 to 15 steps). The mean is
-//! split off: its representer is itself. Rounding of the product grows like M^{2ν} and ends the doubling.
-//! Lengths are in units of the interval: 1 + A becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
+//! whose error decreases like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), with a small factor
+//! far from the ends if R has several nodes. The jumps need not be nodes of the mesh. M is doubled; the
+//! error estimate is the change under doubling or, if all elements of f are cut alike and three values
+//! decrease by the known factor, that of the extrapolated limit. Q_h is found by conjugate gradients with
+//! R_h's form as preconditioner (5 to 15 steps). The mean is split off: its representer is itself. Rounding
+//! of the product grows like M^{2ν} and ends the doubling. Lengths are in units of the interval: 1 + A
+//! becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
 
 use super::cells::Cells;
 use super::comparison::Comparison;
@@ -22,15 +23,16 @@ use crate::kernel::power::symbol_constant;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
-/// Equal elements at first and at most.
+/// First and largest number of equal elements.
 const FIRST: usize = 64;
 const MOST: usize = 1 << 20;
-/// Elements from which on a mesh is only halved if the tolerance is within reach, SPARE halvings granted.
+/// Number of elements from which on a mesh is refined only if the tolerance can be met within SPARE
+/// bisections.
 const LARGE: usize = 1 << 18;
 const SPARE: f64 = 0.0;
-/// A over 1 on the shortest element; its root, the share of layers, is below the last digit.
+/// Ratio of A to 1 on the shortest element; its root, the share of the layers, is below rounding.
 const NOTHING: f64 = 1e-40;
-/// Values that fall by the known factor up to this share of it are taken to their limit.
+/// Values whose differences decrease by the known factor up to this relative deviation are extrapolated.
 const SAME_RATE: f64 = 0.35;
 
 /// One mesh: Q_h + R - R_h, and whether every element of f is cut into the same number of equal elements.
@@ -42,7 +44,7 @@ struct Level {
 }
 
 impl Rough<'_> {
-    /// The factor by which the difference of two levels falls at the next.
+    /// The factor by which the difference of two levels decreases at the next level.
     fn rate(&self) -> f64 {
         let nu = self.order.value();
         (1.0 + 4.0 * nu).min(4.0 - 2.0 * nu).exp2()
@@ -146,7 +148,7 @@ impl PiecewisePolynomial {
             }
             count *= 2;
         }
-        let why = "a million elements do not suffice for its jumps, or rounding of the form";
+        let why = "2^20 elements do not resolve the jumps, or rounding of the form dominates";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }

@@ -1,4 +1,5 @@
-//! Dual norms of the interpolation spaces by resolvents: every digit, on every mesh, O(N) each.
+//! Dual norms of the interpolation spaces by resolvents: exact to rounding on every mesh, O(N) per
+//! resolvent.
 //!
 //! With A = -d²/dx² under the Neumann (cosines) or the Dirichlet condition (sines), Balakrishnan's formula is
 //!   ⟨f, (1+A)^{-ν} f⟩ = (sin πν / π) ∫_0^∞ s^{-ν} ⟨f, (1+s+A)^{-1} f⟩ ds,
@@ -23,7 +24,7 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use std::f64::consts::PI;
 
-/// τh from which e^{-τh} is nothing, and from which (τh)^{-2} is little.
+/// Values of τh from which on e^{-τh} is negligible, and from which on (τh)^{-2} is small.
 const EXPONENTIAL: f64 = 40.0;
 const POWER: f64 = 1e7;
 
@@ -53,7 +54,7 @@ impl Ends {
     }
 }
 
-/// f on (0, 1) with what its resolvent forms need.
+/// f on (0, 1) with the data of its resolvent forms.
 pub(super) struct Load {
     ends: Ends,
     /// L
@@ -68,7 +69,7 @@ pub(super) struct Load {
 }
 
 impl Load {
-    /// For τ from `least` on.
+    /// The load f for resolvents with τ ≥ `least`.
     pub(super) fn new(ends: Ends, total: f64, cells: Cells, least: f64) -> Result<Self> {
         let primitive = if least * total < 1.0 {
             let whole = cells.primitive()?;
@@ -116,7 +117,7 @@ pub(super) fn geometric(rate: f64, step: f64, distance: f64) -> f64 {
     (-rate * distance).exp() * step / -(-rate * step).exp_m1()
 }
 
-/// ⟨f, (1+A)^{-ν} f⟩ / L and its error, to a relative `goal`; and how many values it took.
+/// ⟨f, (1+A)^{-ν} f⟩ / L and its error, to a relative `goal`, with the number of evaluations.
 fn power_form(load: &Load, order: Order, goal: f64) -> (f64, f64, u64) {
     let (nu, complement) = (order.value(), order.complement());
     let step = 2.0 * PI * PI / (4.0 / goal).ln();

@@ -1,9 +1,9 @@
 //! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over the square of an interval: near cells pair by pair, far clusters by
 //! moments.
 //!
-//! The square is cut as for the operators ([`crate::gram::cluster`]). Far pairs are as accurate as
-//! the interpolated kernel, whose error is measured for the worst pair; near pairs are what the caller makes
-//! of them. Cost: O(N) near pairs and about 3N/leaf pairs of clusters at m² kernel values, m ≈ digits · 1.3.
+//! The square is cut as for the operators ([`crate::gram::cluster`]). Far pairs are as accurate as the
+//! interpolated kernel, whose error is measured for the worst pair; near pairs are supplied by the caller.
+//! Cost: O(N) near pairs and about 3N/leaf pairs of clusters at m² kernel values, m ≈ digits · 1.3.
 
 use super::moments::{MomentTree, Samples};
 use super::pair_sum::PairSum;
@@ -23,16 +23,16 @@ pub(crate) trait CellEnergies: Samples {
     /// `gap` between them.
     fn near(&self, e: usize, f: usize, gap: f64) -> PairSum;
 
-    /// Elements of a cluster that is not cut any more.
+    /// Largest number of elements of a leaf cluster.
     fn leaf(&self) -> usize;
 
-    /// Whether clusters may end at this node.
+    /// True if clusters may end at this node.
     fn may_cut(&self, _node: usize) -> bool {
         true
     }
 }
 
-/// The squared seminorm; far pairs to the relative accuracy `target`, which near ones have too.
+/// The squared seminorm, with far and near pairs to the relative accuracy `target`.
 pub(crate) fn energy(
     partition: &Mesh,
     function: &impl CellEnergies,

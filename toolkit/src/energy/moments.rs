@@ -1,4 +1,5 @@
-//! Moments of a function on a tree of clusters, and what two clusters apart add to a squared seminorm.
+//! Moments of a function on a cluster tree, and the contribution of two separated clusters to a squared
+//! seminorm.
 //!
 //! On a cluster A of length L with points x_a = L ξ_a (ξ_a Chebyshev) and Lagrange polynomials ℓ_a,
 //!
@@ -31,7 +32,7 @@ pub(crate) trait Samples: Sync {
     /// A value of the function on the cell.
     fn level(&self, cell: usize) -> f64;
 
-    /// Calls with (t, w, u − shift), t and w on the unit cell.
+    /// Calls the function with (t, w, u − shift) at all points of the rule, t and w on the unit cell.
     fn sample(&self, cell: usize, shift: f64, visit: &mut dyn FnMut(f64, f64, f64));
 }
 

@@ -1,4 +1,4 @@
-//! What pairs of cells add to a squared seminorm.
+//! Contributions of pairs of cells to a squared seminorm.
 
 use std::ops::Add;
 

@@ -1,10 +1,10 @@
-//! Parameters as themselves or as plain numbers.
+//! Parameters given as their type or as plain numbers.
 
 #[cfg(doc)]
 use super::Error;
 use super::Result;
 
-/// A parameter given as itself or as the plain number it stands for: `u.norm(0.5, 1e-8)?`.
+/// A parameter given as its type or as a plain number: `u.norm(0.5, 1e-8)?`.
 ///
 /// Implemented for orders and tolerances, and for `f64` in their place; a number outside their range is
 /// [`Error::OutOfRange`].

@@ -15,12 +15,12 @@ use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PolynomialPairs};
 use crate::quadrature::Rule;
 
-/// Points of a rule beyond the degree: half as many as a cluster has, and one.
+/// Points of a rule beyond the degree: half as many as a cluster has, plus one.
 const MOMENT_POINTS: usize = 15;
 /// Parts fitted by one thread.
 const TOGETHER: usize = 256;
 
-/// What is known of u − u_h on a cell.
+/// The representation of u − u_h on a cell.
 pub(super) enum Content {
     Smooth { piece: Piece, rest: f64, noise: f64 },
     Singular(Sampled),

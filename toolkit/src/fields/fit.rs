@@ -1,4 +1,5 @@
-//! A polynomial for u − u_h on a cell away from the breaks, of the degree that its coefficients ask for.
+//! A polynomial for u − u_h on a cell away from the breakpoints, of a degree chosen by the decay of its
+//! coefficients.
 
 use super::layout::Part;
 use crate::error::Result;
@@ -9,10 +10,10 @@ use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 const DEGREES: [usize; 5] = [5, 8, 12, 16, 20];
 /// Rounding of bubbles, in units of that of the values.
 const NOISE: f64 = 8.0;
-/// Halvings of a cell at most.
+/// Largest number of bisections of a cell.
 const DEEPEST: usize = 30;
 
-/// A polynomial, what its last coefficients leave, and the rounding of the values it was made from.
+/// A polynomial, the truncation error by its last coefficients, and the rounding of its data.
 pub(super) struct Fitted {
     pub(super) part: Part,
     pub(super) piece: Piece,
@@ -40,7 +41,7 @@ impl Difference<'_> {
         Ok((value, value - self.field.pieces()[part.element].value(local)))
     }
 
-    /// u − u_h at the distance `share` of the length of a singular part from its break.
+    /// u − u_h at the distance `share` of the length of a singular part from its breakpoint.
     pub(super) fn near_break(&self, part: &Part, mirrored: bool, share: f64) -> Result<f64> {
         let offset = part.length * share;
         let (k, offset) = if mirrored { (part.gap + 1, -offset) } else { (part.gap, offset) };

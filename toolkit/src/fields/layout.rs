@@ -1,17 +1,18 @@
-//! The cells on which u − u_h is smooth, and those at the breaks of u.
+//! The cells on which u − u_h is smooth, and those at the breakpoints of u.
 //!
-//! The elements of the field are cut at the breaks, and further until no cell is longer than its distance to
-//! the nearest break. The two pieces beside a break are halved: the half at the break is singular, the other
-//! one as long as its distance to it. The halves of one break make its *patch*.
+//! The elements of the field are cut at the breakpoints, and further until no cell is longer than its
+//! distance to the nearest breakpoint. The two pieces beside a breakpoint are halved: the half at the
+//! breakpoint is singular, the other one as long as its distance to it. The halves of one breakpoint make
+//! its *patch*.
 
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
 
-/// A node and a break are one point when they differ by this, relative to the larger of the ends.
+/// A node and a breakpoint are one point when they differ by this, relative to the larger of the ends.
 const SAME: f64 = 4.0 * f64::EPSILON;
 
-/// A part of an element of the field, between two breaks.
+/// A part of an element of the field, between two breakpoints.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
     pub(super) element: usize,
@@ -19,13 +20,13 @@ pub(super) struct Part {
     pub(super) from: f64,
     pub(super) to: f64,
     pub(super) length: f64,
-    /// between the breaks `gap` and `gap` + 1, with the distances of its ends to these
+    /// between the breakpoints `gap` and `gap` + 1, with the distances of its ends to these
     pub(super) gap: usize,
     pub(super) left: f64,
     pub(super) right: f64,
-    /// the break in whose patch it lies
+    /// the breakpoint in whose patch it lies
     pub(super) patch: Option<usize>,
-    /// the break is one of its ends
+    /// the breakpoint is one of its ends
     pub(super) is_singular: bool,
 }
 
@@ -107,7 +108,7 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     // Two breaks may lie closer than nodes are known.
     let expected = breaks.len() - 1;
     if gaps.len() != expected {
-        let (name, given) = ("breaks that are nodes of the field or lie between them", gaps.len());
+        let (name, given) = ("breakpoints at or between the nodes of the field", gaps.len());
         return Err(Error::LengthMismatch { name, given, expected });
     }
     let mut cells = Vec::new();

@@ -1,4 +1,4 @@
-//! Norms of u − u_h: a function with declared break points against a piecewise polynomial.
+//! Norms of u − u_h: a function with declared breakpoints against a piecewise polynomial.
 
 mod cells;
 mod fit;

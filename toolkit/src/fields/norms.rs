@@ -1,4 +1,4 @@
-//! Norms of u − u_h for a function with declared breaks and a piecewise polynomial.
+//! Norms of u − u_h for a function with declared breakpoints and a piecewise polynomial.
 
 use super::cells::{Content, FieldCells, FieldEnergies};
 use super::fit::Difference;
@@ -17,21 +17,22 @@ use crate::root::{accept, root_of_squares, scaled};
 const SHARE: f64 = 0.2;
 /// Standard deviations by which independent roundings may exceed their expectation.
 const ROUNDING_SAFETY: f64 = 4.0;
-/// What ends the accuracy.
-pub(super) const LIMIT: &str = "rounding of the function beside a small difference, or the limit at a break";
+/// Message: what limits the accuracy.
+pub(super) const LIMIT: &str =
+    "rounding of the function dominates a small difference, or the limit at a breakpoint is not resolved";
 
-/// u − u_h for a function with declared breaks and a field on many elements: an interpolant, a finite element
-/// solution. Its norms are those of other functions.
+/// u − u_h for a function with declared breakpoints and a field on many elements: an interpolant, a finite
+/// element solution. Its norms are those of other functions.
 ///
 /// # Method
 ///
-/// The elements are cut at the breaks of u and until none is longer than its distance to the nearest one.
-/// Away from the breaks u − u_h is replaced by polynomials of the degree (5 to 20) that their
-/// coefficients ask for, and the double integral goes pair by pair for near cells and by moments for far
-/// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a break form a patch: over
-/// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also
-/// recognises what is infinite; against all others the patch enters by points that shrink towards the
-/// break. Cost O(N log(1/τ)²): seconds for 10⁵ elements.
+/// The elements are cut at the breakpoints of u and until none is longer than its distance to the nearest
+/// one. Away from the breakpoints u − u_h is replaced by polynomials of degree 5 to 20, chosen by the decay
+/// of their coefficients, and the double integral goes pair by pair for near cells and by moments for far
+/// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a breakpoint form a patch: over
+/// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also detects
+/// infinite seminorms; against all other cells the patch is represented by points graded to the breakpoint.
+/// Cost O(N log(1/τ)²): seconds for 10⁵ elements.
 ///
 /// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
 /// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
@@ -79,7 +80,7 @@ impl FieldError<'_> {
         accept("L^2 norm", of_lq(&unit, 2.0, l2(&cells)?)?, tolerance, LIMIT)
     }
 
-    /// Both over the size of u, on the interval over its length.
+    /// Both functions divided by the size of u, on the unit interval.
     pub(super) fn normalized(&self, tolerance: Tolerance) -> Result<(Normalized<'_>, PiecewisePolynomial)> {
         let unit = self.function.normalized(tolerance)?;
         let field = self.field.scaled_by(1.0 / unit.size).on(self.field.mesh().over(unit.length)?);
@@ -160,7 +161,7 @@ fn squared(
     Estimate::new(value.value(), error, work + Work { points: cells.parts.len() as u64, ..Work::default() })
 }
 
-/// What is not in the polynomials and samples.
+/// The error of the polynomials and samples.
 #[derive(Default)]
 struct Leftovers {
     /// |r|²_ν of what the last coefficients leave

@@ -1,4 +1,4 @@
-//! The patch of a break: both halves beside it, as a function with a break of its own.
+//! The patch of a breakpoint: both halves beside it, as a function with one breakpoint.
 
 use super::fit::{Difference, Fitted};
 use super::layout::Part;
@@ -9,12 +9,12 @@ use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
-/// More polynomials than these on a patch are no smooth function.
+/// Largest number of polynomials on a patch of a smooth function.
 const MOST: usize = 64;
 /// Standard deviations by which independent roundings may exceed their expectation.
 const SAFETY: f64 = 4.0;
 
-/// u − u_h on the patch of break k, whose parts are given left to right.
+/// u − u_h on the patch of breakpoint k, whose parts are given left to right.
 pub(super) fn patch<'a>(
     function: &'a SingularFunction<'a>,
     field: &'a PiecewisePolynomial,
@@ -56,8 +56,8 @@ pub(super) fn patch<'a>(
     function.seen_likewise(&breaks, difference)
 }
 
-/// |u − u_h|_ν on a patch from polynomials: where u is as smooth at the break as elsewhere and rounding is
-/// most of what is seen of the difference, [`SingularFunction::seminorm`] takes rounding for waves.
+/// |u − u_h|_ν on a patch from polynomials: where u is smooth at the breakpoint and rounding dominates the
+/// difference, [`SingularFunction::seminorm`] would take rounding for oscillations.
 pub(super) fn by_polynomials(
     difference: &Difference,
     parts: &[Part],

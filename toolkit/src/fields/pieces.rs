@@ -1,4 +1,5 @@
-//! L^q norms and dual norms of u − u_h: cell by cell away from the breaks, and the patches of the breaks.
+//! L^q norms and dual norms of u − u_h: cell by cell away from the breakpoints, and the patches of the
+//! breakpoints.
 
 use super::cells::{Content, FieldCells};
 use super::fit::Difference;
@@ -14,23 +15,23 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::root::{accept, scaled};
 
-/// Asked of the cells over what is asked of a dual norm: an error that oscillates has a dual norm much smaller
-/// than its L² norm, and what the cells leave counts by the latter.
+/// Accuracy of the cells over that of a dual norm: an oscillating error has a dual norm much smaller than
+/// its L² norm, in which the remainder of the cells is measured.
 const OF_CELLS: f64 = 1e-3;
-/// Least that is asked of the cells.
+/// Smallest tolerance of the cells.
 const LEAST: f64 = 1e-14;
 /// Degree of the polynomials in a patch.
 const DEGREE: usize = 18;
 
 /// A piece of u − u_h, from left to right.
 enum Part<'a> {
-    /// length, polynomial by ends and bubbles, and how far it may be off
+    /// length, polynomial by end values and bubbles, and its error
     Cell(f64, [f64; 2], &'a [f64], f64),
     Patch(SingularFunction<'a>),
 }
 
 impl FieldError<'_> {
-    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ what is between the points of a patch is judged as for
+    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ the maximum between the points of a patch is estimated as in
     /// [`SingularFunction::lq_norm`].
     ///
     /// # Errors
@@ -105,7 +106,7 @@ impl FieldError<'_> {
     }
 }
 
-/// u − u_h from left to right: cells away from the breaks, and one patch per break.
+/// u − u_h from left to right: cells away from the breakpoints, and one patch per breakpoint.
 fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<Part<'a>>> {
     let mut found = Vec::with_capacity(cells.parts.len());
     let mut last = None;
@@ -129,7 +130,11 @@ fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<P
                 found.push(Part::Cell(part.length, ends, &piece.bubbles, 0.25 * rest.abs() + noise));
             }
             (None, Content::Singular(_)) => {
-                return Err(Error::CountOutOfRange { name: "cell at no break", value: k, range: "none" });
+                return Err(Error::CountOutOfRange {
+                    name: "cell at no breakpoint",
+                    value: k,
+                    range: "none",
+                });
             }
         }
     }

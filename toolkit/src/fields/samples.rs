@@ -1,14 +1,14 @@
-//! A cell at a break by points that shrink towards it: enough for kernels that do not see the break.
+//! A cell at a breakpoint by points graded to it: sufficient for kernels that are smooth there.
 //!
 //! Gauss rules on layers of ratio 2/5. The layers end where ∫ e² over what is left is small against the
-//! tolerance, or where the function cannot be seen any closer.
+//! tolerance, or where the function cannot be evaluated any closer.
 
 use crate::error::Result;
 use crate::quadrature::Rule;
 
-/// One layer over the one before.
+/// Ratio of successive layers.
 const RATIO: f64 = 0.4;
-/// Layers go at least so far.
+/// Smallest depth of the layers.
 const LEAST: f64 = 1e-3;
 /// Points of a layer: x^a to rounding.
 const POINTS: usize = 12;
@@ -17,13 +17,13 @@ const POINTS: usize = 12;
 pub(super) struct Sampled {
     pub(super) points: Vec<(f64, f64)>,
     pub(super) values: Vec<f64>,
-    /// what ∫ e² and ∫ e, this one times the size of e, may be off by: the last layer, where one rule stands
+    /// errors of ∫ e² and of ∫ e times the size of e: the last layer, where one rule stands
     pub(super) rest: f64,
 }
 
 impl Sampled {
-    /// From e at distances δ of the break, down to `closest`, all in units of the cell; `mirrored` when the
-    /// break is its right end.
+    /// The samples of e at distances δ from the breakpoint, down to `closest`, in units of the cell;
+    /// `mirrored` if the breakpoint is its right end.
     pub(super) fn new(
         closest: f64,
         mirrored: bool,

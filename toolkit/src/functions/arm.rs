@@ -1,15 +1,16 @@
-//! The halves of the intervals between breaks.
+//! The halves of the intervals between breakpoints.
 
-/// Half of the interval between two breaks: the points c + sign δ, 0 < δ < length.
+/// A one-sided neighbourhood of a breakpoint ("side" for short): half of the interval between two
+/// breakpoints, the points c + sign δ, 0 < δ < length.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Arm {
     pub(crate) anchor: usize,
     pub(crate) start: f64,
     pub(crate) sign: f64,
     pub(crate) length: f64,
-    /// largest t at which the function can be trusted
+    /// largest t at which values of the function are reliable
     pub(crate) depth: f64,
-    /// rounding of x = c + δ; 0 where offsets are seen
+    /// rounding of x = c + δ; 0 for functions of the offset
     pub(crate) blur: f64,
 }
 

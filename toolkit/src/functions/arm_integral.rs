@@ -1,9 +1,9 @@
-//! ∫₀^∞ ℓ(t) dt along an arm, for integrands that decay like exponentials or like powers of t.
+//! ∫₀^∞ ℓ(t) dt along a side, for integrands that decay like exponentials or like powers of t.
 //!
-//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
-//! geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays too
-//! slowly for that, wide cells down to the depth of the arm feed [`crate::quadrature::extrapolate`] and
-//! [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
+//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells
+//! shrink geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays
+//! too slowly for that, wide cells down to the depth of the side feed [`crate::quadrature::extrapolate`]
+//! and [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
 //!
 //! The rest beyond a cell is bounded from both sides of the law ℓ may follow ([`super::rest`]).
 
@@ -15,11 +15,11 @@ use crate::error::{Error, Result};
 use crate::quadrature::{Limit, Rule};
 use std::cell::Cell;
 
-/// What an integral along an arm needs to know.
+/// Parameters of an integral along a side.
 pub(crate) struct ArmIntegral {
     level: Level,
     rule: Rule,
-    /// relative accuracy asked of the integral
+    /// requested relative accuracy of the integral
     tolerance: f64,
     /// cells of width h are needed up to here
     structured: f64,
@@ -32,23 +32,25 @@ pub(crate) struct ArmIntegral {
 const ROUNDING_SAFETY: f64 = 1.5;
 /// Cells that shrink towards t = 0.
 const START_RATIO: f64 = 0.15;
-/// Why the end of an arm is not known.
-const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
-/// Times the distance of a geometric rest from that by chords.
+/// Message: the integrand grows towards the breakpoint.
+const GROWS: &str = "contributions still grow at the smallest distance from a breakpoint at which the function \
+     can be evaluated";
+/// Safety factor for the difference between the geometric remainder and the one by chords.
 const BETWEEN: f64 = 4.0;
-/// Of a rest: what is not seen of it at a few points.
+/// Relative uncertainty of a remainder that is sampled at a few points.
 const UNSEEN: f64 = 0.1;
-/// Depth before which no tail is believed: e^{-6} of the arm.
+/// Smallest depth at which a tail is accepted: e^{-6} of the side.
 const SETTLED: f64 = 6.0;
 /// Width of a wide block, beyond all structure, and the cells in it.
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
 
-/// Where a tail takes over: fewer digits of differences are lost before it than the tolerance needs.
+/// Depth from which the tail formula is used: up to it, differences keep the digits that the tolerance
+/// requires.
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
-    /// `spread`: ln of the largest quotient of arm lengths; `order`: ν, for messages.
+    /// The parameters; `spread` is ln of the largest quotient of side lengths, `order` is ν, for messages.
     pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.
@@ -64,8 +66,8 @@ impl ArmIntegral {
         })
     }
 
-    /// The integral; `scale` is what else the result will be added to, `tail` the end of the arm where it is
-    /// known, `samples` are (t, ℓ) on all scales of the arm where ℓ is known there, else nothing.
+    /// The integral; `scale` is the size of the other terms of the sum, `tail` the tail of the side if it
+    /// is known, `samples` the values (t, ℓ) on all scales of the side if they are known, else empty.
     pub(crate) fn integrate(
         &self,
         depth: f64,
@@ -85,8 +87,8 @@ impl ArmIntegral {
         Ok(ArmValue { limit, rounding, is_settled: settled.get() > 0.0 })
     }
 
-    /// As [`ArmIntegral::integrate`], for a density that is told its weight; the rounding of the sum, and that
-    /// of the last density.
+    /// As [`ArmIntegral::integrate`], for a density that receives its quadrature weight; with the rounding
+    /// of the sum and of the last density.
     fn limit(
         &self,
         depth: f64,
@@ -225,7 +227,7 @@ impl ArmIntegral {
         Ok(Limit { value: found.sum() + rest.limit.value, error: rest.limit.error })
     }
 
-    /// Wide blocks from where everything is smooth on the scale of t.
+    /// Wide blocks, from the depth at which the integrand is smooth on the scale of t.
     fn deep(
         &self,
         depth: f64,
@@ -259,12 +261,12 @@ impl ArmIntegral {
         Ok(None)
     }
 
-    /// The limit of what was summed, or why there is none.
+    /// The limit of the partial sums, or the reason why there is none.
     fn decide(&self, found: &Partials) -> Result<Limit> {
         if found.diverges() {
             return Err(Error::InfiniteNorm {
                 order: self.order,
-                why: "the contributions near a break point do not decay",
+                why: "the contributions near a breakpoint do not decay",
             });
         }
         if found.still_grows() {

@@ -1,10 +1,10 @@
-//! What is left of the evaluations that a norm may take.
+//! The remaining evaluations of a norm.
 
 use crate::error::{Error, Result};
 use crate::estimate::{SPENT, Tolerance};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Evaluations of a function and of the kernel that are still allowed.
+/// The number of evaluations of a function and of the kernel that remain.
 pub(super) struct Budget {
     left: AtomicU64,
     asked: f64,
@@ -23,7 +23,7 @@ impl Budget {
         self.left.load(Ordering::Relaxed)
     }
 
-    /// Takes `count` evaluations; threads may overdraw by what each of them takes at once.
+    /// Deducts `count` evaluations; threads may exceed the limit by one block each.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] when fewer are left.

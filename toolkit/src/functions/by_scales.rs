@@ -1,5 +1,5 @@
-//! ∫ f(u) for functions with structure on many scales: Gauss rules on cells of t = ln(R/δ) along every arm, from
-//! the middle of an interval down to the smallest distance, halved wherever two rules differ.
+//! ∫ f(u) for functions with structure on many scales: Gauss rules on cells of t = ln(R/δ) along every
+//! side, from the middle of an interval down to the smallest distance, halved wherever two rules differ.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -9,31 +9,33 @@ use crate::quadrature::Rule;
 
 /// Orders of the two rules.
 const ORDERS: [usize; 2] = [9, 14];
-/// Of the tolerance: the error of one cell.
+/// Share of the tolerance for one cell.
 const SHARE: f64 = 0.003;
-/// The share of a cell between its end and the first point of the fine rule.
+/// Fraction of a cell between its end and the first point of the fine rule.
 const END: f64 = 0.007;
 /// Halvings of a cell, and cells, at most.
 const HALVINGS: u32 = 50;
 const CELLS: usize = 100_000;
-/// Times what errors that go on to fall as they did would leave.
+/// Safety factor for errors extrapolated at their observed rate.
 const SAFETY: f64 = 10.0;
 /// Rounding of values of f, relative.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Cells that shrink by less than this do not.
+/// Ratio of errors above which they count as not decreasing.
 const FALLS: f64 = 0.99;
-/// Why the integral is not known.
-const GROWS: &str = "contributions still grow as close to a break as the function can be evaluated";
+/// Message: the integral may diverge.
+const GROWS: &str = "contributions still grow at the smallest distance from a breakpoint at which the function \
+     can be evaluated";
 
-/// An integral over a cell by the coarse rule, by the fine one, and by that with what it is off at the ends.
+/// An integral over a cell by the coarse rule, by the fine rule, and by the fine rule with the error at the
+/// ends.
 type Sums = [f64; 3];
 
 fn apart_of(sums: &Sums) -> f64 {
     (sums[0] - sums[1]).abs().max((sums[2] - sums[1]).abs())
 }
 
-/// What the halves of a cell are off, where its rules differ by `coarse` and those of its halves by `fine`: errors go on
-/// to fall as they did, but for a factor, and no faster than by three digits.
+/// The error of the halves of a cell whose rules differ by `coarse`, those of its halves by `fine`: errors
+/// are extrapolated at the observed rate with a safety factor, by three digits at most.
 fn after(coarse: f64, fine: f64) -> f64 {
     if fine < coarse { SAFETY * fine * (fine / coarse).max(1e-3) } else { fine }.min(coarse.max(fine))
 }
@@ -48,7 +50,7 @@ fn extrapolation(points: &[f64], end: f64) -> Vec<f64> {
 }
 
 impl SingularFunction<'_> {
-    /// ∫ f(u(x)) dx with its error, whatever it is; halved to the relative tolerance.
+    /// ∫ f(u(x)) dx with its error, even above the tolerance; cells are bisected to the relative tolerance.
     pub(super) fn integral_by_scales(&self, tolerance: f64, f: &impl Fn(f64) -> f64) -> Result<Estimate> {
         let [coarse, fine] = [Rule::gauss_legendre(ORDERS[0])?, Rule::gauss_legendre(ORDERS[1])?];
         let to_ends = [0.0, 1.0].map(|end| extrapolation(fine.points(), end));

@@ -1,17 +1,17 @@
-//! The end of an arm beyond binary64: ∫_{t₀}^∞ ℓ(t) dt for functions known by the logarithm of the distance
+//! The end of a side beyond binary64: ∫_{t₀}^∞ ℓ(t) dt for functions known by the logarithm of the distance
 //! to their break.
 //!
-//! Where t = ln(R/δ) is large, ℓ feels only points of depth t − s with s = O(1), since other breaks
-//! contribute O(e^{−t}): ℓ(t) = δ^{1−2ν} (A + B),
+//! Where t = ln(R/δ) is large, ℓ depends only on points of depth t − s with s = O(1), since other
+//! breakpoints contribute O(e^{−t}): ℓ(t) = δ^{1−2ν} (A + B),
 //!
 //! A = ∫₀^∞ (f(t)−f(t−s))² e^s (e^s−1)^{−1−2ν} ds,  B = ∫₀^∞ (f(t)−g(t−s))² ρ (1+ρ)^{−1−2ν} ds,  ρ = (R′/R)
 //! e^s,
 //!
-//! with g on the other arm (of length R′) of the same break. What decays like a power of t decays
-//! exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no digits:
-//! f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided difference is Σ
-//! c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) − T_k(y))/(x − y), at x −
-//! y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
+//! with g on the other side (of length R′) of the same breakpoint. What decays like a power of t decays
+//! exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no
+//! digits: f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided
+//! difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) −
+//! T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -24,38 +24,39 @@ use std::mem;
 
 /// Largest width of a cell in τ.
 const CELL: f64 = 1.0;
-/// e^τ is a number of binary64 up to here.
+/// Largest τ for which e^τ is finite in binary64.
 const LAST: f64 = 700.0;
-/// Beyond s = 50, e^{−s} is rounding.
+/// Largest s: beyond s = 50, e^{−s} is below rounding.
 const REACH: f64 = 50.0;
-/// e^{−36} is rounding.
+/// Exponent from which on e^{−x} is below rounding.
 const NOTHING: f64 = 36.0;
-/// A larger reach than a quarter of the depth of an arm is of no use.
+/// A larger reach than a quarter of the depth of a side is of no use.
 const DEEPEST_START: f64 = 170.0;
-/// What grows with t may still come down, as δ^a with a small does, until τ has grown by this.
+/// Increment of τ after which a growing integrand, such as that of δ^a with small a, must have begun to
+/// decay.
 const SETTLED: f64 = 40.0;
-/// Rounding of a power of t that is read off.
+/// Rounding of an exponent of t that is estimated from values.
 const FLAT: f64 = 1e-13;
 /// |1 − 2ν| t from which on e^{−(1−2ν)t} shows.
 const BEGUN: f64 = 4.0;
-/// On one cell f grows by e^{GROWTH} at most, read off between t and STEP t.
+/// Largest growth e^{GROWTH} of f on one cell, estimated between t and STEP t.
 const GROWTH: f64 = 4.0;
 const STEP: f64 = 1.125;
 const MORE_TERMS: f64 = 60.0;
-/// Cells that shrink by no more come from a power of t, whose numbers end at 1e-308, not from a function that
-/// settles.
+/// Cells that shrink by no more than this come from a power of t, which ends at 1e-308, not from a function
+/// with a limit.
 const ALGEBRAIC: f64 = 1e-6;
-/// Why there is no answer.
-const UNSEEN: &str = "so close to the limit of finiteness only points nearer than exp(-1e300) decide";
-const BEYOND: &str = "contributions near a break exceed binary64";
+/// Message: no value is returned.
+const UNSEEN: &str = "so close to the limit of finiteness the value depends on distances below exp(-1e300)";
+const BEYOND: &str = "contributions near a breakpoint exceed the range of binary64";
 /// The part (0, 2) of s next to the singularity; cells of width 3 beyond.
 const NEAR: f64 = 2.0;
 const FAR_CELL: f64 = 3.0;
 
-/// A depth difference s and the weight of ((f(t)−f(t−s))/s)², or across the break of (f(t)−g(t−s))².
+/// A depth difference s and the weight of ((f(t)−f(t−s))/s)², or across the breakpoint of (f(t)−g(t−s))².
 type Node = (f64, f64);
 
-/// The rules in s for one arm, and its break's other arm.
+/// The rules in s for one side, and its breakpoint's other side.
 pub(crate) struct DeepTail<'a> {
     function: &'a SingularFunction<'a>,
     arm: Arm,
@@ -66,7 +67,7 @@ pub(crate) struct DeepTail<'a> {
     /// coefficients of an interpolant
     terms: usize,
     reach: f64,
-    /// 1 − 2ν, and ln of the arm's length in the unit of the energy
+    /// 1 − 2ν, and ln of the side's length in the unit of the energy
     decay: f64,
     log_length: f64,
 }
@@ -123,7 +124,7 @@ impl<'a> DeepTail<'a> {
         })
     }
 
-    /// Where the formula begins to hold.
+    /// The depth from which on the formula holds.
     pub(crate) fn start(&self) -> f64 {
         4.0 * self.reach
     }
@@ -133,7 +134,7 @@ impl<'a> DeepTail<'a> {
         self.reach < 0.25 * t
     }
 
-    /// ∫_from^∞ ℓ; `whole` is what it will be added to.
+    /// ∫_from^∞ ℓ; `whole` is the integral to which it is added.
     pub(crate) fn integrate(&self, from: f64, tolerance: f64, whole: f64) -> Result<ArmValue> {
         let shape = self.shape(from)?;
         let (mut ends, mut partial, mut densities) = (Vec::new(), Vec::new(), Vec::new());
@@ -191,7 +192,7 @@ impl<'a> DeepTail<'a> {
         Ok(ArmValue { limit, rounding, is_settled: false })
     }
 
-    /// Whether no value at a number of deeper places is larger; one beyond binary64 is.
+    /// True if no value at a number of deeper points is larger; a value beyond binary64 counts as larger.
     fn grows_no_more(&self, tau: f64) -> Result<bool> {
         let size = |k: u32| {
             let at = tau + (LAST - tau) * f64::from(k) / 64.0;
@@ -205,10 +206,13 @@ impl<'a> DeepTail<'a> {
     }
 
     fn infinite(&self) -> Error {
-        Error::InfiniteNorm { order: 0.5 * (1.0 - self.decay), why: "t l(t) does not decay in ln t" }
+        Error::InfiniteNorm {
+            order: 0.5 * (1.0 - self.decay),
+            why: "the contributions near a breakpoint do not decay",
+        }
     }
 
-    /// Whether t ℓ(t) does not decay in ln t, beyond doubt: never while e^{−(1−2ν)t} still has to come.
+    /// True if t ℓ(t) does not decay in ln t, never while the factor e^{−(1−2ν)t} has not begun to act.
     fn is_infinite(&self, ends: &[f64], densities: &[f64]) -> bool {
         let [first, last] = [ends[0], ends[ends.len() - 1]];
         if self.decay > 0.0 || last - first < SETTLED {
@@ -288,7 +292,7 @@ impl<'a> DeepTail<'a> {
     }
 }
 
-/// Whether the last of the values has grown.
+/// True if the last value exceeds the one before.
 fn grows(densities: &[f64]) -> bool {
     matches!(densities, [.., before, last] if last > before)
 }

@@ -1,4 +1,4 @@
-//! Functions given by a closure, with declared break points: everything that is not smooth happens at these.
+//! Functions given by code with declared breakpoints, between which they are smooth.
 
 use super::arm::Arm;
 use super::budget::Budget;
@@ -7,10 +7,10 @@ use crate::estimate::Tolerance;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
-/// Points of an arm at which the size of a function is looked at.
+/// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
 
-/// A point of the interval, known by its distance to the nearest break point.
+/// A point of the interval, known by its distance to the nearest breakpoint.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Position};
@@ -26,7 +26,7 @@ pub struct Position<'a> {
     x: f64,
     anchor: usize,
     offset: f64,
-    /// ln of the distance where that is not a number of binary64
+    /// ln of the distance where the distance underflows
     depth: Option<f64>,
 }
 
@@ -36,18 +36,18 @@ impl Position<'_> {
         self.x
     }
 
-    /// Index of the break point this position is given from: the nearest one.
+    /// Index of the nearest breakpoint, from which this position is given.
     pub fn anchor(&self) -> usize {
         self.anchor
     }
 
-    /// x minus the coordinate of that break point, exact; a zero with the right sign where it underflows.
+    /// x minus the coordinate of that breakpoint, exact; a signed zero where it underflows.
     pub fn offset(&self) -> f64 {
         self.offset
     }
 
-    /// |x − c_k| for any break point c_k, with all its digits: |offset| for the nearest one, for the others
-    /// the sum of offset and the distance of two breaks. One formula then serves all breaks.
+    /// |x − c_k| for any breakpoint c_k, with all its digits: |offset| for the nearest one, for the others
+    /// the sum of offset and the distance of two breakpoints. One formula then serves all breakpoints.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -60,7 +60,7 @@ impl Position<'_> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// NaN where there is no break k, which the norms report.
+    /// NaN if there is no breakpoint k, which the norms report.
     pub fn distance_to(&self, k: usize) -> f64 {
         if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
     }
@@ -75,7 +75,7 @@ impl Position<'_> {
         self.breaks.get(k).map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
     }
 
-    /// ln |offset|, also where the offset underflows: as far as −10^{300}.
+    /// ln |offset|, also where the offset underflows, down to −10^{300}.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Position};
@@ -89,15 +89,15 @@ impl Position<'_> {
     }
 }
 
-/// A real function on an interval whose singular points are declared.
+/// A real function on an interval with declared singular points.
 ///
 /// # Method
 ///
-/// The interval between two neighbouring breaks is cut in the middle into two *arms*, each belonging to one
-/// break. A point of an arm of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and logarithm of
-/// the distance to the break is a smooth function, and double integrals are taken over pairs (t, t′)
-/// (`log_energy`). A closure of x alone knows its distance to a break c ≠ 0 only to an ulp of c; one
-/// that takes a [`Position`] sees the distance itself, or its logarithm.
+/// The interval between two neighbouring breakpoints is cut in the middle into two *sides*, each belonging
+/// to one breakpoint. A point of a side of length R is x = c ± δ, δ = R e^{-t}, t > 0: in t every power and
+/// logarithm of the distance to the breakpoint is a smooth function, and double integrals are taken over
+/// pairs (t, t′) (`log_energy`). A function of x alone is given the distance to a breakpoint c ≠ 0 only to
+/// an ulp of c; a function of the [`Position`] is given the distance itself, or its logarithm.
 #[doc(alias(
     "Gagliardo",
     "Slobodeckij",
@@ -112,18 +112,19 @@ pub(crate) struct SingularFunction<'a> {
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
     pub(super) sight: Sight,
     pub(super) budget: Budget,
-    /// the unit of length, a power of two, in which the breaks are given
+    /// the unit of length, a power of two, in which the breakpoints are given
     pub(super) unit: f64,
 }
 
-/// A function over a unit, on an interval over a unit of length: both powers of two near its size and length.
+/// A function divided by its unit, on an interval divided by a unit of length: both units are powers of two
+/// near its size and length.
 pub(crate) struct Normalized<'a> {
     pub(crate) size: f64,
     pub(crate) length: f64,
     pub(crate) u: SingularFunction<'a>,
 }
 
-/// What the closure sees of a point.
+/// The argument with which the function is called.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Sight {
     Coordinate,
@@ -138,16 +139,18 @@ impl std::fmt::Debug for SingularFunction<'_> {
 }
 
 impl<'a> SingularFunction<'a> {
-    /// f(x) on (breaks\[0\], breaks\[last\]), smooth between the breaks.
+    /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] with fewer than two breaks, [`Error::NotFinite`], [`Error::EntryOutOfRange`]
-    /// unless they increase strictly and lie at least 1e-290 and 1e-290 of the interval apart.
+    /// [`Error::CountOutOfRange`] for fewer than two breakpoints, [`Error::NotFinite`],
+    /// [`Error::EntryOutOfRange`] unless they increase by at least 1e-290 and by at least 1e-290 times the
+    /// length of the interval.
     pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
         Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
 
-    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a break as 1e-290.
+    /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a breakpoint as
+    /// 1e-290.
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
@@ -155,12 +158,12 @@ impl<'a> SingularFunction<'a> {
         Self::build(breaks, Box::new(f), Sight::Offset)
     }
 
-    /// As [`SingularFunction::from_positions`] for a function that is right also where offsets underflow, by
-    /// [`Position::log_distance`]: for singularities so weak that what lies below 1e-300 counts, such as |ln
-    /// x|^α at ν = 1/2.
+    /// As [`SingularFunction::from_positions`] for a function that is accurate also where offsets
+    /// underflow, by [`Position::log_distance`]: for singularities so weak that distances below 1e-300
+    /// contribute, such as |ln x|^α at ν = 1/2.
     ///
-    /// Along each arm the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln d|
-    /// are.
+    /// Along each side the function should be smooth in ln |ln d|, as powers and iterated logarithms of |ln
+    /// d| are.
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
@@ -178,23 +181,23 @@ impl<'a> SingularFunction<'a> {
     ) -> Result<Self> {
         if breaks.len() < 2 {
             return Err(Error::CountOutOfRange {
-                name: "break points",
+                name: "breakpoints",
                 value: breaks.len(),
-                range: ">= 2, the ends of the interval among them",
+                range: "[2, inf), including the ends of the interval",
             });
         }
         let total = breaks[breaks.len() - 1] - breaks[0];
-        require_finite("break point", breaks)?;
+        require_finite("breakpoint", breaks)?;
         for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            let range = "numbers above the break before by 1e-290, and by 1e-290 of the interval";
-            require_entry("break point", k + 1, pair[1], range, admissible)?;
+            let range = "the numbers above the previous breakpoint by 1e-290 and by 1e-290 of the interval";
+            require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
     }
 
-    /// The break points.
+    /// The breakpoints.
     pub(crate) fn breaks(&self) -> &[f64] {
         &self.breaks
     }
@@ -204,10 +207,10 @@ impl<'a> SingularFunction<'a> {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 
-    /// (S, u/S) with S a power of two near the largest value at some points of every arm, so that squares and
-    /// powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
+    /// (S, u/S) with S a power of two near the largest value at some points of every side, so that squares
+    /// and powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
     ///
-    /// What is asked of u/S counts against the work that the tolerance allows.
+    /// Evaluations of u/S count against the work limit of the tolerance.
     pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
@@ -234,8 +237,8 @@ impl<'a> SingularFunction<'a> {
         ))
     }
 
-    /// u over its size, on its interval over its length: no quantity that is compared with a number then has a
-    /// unit. The closure is asked at the points of the interval as it was given, offsets exact.
+    /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
+    /// dimensionless. The function is called at the points of the original interval, with exact offsets.
     pub(crate) fn normalized(&self, tolerance: Tolerance) -> Result<Normalized<'_>> {
         let (size, u) = self.of_moderate_size(tolerance)?;
         let length = power_of_two(self.length());
@@ -257,7 +260,7 @@ impl<'a> SingularFunction<'a> {
         Ok(Normalized { size, length, u })
     }
 
-    /// The arms, from left to right.
+    /// The sides, from left to right.
     pub(crate) fn arms(&self) -> Vec<Arm> {
         let mut arms = Vec::with_capacity(2 * self.breaks.len());
         for (i, pair) in self.breaks.windows(2).enumerate() {
@@ -281,7 +284,7 @@ impl<'a> SingularFunction<'a> {
         Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
     }
 
-    /// The value at distance δ from the anchor of an arm.
+    /// The value at distance δ from the anchor of a side.
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
         let offset = arm.sign * delta;
         self.value_at(arm.anchor, offset, None)
@@ -299,12 +302,12 @@ impl<'a> SingularFunction<'a> {
         self.sight == Sight::LogDistance
     }
 
-    /// The value at an offset from a break, the ln of its size where it underflows.
+    /// The value at an offset from a breakpoint, the ln of its size where it underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
-        require_finite_at("function value near break", anchor, value)?;
+        require_finite_at("function value near breakpoint", anchor, value)?;
         Ok(value)
     }
 }

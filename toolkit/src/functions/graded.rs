@@ -1,15 +1,15 @@
-//! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a break,
-//! short intervals beside long ones, kinks and peaks that were not declared.
+//! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a
+//! breakpoint, short intervals beside long ones, undeclared kinks and peaks.
 //!
-//! Every arm is cut at R/2^k towards its break as deep as u differs there from one polynomial by more than
-//! counts, at all scales ([`Profile`]); cells away from the break are halved likewise. A difference ε at the
-//! scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise polynomial, which uses
-//! lengths alone and is right on all scales.
+//! Every side is cut at R/2^k towards its breakpoint as deep as u differs there from one polynomial by more
+//! than the tolerance, at all scales ([`Profile`]); cells away from the breakpoint are halved likewise. A
+//! difference ε at the scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise
+//! polynomial, which depends on lengths only and is accurate on all scales.
 //!
-//! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. That counts every cell as if its
-//! residual e had the sign of p; but e is orthogonal to polynomials of lower degree, and |u|² − |p|² = 2(p, e)_ν +
-//! |e|²_ν is much smaller. The first term is compared with its value for polynomials that are ten times as far from u on
-//! every cell, those without their last bubbles; the second one is at most B².
+//! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. This bound adds the
+//! residuals e of all cells with one sign; but e is orthogonal to polynomials of lower degree, and |u|² −
+//! |p|² = 2(p, e)_ν + |e|²_ν is much smaller. The first term is estimated from polynomials ten times as far
+//! from u on every cell, those without their last bubbles; the second one is at most B².
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -23,52 +23,53 @@ use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
 
-/// Rounds of cells, each for a tenth of what the one before left, or less.
+/// Number of refinement rounds, each to a tenth of the error of the previous one or less.
 const ROUNDS: usize = 4;
-/// Cells of one arm at most.
+/// Largest number of cells of one side.
 const MOST: usize = 6000;
-/// Halvings of a cell away from the break at most.
+/// Largest number of bisections of a cell away from the breakpoint.
 const HALVINGS: u32 = 50;
-/// What rounding leaves of values of size 1.
+/// Rounding error of values of size 1.
 const FLOOR: f64 = 64.0 * f64::EPSILON;
-/// A line to so many ulps is one.
+/// Number of ulps up to which values count as linear.
 const STRAIGHT: f64 = 8.0 * f64::EPSILON;
-/// Of what a function varies by on a cell: what rounding of x may explain.
+/// Share of the variation on a cell that rounding of x may explain.
 const MOVED: f64 = 0.1;
 /// Rounding of a polynomial.
 const NOISE: f64 = 8.0 * f64::EPSILON;
-/// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
+/// Bound of the largest residual over the largest one at the points of a rule.
 const UNSEEN: f64 = 2.0;
 
-/// Polynomials so many times as far from u are compared with.
+/// Factor by which the error of the polynomials for comparison is larger.
 const COARSER: f64 = 10.0;
-/// Cells at most that are compared with others: two sums over their pairs.
+/// Largest number of cells for which the comparison is made: two sums over their pairs.
 const COMPARED: usize = 400;
-/// Of the goal: what differences that do not count may leave.
+/// Share of the goal for differences that are neglected.
 const BELOW: f64 = 0.01;
 
-/// Why more is not known.
-const LIMIT: &str = "structure on so many scales leaves no more digits";
-/// Why nothing is known of a function that is not smooth between its breaks.
+/// Message: what limits the accuracy.
+const LIMIT: &str = "structure on many scales limits the accuracy";
+/// Message: the function is not smooth between its breakpoints.
 pub(super) const UNDECLARED: &str =
     "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
-/// Why there is no limit at a break.
-const ENDLESS: &str = "contributions do not end as close to a break as the function can be evaluated";
-/// Why it takes too much.
-const TOO_MANY: &str = "the function has structure on more scales and at more places than 6000 cells resolve";
+/// Message: no limit at a breakpoint.
+const ENDLESS: &str = "contributions do not decay down to the smallest distance from a breakpoint at which the \
+     function can be evaluated";
+/// Message: too many cells.
+const TOO_MANY: &str = "the structure of the function is not resolved by 6000 cells";
 
-/// A cell of an arm, δ from its break, with its polynomial from left to right.
+/// A cell of a side, δ from its breakpoint, with its polynomial from left to right.
 struct Cell {
     near: f64,
     far: f64,
     piece: Piece,
     /// |u − p| at points between, less rounding
     residual: f64,
-    /// Σ ε² δ^{1−2ν} over the scales of the end of an arm, over |u|²_ν
+    /// Σ ε² δ^{1−2ν} over the scales of the end of a side, over |u|²_ν
     rest: f64,
 }
 
-/// What cells are held against.
+/// Criterion for the cells.
 struct Fit<'a> {
     profile: &'a Profile,
     kernel: PowerKernel,
@@ -81,16 +82,16 @@ struct Fit<'a> {
 }
 
 impl Fit<'_> {
-    /// ε that does not count at the scale δ.
+    /// The ε that is negligible at the scale δ.
     fn allowed(&self, delta: f64) -> f64 {
         self.goal * (-0.5 * self.kernel.one_minus * delta.ln()).exp()
     }
 }
 
-/// What is known of |u|_ν by one choice of cells.
+/// |u|_ν with its error for one choice of cells.
 pub(super) struct Found {
     pub(super) value: Estimate,
-    /// not smooth at a point between breaks
+    /// not smooth at a point between breakpoints
     pub(super) is_rough: bool,
 }
 
@@ -98,7 +99,7 @@ impl SingularFunction<'_> {
     /// |u|_ν of a function of size 1 on an interval of length 1.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_by_scales(
         &self,
         profile: &Profile,
@@ -225,7 +226,7 @@ impl SingularFunction<'_> {
         Ok(Found { value: Estimate::new(found.value, found.error + error, work)?, is_rough })
     }
 
-    /// The cells of an arm from its break on, and whether one is not resolved.
+    /// The cells of a side from its breakpoint outwards, and whether one of them is not resolved.
     fn graded_cells(&self, index: usize, arm: &Arm, fit: &Fit) -> Result<(Vec<Cell>, bool)> {
         let least = arm.delta(arm.depth);
         let (mut far, mut halvings) = (arm.length, Vec::new());
@@ -266,7 +267,8 @@ impl SingularFunction<'_> {
         Ok((cells, is_rough))
     }
 
-    /// Σ ε² δ^{1−2ν} over the samples below a cell at the break; nothing where all of them are within what is allowed.
+    /// Σ ε² δ^{1−2ν} over the samples below a cell at the breakpoint; zero if all of them are within the
+    /// allowed error.
     fn rest(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> Option<f64> {
         let at_break = if arm.sign > 0.0 { cell.piece.left } else { cell.piece.right };
         let mut inside = fit.profile.samples(index).filter(|(delta, _)| *delta < cell.far);
@@ -278,7 +280,7 @@ impl SingularFunction<'_> {
         fits.then_some(0.0)
     }
 
-    /// The same where they are not, with what lies below the last sample as a geometric series.
+    /// The same if they are not, with a geometric series below the last sample.
     fn below(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> f64 {
         let kernel = fit.kernel;
         let factor = 16.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
@@ -335,7 +337,7 @@ impl SingularFunction<'_> {
 }
 
 impl Cell {
-    /// The bubbles of a polynomial that is further off by COARSER times as much, or a line.
+    /// The bubbles of a polynomial whose error is larger by the factor COARSER, or a linear function.
     fn coarser(&self) -> Vec<f64> {
         let (mut bubbles, mut cut) = (self.piece.bubbles.clone(), 0.0);
         while cut < COARSER * self.residual
@@ -353,7 +355,7 @@ impl Cell {
         self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
     }
 
-    /// How far the value at the break may be off its limit.
+    /// Bound of the difference between the value at the breakpoint and the limit there.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.piece.size();
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);

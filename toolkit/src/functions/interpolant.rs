@@ -1,4 +1,4 @@
-//! Chebyshev interpolants of a function along an arm, in τ = ln t, and their divided differences.
+//! Chebyshev interpolants of a function along a side, in τ = ln t, and their divided differences.
 
 use super::arm::Arm;
 use super::function::SingularFunction;

@@ -1,4 +1,4 @@
-//! What integrals along an arm take and give.
+//! Parameters and results of integrals along a side.
 
 use crate::quadrature::Limit;
 use std::ops::Add;
@@ -26,24 +26,24 @@ impl Add for Density {
     }
 }
 
-/// An integral along an arm: its limit, and the rounding of what was summed.
+/// An integral along a side: its limit, and the rounding of the sum.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ArmValue {
     pub(crate) limit: Limit,
     pub(crate) rounding: f64,
-    /// the integrand fell to nothing on cells of the level's width
+    /// the integrand decayed below rounding on cells of the level's width
     pub(crate) is_settled: bool,
 }
 
-/// What a level found, for the squared seminorm.
+/// The result of a level for the squared seminorm.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LevelValue {
     pub(crate) value: f64,
     pub(crate) tail: f64,
     pub(crate) rounding: f64,
-    /// what the rules cannot see
+    /// error that the rules cannot detect
     pub(crate) missed: f64,
-    /// what the rules of this level are off, where that is seen by other rules on the same cells
+    /// error of the rules of this level, estimated by other rules on the same cells
     pub(crate) of_rules: Option<f64>,
     pub(crate) points: u64,
 }

@@ -1,13 +1,13 @@
-//! |u|²_ν of a function with break points, in logarithmic coordinates along its arms.
+//! |u|²_ν of a function with breakpoints, in logarithmic coordinates along its sides.
 //!
 //! Of two points the deeper one (larger t) is the outer variable:
 //! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,
 //! x = c_a ± δ(t), y = c_b ± ε(t′).
 //!
-//! On the own arm t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the
-//! difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and
-//! decays as its break point allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1) on one
-//! arm, δ + ε across a break, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
+//! On the own side t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with
+//! the difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0
+//! and decays as its breakpoint allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1)
+//! on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
@@ -20,12 +20,12 @@ use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 
-/// Where a point of an arm is so deep that other breaks are as good as infinitely far in t.
+/// Depth of a point at which other breakpoints are effectively infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
-/// Two rules that differ by no more than this many times their rounding agree.
+/// Two rules agree if they differ by at most this many times their rounding.
 const NOISE: f64 = 4.0;
 
-/// Values of u on one cell of one arm.
+/// Values of u on one cell of one side.
 struct CellSamples {
     t: Vec<f64>,
     /// w h ε
@@ -42,11 +42,11 @@ pub(crate) struct LogEnergy<'a> {
     kernel: PowerKernel,
     rule: Rule,
     near: PowerWeightRule,
-    /// away from the other breaks, whose distance is e^t δ: fewer points, not so close to s = 0, lose fewer
-    /// digits
+    /// away from the other breakpoints, whose distance is e^t δ: fewer points, not so close to s = 0, lose
+    /// fewer digits
     near_deep: PowerWeightRule,
     level: Level,
-    /// S in which all lengths are measured: the longest arm
+    /// S in which all lengths are measured: the longest side
     unit: f64,
     points: u64,
 }
@@ -78,7 +78,7 @@ impl<'a> LogEnergy<'a> {
         })
     }
 
-    /// The squared seminorm to about the relative `tolerance`, as far as this level allows.
+    /// The squared seminorm to about the relative `tolerance`, within the accuracy of this level.
     pub(crate) fn compute(mut self, tolerance: f64) -> Result<LevelValue> {
         let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
         let spread = (self.unit / shortest).ln();
@@ -105,7 +105,7 @@ impl<'a> LogEnergy<'a> {
         })
     }
 
-    /// The end of an arm below 1e-300, for functions that are known there.
+    /// The end of a side below 1e-300, for functions that are known there.
     fn tail(&self, arm: usize) -> Result<Option<DeepTail<'a>>> {
         if !self.function.is_known_at_any_depth() {
             return Ok(None);
@@ -143,7 +143,7 @@ impl<'a> LogEnergy<'a> {
         Ok(sum)
     }
 
-    /// Samples of the first `cells` cells of an arm.
+    /// Samples of the first `cells` cells of a side.
     fn prepare(&mut self, arm: usize, cells: usize) -> Result<()> {
         let h = self.level.width;
         while self.samples[arm].len() < cells {
@@ -179,7 +179,8 @@ impl<'a> LogEnergy<'a> {
         Ok(self.against(x, other, &cell))
     }
 
-    /// The rest of an arm whose function cannot be evaluated closer to its break: as if constant there.
+    /// The remainder of a side whose function cannot be evaluated closer to its breakpoint: it is continued
+    /// by a constant.
     fn blurred_rest(&mut self, x: Outer, other: usize) -> Result<Density> {
         let arm = &self.arms[other];
         let from = (arm.depth / self.level.width).floor().max(1.0) * self.level.width;
@@ -235,12 +236,12 @@ impl<'a> LogEnergy<'a> {
         }
     }
 
-    /// Sum of the interval lengths between two breaks.
+    /// Sum of the interval lengths between two breakpoints.
     fn between(&self, left: usize, right: usize) -> f64 {
         (left..right).map(|k| 2.0 * self.arms[2 * k].length).sum()
     }
 
-    /// The own arm on t − s, 0 < s < `reach`.
+    /// The own side on t − s, 0 < s < `reach`.
     fn near_piece(&mut self, x: Outer, reach: f64) -> Result<Density> {
         let fine = self.near_by(x, reach, &self.near)?;
         self.points += (self.level.points + 6) as u64;

@@ -1,4 +1,4 @@
-//! Norms of functions given by a closure with declared break points.
+//! Norms of functions given by code with declared breakpoints.
 
 mod arm;
 mod arm_integral;

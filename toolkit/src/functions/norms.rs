@@ -1,4 +1,4 @@
-//! Norms of functions with declared break points.
+//! Norms of functions with declared breakpoints.
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
@@ -17,7 +17,7 @@ use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled};
 
 impl Normalized<'_> {
-    /// |u|_ν from that of the normalized function: |u|_ν ~ L^{1/2−ν}.
+    /// |u|_ν from the seminorm of the normalized function: |u|_ν ~ L^{1/2−ν}.
     pub(crate) fn seminorm(&self, order: Order, found: Estimate) -> Result<Estimate> {
         // ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
         let factor = if order.value() < 0.25 {
@@ -37,21 +37,25 @@ impl SingularFunction<'_> {
     /// # Method
     ///
     /// Each integral is computed at two levels of accuracy or more: orders n and cell widths h of the rules
-    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error of
-    /// the *coarser* one), plus what the limits along the arms, rounding, and waves between the points of the
-    /// rules leave. Cost: a seminorm takes about (arms)² 10⁵ kernel values at 1e-8.
+    /// in logarithmic coordinates. The error of the finer one is estimated by their difference (the error
+    /// of the *coarser* one), plus the errors of the limits along the sides, of rounding, and of
+    /// oscillations between the points of the rules. Cost: a seminorm takes about (sides)² 10⁵ kernel
+    /// values at 1e-8.
     ///
-    /// A function with many waves is interpolated on short cells instead, and takes O(cells). So is one with structure
-    /// on several scales: every arm is looked at once per unit of ln δ, down to the smallest distance, and a layer
-    /// e^{−δ/w} at a break counts whatever else there is, w ≥ 1e-290. A layer narrower than 1/50 of an interval away
-    /// from the breaks may not be seen: declare its place as a break, and give the function by positions.
+    /// A function with many oscillations, or with structure on several scales, is interpolated on short
+    /// cells, at a cost of O(cells). Every side is sampled once per unit of ln δ, down to the smallest
+    /// distance, so that a layer e^{−δ/w} at a breakpoint is resolved for w ≥ 1e-290. A layer narrower than
+    /// 1/50 of an interval away from the breakpoints may be missed: declare its position as a breakpoint,
+    /// and give the function by positions.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when the contributions near a break do not decay, [`Error::ToleranceNotMet`],
-    /// [`Error::NotFinite`] when the closure returns NaN or an infinite value between the breaks.
+    /// [`Error::InfiniteNorm`] when the contributions near a breakpoint do not decay,
+    /// [`Error::ToleranceNotMet`], [`Error::NotFinite`] when the function is NaN or infinite between the
+    /// breakpoints.
     ///
-    /// Refused are a function of the coordinate with a singularity at a break that is not 0, where x is rounded
-    /// ([`SingularFunction::from_positions`] serves), and what takes more than [`Tolerance::with_work`] allows.
+    /// A function of x alone that is singular at a breakpoint x₀ other than 0 is rejected, because x − x₀
+    /// is rounded there (use [`SingularFunction::from_positions`]); so is a computation beyond
+    /// [`Tolerance::with_work`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let normalized = self.normalized(tolerance)?;
         let found = normalized.u.seminorm_of_normalized(order, tolerance);
@@ -126,7 +130,8 @@ impl SingularFunction<'_> {
         self.lq_norm(2.0, tolerance)
     }
 
-    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Zeros of u should be breaks, for q = ∞ its jumps.
+    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Declare the zeros of u, for q = ∞ its jumps, as
+    /// breakpoints.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
@@ -218,7 +223,7 @@ impl SingularFunction<'_> {
         }
     }
 
-    /// The same for functions without structure far down.
+    /// The same for functions without structure on small scales.
     fn integral_by_rules(
         &self,
         profile: &Profile,
@@ -256,7 +261,7 @@ impl SingularFunction<'_> {
     }
 }
 
-/// √(Σ parts²) of the best that is known of each part, if it meets the tolerance.
+/// √(Σ parts²) of the best estimates of the parts, if it meets the tolerance.
 fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
     let [a, b] = parts.map(Estimate::or_best);
     accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)

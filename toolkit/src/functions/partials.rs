@@ -1,10 +1,10 @@
-//! What is known of an integral along an arm up to some depth, and what that says of the rest.
+//! Partial integrals along a side, and estimates of the remainder from them.
 
 use super::two_rates::TwoRates;
 use crate::quadrature::{Limit, extrapolate};
 
-/// wT of t^p e^{-wt} from which on the exponential is told from corrections to the power, which are about
-/// p/T.
+/// Value of wT in t^p e^{-wt} from which on the exponential is distinguished from corrections to the power,
+/// which are about p/T.
 const BEGUN: f64 = 1.0;
 
 /// ∫₀^{t_k} ℓ and ℓ(t_k).
@@ -18,7 +18,7 @@ pub(super) struct Partials {
     pub(super) rounding: f64,
 }
 
-/// What t, ln t and ln ℓ grow by on a part of the arm.
+/// The increments of t, ln t and ln ℓ on a part of the side.
 #[derive(Clone, Copy)]
 struct Growth {
     length: f64,
@@ -41,12 +41,12 @@ impl Partials {
         self.densities.push(density);
     }
 
-    /// A crude size of what lies beyond the end.
+    /// A rough estimate of the integral beyond the end.
     pub(super) fn rest(&self) -> f64 {
         self.densities[self.densities.len() - 1].abs() * self.end()
     }
 
-    /// From T/4 to T/2 and from T/2 to T; `None` where ℓ vanishes there or the two coincide.
+    /// The increments from T/4 to T/2 and from T/2 to T; `None` if ℓ vanishes there or the two coincide.
     fn growth(&self) -> Option<[Growth; 2]> {
         let at = |share: f64| self.ends.partition_point(|&t| t < share * self.end());
         let [first, middle, last] = [at(0.25), at(0.5), self.ends.len() - 1];
@@ -59,8 +59,8 @@ impl Partials {
         Some([step(first, middle)?, step(middle, last)?])
     }
 
-    /// ℓ grows like an exponential: twice as much in ln ℓ over twice the length, where a power grows by as
-    /// much.
+    /// True if ℓ grows exponentially: ln ℓ increases twice as much over twice the length, whereas it
+    /// increases equally for a power.
     pub(super) fn explodes(&self) -> bool {
         let grows = |[before, after]: [Growth; 2]| {
             after.of_density > 4f64.ln() && after.of_density > 1.5 * before.of_density
@@ -75,27 +75,27 @@ impl Partials {
         Some((before.of_density * after.of_t - after.of_density * before.of_t) / determinant)
     }
 
-    /// ℓ grows, but will come down: its law ends with an exponential that has begun to count.
+    /// True if ℓ grows but will decay: its law contains a decaying exponential that has begun to act.
     pub(super) fn comes_down(&self) -> bool {
         self.sum().is_finite() && self.final_rate().is_some_and(|rate| rate * self.end() > BEGUN)
     }
 
-    /// ℓ is not smaller at the end than in the middle.
+    /// True if True if ℓ is not smaller at the end than in the middle.
     pub(super) fn still_grows(&self) -> bool {
         self.growth().is_some_and(|[_, after]| after.of_density >= -1e-9)
     }
 
-    /// The law of the end where it has two rates.
+    /// The asymptotic law with two rates, if it holds.
     fn two_rates(&self) -> Option<TwoRates> {
         TwoRates::of(&self.ends, &self.densities, self.gap, (self.rounding / self.sum()).abs())
     }
 
-    /// The end follows two rates, and grows: a power of the distance, not of its logarithm.
+    /// True if the asymptotic law has two rates and grows: a power of the distance, not of its logarithm.
     pub(super) fn has_growing_rate(&self) -> bool {
         self.two_rates().is_some_and(|found| !found.decays())
     }
 
-    /// ℓ does not decay, or no faster than 1/t.
+    /// True if ℓ does not decay faster than 1/t.
     pub(super) fn diverges(&self) -> bool {
         if let Some(found) = self.two_rates() {
             return !found.decays();

@@ -5,8 +5,8 @@ use super::level::{Level, LevelValue};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 
-/// Orders and widths, each more accurate than the one before: one decade and a half per step for functions
-/// analytic up to their breaks.
+/// Orders and cell widths of increasing accuracy: one decade and a half per step for functions analytic up
+/// to their breakpoints.
 const LEVELS: [Level; 11] = [
     Level { points: 4, width: 1.5 },
     Level { points: 6, width: 1.4 },
@@ -24,26 +24,26 @@ const LEVELS: [Level; 11] = [
 /// The integral of a function of size 1 that does not vary is below this: (64 ε)².
 const ZERO: f64 = 2e-28;
 
-/// What ends the accuracy of a closure.
-pub(super) const LIMIT: &str =
-    "rounding of the values, or the limit at a break, is all that finer rules show";
+/// Message: what limits the accuracy of a function given by code.
+pub(super) const LIMIT: &str = "rounding of the values, or the limit at a breakpoint, dominates the error";
 
-/// What ends it where x = c + δ is rounded.
-const ROUNDED: &str = "x is rounded near a break that is not 0, and the distance to it is all that counts there: \
-     from_positions gives the distance";
+/// Message: the rounding of x = c + δ limits the accuracy.
+const ROUNDED: &str = "x is rounded near a breakpoint other than 0, where the function depends on the distance to it: \
+     use from_positions";
 
-/// Two levels differ by no more than this many times what the coarser one is seen to be off.
+/// Largest ratio of the difference of two levels to the estimated error of the coarser one.
 const EXPLAINED: f64 = 4.0;
 
-/// Levels after which what the ends of the arms and rounding leave should have fallen, and by how much.
+/// Number of levels after which the errors of the ends of the sides and of rounding should have decreased,
+/// and the factor.
 const TRIED: usize = 4;
 const FALLS: f64 = 0.3;
 
-/// Levels of growing accuracy until two agree to `factor` times the tolerance: what the integral is asked so
-/// that the number made of it meets the tolerance.
+/// Levels of growing accuracy until two agree to `factor` times the tolerance, the accuracy of the integral
+/// for which the derived quantity meets the tolerance.
 ///
-/// Ends where finer rules no longer help: where the error as a whole no longer falls, and where what does not
-/// come of the rules alone, rounding and the limit at a break, is above the tolerance and stays there.
+/// Stops when finer rules do not help: when the total error does not decrease, or when the part independent
+/// of the rules (rounding and the limit at a breakpoint) stays above the tolerance.
 pub(super) fn refine(
     u: &SingularFunction,
     asked: Tolerance,
@@ -107,8 +107,8 @@ pub(super) fn refine(
     Err(Error::best_of("integral", asked.relative(), best, why))
 }
 
-/// What the rules of the finer level are off: their difference to those of the coarser one, whose error it is. Where the
-/// rules of both are seen to be off by what explains it, errors fall as these do.
+/// The error of the rules of the finer level, estimated by the difference to the coarser level. Where the
+/// error estimates of both levels explain that difference, the error decreases as they do.
 fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
     let apart = (fine.value - coarse.value).abs();
     match (fine.of_rules, coarse.of_rules) {
@@ -119,12 +119,12 @@ fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
     }
 }
 
-/// How far levels that do not settle may be off, over their distances: for errors like h^{1/3}, 1/(2^{1/3} −
-/// 1).
+/// Ratio of error to difference for slowly converging levels: 1/(2^{1/3} − 1) for errors like h^{1/3}.
 const UNSETTLED: f64 = 4.0;
 
-/// The best of levels that do not meet the tolerance: two that agree by accident are not trusted, a level is
-/// as good as all later ones leave it. The last counts where three in turn gained a digit each.
+/// The best of levels that do not meet the tolerance: since two levels may agree by accident, the error of
+/// a level includes its distance to all later ones. The last level is used if three in succession gained a
+/// digit each.
 fn best_of_levels(found: &[Estimate]) -> Option<Estimate> {
     if let [.., a, b, c] = found
         && b.error <= 0.1 * a.error

@@ -1,15 +1,15 @@
-//! What a function keeps between the points at which it is seen.
+//! Bounds of the variation of a function between its sample points.
 //!
-//! Where e = u − p on cells K of an interval of length L, p a polynomial of degree d, and ε_K = max |e| as
-//! seen between the points of p: with D = 2(d+2)², Markov's bound of the slope of a polynomial of degree d +
-//! 2 of size 1 on an interval of length 1, pairs with |x−y| < h/D have |e(x)−e(y)| ≤ ε D |x−y|/h, and all
-//! others (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
+//! Where e = u − p on cells K of an interval of length L, p a polynomial of degree d, and ε_K = max |e|
+//! sampled between the points of p: with D = 2(d+2)², Markov's bound of the slope of a polynomial of degree
+//! d + 2 of size 1 on an interval of length 1, pairs with |x−y| < h/D have |e(x)−e(y)| ≤ ε D |x−y|/h, and
+//! all others (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
 //!
 //! |e|²_ν ≤ Σ_K h ε² h^{-2ν} D^{2ν} (2/(2−2ν) + 8 (1 − (h/(DL))^{2ν})/(2ν)).
 //!
-//! A rule of d + 1 Gauss points integrates p² exactly, and ∫ pe nearly so, e being orthogonal to low degrees:
-//! what it misses of |u|²_ν is of the size |e|²_ν. Two rules that both miss most of a wave may agree by
-//! accident; their ε is as large as the wave.
+//! A rule of d + 1 Gauss points integrates p² exactly, and ∫ pe nearly so, e being orthogonal to low
+//! degrees: its error in |u|²_ν is of the size |e|²_ν. Two rules that both miss most of an oscillation may
+//! agree by accident, but their ε is as large as the oscillation.
 
 use super::function::SingularFunction;
 use super::level::Level;
@@ -18,10 +18,10 @@ use crate::kernel::power::{PowerKernel, expm1_over};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 
-/// Depth down to which cells are looked at: waves in ln δ beyond it would have to begin there.
+/// Depth down to which cells are examined: oscillations in ln δ beyond it would have to begin there.
 const DEEPEST: f64 = 45.0;
 
-/// Ulps of the largest value, per point of a rule, that projections leave of a function without waves.
+/// Rounding error of the projection of a smooth function, in ulps of the largest value per point of a rule.
 const ROUNDING: f64 = 3.0;
 
 /// The part of one cell in the bound of |e|²_ν.
@@ -32,7 +32,7 @@ pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, len
     near * (2.0 / kernel.two_minus + 8.0 * beyond)
 }
 
-/// What the rules of a level miss of |u|²_ν, in the unit of u; with the number of values it took.
+/// The error of the rules of a level in |u|²_ν, in the unit of u, with the number of evaluations.
 pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) -> Result<(f64, u64)> {
     let n = level.points;
     let (rule, between) = (Rule::gauss_legendre(n)?, Rule::gauss_legendre(n + 1)?);
@@ -76,7 +76,7 @@ pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) ->
     Ok((sum, points))
 }
 
-/// What the rules of a level miss of ∫ f(u): on every cell the difference to one more point.
+/// The error of the rules of a level in ∫ f(u): on every cell the difference to one more point.
 pub(super) fn missed_of_integral(u: &SingularFunction, level: Level, f: impl Fn(f64) -> f64) -> Result<f64> {
     let rules = [Rule::gauss_legendre(level.points)?, Rule::gauss_legendre(level.points + 1)?];
     let mut missed = 0.0;

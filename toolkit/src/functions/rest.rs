@@ -1,25 +1,27 @@
-//! What is left of an integral along an arm, from a few values of ℓ beyond.
+//! The remainder of an integral along a side, from a few values of ℓ beyond the last cell.
 //!
-//! Where ln ℓ is concave, as for t^p e^{−wt}, p ≥ 0, cells fall faster and faster, and the rest of a geometric
-//! sequence is too large. Where ln ℓ is convex, as for sums of such laws with different w (a slow power
-//! behind a fast one) or p < 0, it is too small; but then ln ℓ lies below its chords, and
+//! Where ln ℓ is concave, as for t^p e^{−wt}, p ≥ 0, the integrals over cells decrease faster than
+//! geometrically, and the remainder of a geometric series is too large. Where ln ℓ is convex, as for sums
+//! of such laws with different w (a slow power hidden by a fast one) or p < 0, it is too small; but then ln
+//! ℓ lies below its chords, and
 //!
 //! ∫ ℓ ≤ Σ (t_{k+1} − t_k) (ℓ_k − ℓ_{k+1}) / ln(ℓ_k/ℓ_{k+1}),
 //!
-//! whatever the t_k are, with equality for one exponential. The true rest lies between nothing and the larger
-//! of the two. Beyond the last t the last chord goes on: where an arm ends ℓ is nothing, or has settled.
+//! for every choice of the t_k, with equality for one exponential. The true remainder lies between zero and
+//! the larger of the two. Beyond the last t the last chord is continued: at the end of a side ℓ is
+//! negligible or follows its asymptotic law.
 
 use super::level::Density;
 use crate::error::{Error, Result};
 
-/// Values of ℓ beyond the end, closer to each other where it begins.
+/// Positions of the values of ℓ beyond the end, denser at the beginning.
 const CHORDS: usize = 10;
-/// Below this many times its rounding a value of ℓ is nothing but rounding.
+/// Values of ℓ below this many times their rounding are ignored.
 const NOISE: f64 = 4.0;
 
-/// ∫ ℓ beyond `from` by chords of ln ℓ, |ℓ| = `first` there, values asked up to `end`.
+/// ∫ ℓ beyond `from` by chords of ln ℓ, |ℓ| = `first` there, values are computed up to `end`.
 ///
-/// A closure that has no value that deep, or whose value is its rounding, is asked no further.
+/// Sampling stops at a depth where the function has no value, or where the value is dominated by rounding.
 pub(super) fn rest_by_chords(
     from: f64,
     first: f64,

@@ -1,45 +1,47 @@
-//! A function looked at on all scales, once: one value per unit of t = ln(R/δ) along every arm, down to the
+//! Samples of a function on all scales: one value per unit of t = ln(R/δ) along every side, down to the
 //! smallest distance at which it can be evaluated.
 //!
-//! What is seen is a crude profile of the integrand along an arm: of |u|²_ν
+//! They give a rough profile of the integrand along a side: of |u|²_ν
 //!
 //! e(t) = δ^{1−2ν} max_s e^{−2νs} |u(t−s) − u(t−s−1)|²,
 //!
-//! of ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and what the rules in t follow cell by cell, have profiles
-//! without a valley, smooth in t far from the beginning. Where a profile rises again after it had fallen to
-//! nothing, as for x + exp(−x/w), or bends sharply far down, as for exp(−x/w) alone, the rules might have left
-//! before, or gone on in wide steps: such functions go to [`super::graded`] and to [`super::by_scales`].
+//! of ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and functions that the rules in t resolve cell by cell,
+//! have profiles without a local minimum that are smooth in t far from the beginning. Where a profile rises
+//! again after a decay below rounding, as for x + exp(−x/w), or bends sharply at a large depth, as for
+//! exp(−x/w), the rules might stop before it or use too wide cells: such functions are computed by
+//! [`super::graded`] and [`super::by_scales`].
 
 use super::arm::Arm;
 use super::function::SingularFunction;
 use crate::kernel::power::PowerKernel;
 use crate::numeric::scale::power_of_two;
 
-/// Where the first cells, at which every rule looks, end.
+/// End of the first cells, which every rule resolves.
 const BEGUN: f64 = 3.0;
-/// ln of what a profile rises by after a valley that counts.
+/// ln of the factor by which a profile rises after a significant local minimum.
 const RISE: f64 = 2.0;
-/// From here on cells of a rule may be wide, and the second difference of ln e for which they are too wide.
+/// Depth from which on cells of a rule may be wide, and the second difference of ln e for which they are
+/// too wide.
 const FAR: f64 = 35.0;
 const BEND: f64 = 0.3;
-/// Of the tolerance: what counts.
+/// Share of the tolerance that is significant.
 const COUNTS: f64 = 0.01;
-/// ln of a size that needs no unit.
+/// ln of a size up to which no rescaling is needed.
 const MODERATE: f64 = 7.0;
-/// ln of what a profile falls by over half of an arm where it ends.
+/// ln of the factor by which a convergent profile decreases over half of a side.
 const FADES: f64 = 3.0;
-/// Differences of so many ulps are rounding.
+/// Differences of this many ulps count as rounding.
 const ULPS: f64 = 16.0 * f64::EPSILON;
-/// A neighbouring interval longer than this many times: the shorter one is a layer beside it.
+/// Ratio of neighbouring intervals from which on the shorter one is treated as a layer.
 const UNEQUAL: f64 = 1e8;
 
-/// Values of u at t = 1/2, 3/2, ... along every arm.
+/// Values of u at t = 1/2, 3/2, ... along every side.
 pub(super) struct Profile {
     arms: Vec<Arm>,
     values: Vec<Vec<f64>>,
 }
 
-/// ln of a profile along every arm.
+/// ln of a profile along every side.
 pub(super) type Logs = Vec<Vec<f64>>;
 
 /// t of sample k.
@@ -48,7 +50,7 @@ fn place(k: usize) -> f64 {
 }
 
 impl Profile {
-    /// Looks at u until a value is no number, or the work allowed is spent.
+    /// Samples u until a value is not a number or the work limit is reached.
     pub(super) fn of(u: &SingularFunction) -> Self {
         let arms = u.arms();
         let values = arms
@@ -61,13 +63,13 @@ impl Profile {
         Self { arms, values }
     }
 
-    /// (δ, u) of the samples of an arm, from its far end on.
+    /// (δ, u) of the samples of a side, from its far end on.
     pub(super) fn samples(&self, arm: usize) -> impl Iterator<Item = (f64, f64)> {
         let place_of = move |k: usize| self.arms[arm].delta(place(k));
         self.values[arm].iter().enumerate().map(move |(k, &value)| (place_of(k), value))
     }
 
-    /// Whether all values are the same to rounding.
+    /// True if all values are equal to rounding.
     pub(super) fn is_constant(&self) -> bool {
         let all = || self.values.iter().flatten();
         let (low, high) =
@@ -75,7 +77,7 @@ impl Profile {
         high - low <= 4.0 * ULPS * high.abs().max(low.abs())
     }
 
-    /// Whether some interval is much longer than a neighbour.
+    /// True if some interval is much longer than a neighbour.
     pub(super) fn is_unequal(&self) -> bool {
         let quotient = |pair: &[Arm]| (pair[0].length / pair[1].length).max(pair[1].length / pair[0].length);
         self.arms.windows(2).any(|pair| quotient(pair) > UNEQUAL)
@@ -137,7 +139,8 @@ pub(super) fn log_sum(logs: &Logs) -> f64 {
     }
 }
 
-/// Whether what counts at this tolerance lies behind a valley, or bends sharply far down.
+/// True if a contribution significant at this tolerance lies behind a local minimum, or the profile bends
+/// sharply at a large depth.
 pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
     let whole = log_sum(logs);
     let (counts, nothing) = (whole + (COUNTS * tolerance).ln(), whole + tolerance.ln());
@@ -158,7 +161,8 @@ pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
     })
 }
 
-/// Whether contributions that count go on to the smallest distance without falling over half of the arm.
+/// True if significant contributions extend to the smallest distance without decreasing over half of the
+/// side.
 pub(super) fn is_endless(logs: &Logs, tolerance: f64) -> bool {
     let counts = log_sum(logs) + (COUNTS * tolerance).ln();
     logs.iter().any(|arm| match arm.last() {

@@ -1,38 +1,38 @@
-//! What a function sees of its breaks, for others made of it.
+//! Evaluation of a function near its breakpoints, for functions derived from it.
 
 use super::function::{Position, Sight, SingularFunction};
 use crate::error::Result;
 
 impl<'a> SingularFunction<'a> {
-    /// What is left of the work that a tolerance allows.
+    /// The remaining work of a tolerance.
     pub(crate) fn work_left(&self) -> u64 {
         self.budget.left()
     }
 
-    /// The size of the rounded coordinates near break k; 0 where the function sees offsets.
+    /// The size of the rounded coordinates near breakpoint k; 0 for a function of the offset.
     pub(crate) fn blur(&self, k: usize) -> f64 {
         self.coordinate_if_seen(k).abs()
     }
 
-    /// The coordinate of break k where that is what the function sees, else 0.
+    /// The coordinate of breakpoint k for a function of x, else 0.
     pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
         if self.sight == Sight::Coordinate { self.breaks()[k] } else { 0.0 }
     }
 
-    /// Whether the distance to some break is only known up to the rounding of a coordinate.
+    /// True if the distance to some breakpoint is known only up to the rounding of a coordinate.
     pub(super) fn has_rounded_distances(&self) -> bool {
         self.sight == Sight::Coordinate && self.breaks().iter().any(|&at| at != 0.0)
     }
 
-    /// Counts kernel values against the work that is allowed.
+    /// Counts kernel values against the work limit.
     ///
     /// # Errors
-    /// [`crate::Error::ToleranceNotMet`] when it is spent.
+    /// [`crate::Error::ToleranceNotMet`] when the limit is reached.
     pub(super) fn spend(&self, count: u64) -> Result<()> {
         self.budget.spend(count)
     }
 
-    /// A function of positions that are known as this one's are.
+    /// A function of positions with the same arguments as this one.
     pub(crate) fn seen_likewise<'b>(
         &self,
         breaks: &[f64],
@@ -43,7 +43,8 @@ impl<'a> SingularFunction<'a> {
         Ok(found)
     }
 
-    /// The smallest distance to a break at which the function is asked, in units of the breaks.
+    /// The smallest distance to a breakpoint at which the function is evaluated, in units of the
+    /// breakpoints.
     pub(crate) fn closest(&self) -> f64 {
         1e-290 * self.unit.recip().max(1.0)
     }

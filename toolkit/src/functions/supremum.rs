@@ -1,9 +1,9 @@
-//! max |u| of a function with break points, by samples in the logarithm of the distance to the breaks.
+//! max |u| of a function with breakpoints, by samples in the logarithm of the distance to the breakpoints.
 //!
-//! Along an arm |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is improved by golden
-//! sections; steps are halved until two agree. What lies beyond the depth of the arm is the limit of the
-//! values at depth/4, depth/2 and depth where their differences fall, and infinite where they do not. Cost:
-//! 700 values per arm and unit of 1/step.
+//! Along a side |u| is sampled at equal steps of t = ln(R/δ) and every local maximum is refined by
+//! golden-section search; steps are halved until two agree. Beyond the depth of the side the supremum is
+//! the limit of the values at depth/4, depth/2 and depth if their differences decrease, and infinite
+//! otherwise. Cost: 700 values per side and unit of 1/step.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -14,14 +14,15 @@ use crate::root::accept;
 
 /// Samples per unit of t, in turn.
 const DENSITIES: [f64; 4] = [4.0, 8.0, 16.0, 32.0];
-/// Width to which a maximum is located: u is flat there, so that its square is what u is off by.
+/// Width to which a maximum is located; the error of u is of the order of its square.
 const WIDTH: f64 = 1e-8;
-/// Differences that fall by less than this do not fall: ln t grows by equal amounts when t doubles.
+/// Differences that decrease by less than this count as not decreasing: ln t grows by equal amounts when t
+/// doubles.
 const FALLS: f64 = 1.0 - 1e-9;
 /// Rounding of a value of u, relative.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The largest value on one arm or several, with its uncertainty.
+/// The largest value on one side or several, with its uncertainty.
 #[derive(Debug, Clone, Copy, Default)]
 struct Peak {
     value: f64,
@@ -30,7 +31,7 @@ struct Peak {
 }
 
 impl SingularFunction<'_> {
-    /// max |u|, the essential supremum where u is continuous between its breaks.
+    /// max |u|, the essential supremum where u is continuous between its breakpoints.
     pub(super) fn largest(&self, tolerance: Tolerance) -> Result<Estimate> {
         let mut work = Work::default();
         let mut best: Option<Estimate> = None;
@@ -60,7 +61,12 @@ impl SingularFunction<'_> {
             coarse = Some(whole.value);
         }
         let best = best.map_or_else(|| Estimate::new(0.0, 0.0, work), Ok)?;
-        accept("L^inf norm", best, tolerance, "samples do not settle: a peak between breaks is narrow")
+        accept(
+            "L^inf norm",
+            best,
+            tolerance,
+            "samples do not converge: there is a narrow peak between breakpoints",
+        )
     }
 
     fn peak(&self, arm: &Arm, density: f64) -> Result<Peak> {
@@ -94,7 +100,10 @@ fn beyond([first, middle, last]: [f64; 3]) -> Result<(f64, f64)> {
     }
     let ratio = after / before;
     if !(ratio > 0.0 && ratio < FALLS) {
-        return Err(Error::InfiniteNorm { order: 0.0, why: "the function grows without bound near a break" });
+        return Err(Error::InfiniteNorm {
+            order: 0.0,
+            why: "the function grows without bound near a breakpoint",
+        });
     }
     let rest = after * ratio / (1.0 - ratio);
     Ok((last + rest, rest))

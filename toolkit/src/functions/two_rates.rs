@@ -1,8 +1,8 @@
-//! The end of an arm on which ℓ decays with two rates whose difference is known.
+//! The end of a side on which ℓ decays with two rates whose difference is known.
 //!
-//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of its
-//! own depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is nothing beside u(x), give
-//! ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
+//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of
+//! its own depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is negligible against
+//! u(x), give ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
 //!
 //! ℓ(t) = c₁ e^{−wt} + c₂ e^{−(w+2ν)t},
 //!
@@ -12,13 +12,13 @@
 //!
 //! r ℓ₀ q² − (1+r) ℓ₁ q + ℓ₂ = 0,
 //!
-//! of which the smaller root, 2ℓ₂ over the sum of (1+r) ℓ₁ and the root of the discriminant, is the one with
-//! c₁ > r c₂, both taken at ℓ₀. It loses nothing where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) = e^{wH}
-//! (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
+//! of which the smaller root, 2ℓ₂ over the sum of (1+r) ℓ₁ and the root of the discriminant, is the one
+//! with c₁ > r c₂, both taken at ℓ₀. It loses no digits where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) =
+//! e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
 //!
 //! ∫_T^∞ ℓ = ℓ(T) (1/w − β/(w (w+2ν))).
 //!
-//! The law is believed where two triples, one twice as deep as the other, agree about w.
+//! The law is accepted if two triples, one twice as deep as the other, agree in w.
 
 use crate::quadrature::Limit;
 
@@ -31,7 +31,7 @@ const OF_ONE: f64 = 16.0;
 /// The rates of the two triples agree to this.
 const AGREED: f64 = 0.05;
 
-/// ℓ at equal distances, three times: the last one at the end of what was summed.
+/// ℓ at equal distances, three times: the last one at the end of the summed part.
 struct Triple {
     step: f64,
     values: [f64; 3],
@@ -64,7 +64,7 @@ impl Triple {
     }
 }
 
-/// What two triples say.
+/// The law fitted to two triples.
 #[derive(Clone, Copy)]
 pub(super) struct TwoRates {
     shallow: Law,
@@ -73,8 +73,8 @@ pub(super) struct TwoRates {
 }
 
 impl TwoRates {
-    /// From ℓ at t, the last of them equidistant; `gap` = 2ν, `rounding` that of a sum, relative. None where
-    /// there are too few, where they vanish, or where the two triples disagree.
+    /// The law from values ℓ(t), the last of them equidistant; `gap` = 2ν, `rounding` that of a sum,
+    /// relative. `None` if there are too few values, if they vanish, or if the two triples disagree.
     pub(super) fn of(t: &[f64], densities: &[f64], gap: f64, rounding: f64) -> Option<Self> {
         let rounding = ROUNDING.max(OF_ONE * rounding);
         let last = t.len().checked_sub(1)?;

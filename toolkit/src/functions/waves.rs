@@ -1,9 +1,10 @@
-//! Functions with many waves between their breaks, as piecewise polynomials.
+//! Functions with many oscillations between their breakpoints, as piecewise polynomials.
 //!
-//! Each half of an interval between breaks is halved until a polynomial p of degree d agrees with the
+//! Each half of an interval between breakpoints is halved until a polynomial p of degree d agrees with the
 //! function on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of
-//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells
-//! in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`], O(cells)).
+//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many
+//! cells in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`],
+//! O(cells)).
 //!
 //! The error is | |u|_ν − |p|_ν | ≤ |u − p|_ν, bounded in [`super::resolution`].
 //!
@@ -21,44 +22,45 @@ use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
 
-/// Fewer cells than these are no waves.
+/// Number of cells from which on a function counts as oscillating.
 const MANY: usize = 32;
-/// More cells of one arm than the finest rules in logarithmic coordinates resolve.
+/// More cells of one side than the finest rules in logarithmic coordinates resolve.
 const BEYOND_RULES: usize = 512;
-/// Cells at most: 3 d values and some 100 numbers each.
+/// Largest number of cells, each with 3 d values and about 100 numbers.
 const MOST: usize = 1 << 17;
-/// Halvings of an arm at most.
+/// Largest number of bisections of a side.
 const DEEPEST: u32 = 40;
 /// A cell has none of GRADED times its length within REACH times its length, unless cells are graded.
 const GRADED: f64 = 8.0;
 const REACH: f64 = 64.0;
-/// The cell at a break is so many times longer than the shortest one, unless that one lies at the break.
+/// Ratio of the cell at a breakpoint to the shortest cell, unless the latter lies at the breakpoint.
 const INSIDE: f64 = 4.0;
-/// Residuals are seen at points of a rule: the largest of them all is no larger than this times what is seen.
+/// Bound of the largest residual over the largest one at the points of a rule.
 const UNSEEN: f64 = 2.0;
-/// Rounds of cells, each for a tenth of what the one before left, or less.
+/// Number of refinement rounds, each to a tenth of the error of the previous one or less.
 const ROUNDS: usize = 4;
-/// What rounding leaves of values of size 1.
+/// Rounding error of values of size 1.
 const FLOOR: f64 = 64.0 * f64::EPSILON;
 
-/// Why waves are not resolved.
-const TOO_MANY: &str = "the function has more structure between its breaks than 100000 cells resolve";
-/// Why they are not resolved closely enough.
-const LIMIT: &str = "rounding of the values is all that shorter cells show";
+/// Message: the oscillations are not resolved.
+const TOO_MANY: &str =
+    "the structure of the function between its breakpoints is not resolved by 100000 cells";
+/// Message: the oscillations are not resolved to the tolerance.
+const LIMIT: &str = "rounding of the values dominates the error";
 
-/// What the cells say of a function.
+/// The classification of a function by its cells.
 pub(super) enum Waves {
-    /// Few cells, or cells that shrink towards a break.
+    /// Few cells, or cells that shrink towards a breakpoint.
     None,
-    /// Cells that shrink towards a point between the breaks.
+    /// Cells that shrink towards a point between the breakpoints.
     Inside,
-    /// Resolved by so many cells that rules in logarithmic coordinates would not do.
+    /// Resolved by more cells than the rules in logarithmic coordinates resolve.
     Resolved(Box<Resolved>),
-    /// More than anything here resolves.
+    /// More oscillations than any method here resolves.
     TooMany,
 }
 
-/// The seminorm of a function with many waves, or where its structure lies.
+/// The seminorm of a function with many oscillations, or the location of its structure.
 pub(super) enum OfWaves {
     Found(Estimate),
     AtBreaks,
@@ -74,7 +76,7 @@ pub(super) struct Resolved {
     points: u64,
 }
 
-/// A cell of an arm, δ from its break: its ends, polynomial and residual.
+/// A cell of a side, δ from its breakpoint: its ends, polynomial and residual.
 struct Cell {
     near: f64,
     far: f64,
@@ -82,7 +84,7 @@ struct Cell {
     ends: [f64; 2],
     bubbles: Vec<f64>,
     residual: f64,
-    /// what the rounding of x and of u leaves of residuals
+    /// rounding error of the residuals, by x and by u
     noise: f64,
 }
 
@@ -94,10 +96,11 @@ struct Fit {
 }
 
 impl SingularFunction<'_> {
-    /// |u|_ν of a function of size 1 with many waves; where the structure of all others lies.
+    /// |u|_ν of a function of size 1 with many oscillations; for all others the location of their
+    /// structure.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a break and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<OfWaves> {
         let asked = tolerance.relative();
         let mut best: Option<Estimate> = None;
@@ -135,7 +138,8 @@ impl SingularFunction<'_> {
         Err(Error::best_of("seminorm", asked, best, LIMIT))
     }
 
-    /// The L² norm of a function of size 1 with many waves; where the structure of all others lies.
+    /// The L² norm of a function of size 1 with many oscillations; for all others the location of their
+    /// structure.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`].
@@ -205,7 +209,7 @@ impl SingularFunction<'_> {
         Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
     }
 
-    /// The cells of an arm from its break on, and whether all are resolved; `None` beyond `most`.
+    /// The cells of a side from its breakpoint on, and whether all are resolved; `None` beyond `most`.
     fn cells_of(&self, arm: &Arm, fit: &Fit, most: usize) -> Result<Option<(Vec<Cell>, bool)>> {
         let mut cells = Vec::new();
         let mut is_resolved = true;
@@ -259,8 +263,8 @@ impl SingularFunction<'_> {
 }
 
 impl Cell {
-    /// How far the value at the break may be off its limit: what it is not evaluated close enough, and what x
-    /// is rounded.
+    /// Bound of the difference between the value at the breakpoint and the limit there, from the distance
+    /// of evaluation and the rounding of x.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.ends[0].abs().max(self.ends[1].abs()).max(1.0);
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
@@ -268,14 +272,14 @@ impl Cell {
     }
 }
 
-/// Whether the shortest cell of an arm, from its break on, lies away from the break.
+/// True if the shortest cell of a side is not the one at its breakpoint.
 fn shrinks_inside(cells: &[Cell]) -> bool {
     let length = |cell: &Cell| cell.far - cell.near;
     let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);
     length(&cells[0]) >= INSIDE * shortest
 }
 
-/// Whether cells shrink geometrically somewhere.
+/// True if cells shrink geometrically somewhere.
 fn is_graded(cells: &[Cell]) -> bool {
     let length = |k: usize| cells[k].far - cells[k].near;
     let sees_long = |from: usize, others: &mut dyn Iterator<Item = usize>| {

@@ -7,10 +7,10 @@ use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use rayon::prelude::*;
 
-/// Entries dealt out together.
+/// Number of entries computed by one task.
 const TOGETHER: usize = 64;
 
-/// Rows worth a thread of their own.
+/// Number of rows from which on threads are used.
 const PARALLEL: usize = 1 << 14;
 
 /// A symmetric band matrix: diagonal and off-diagonals.
@@ -20,7 +20,7 @@ pub(crate) struct Band {
 }
 
 impl Band {
-    /// For hats: everything but the pairs of cells that do not touch.
+    /// The band for hat functions: all entries except those from pairs of cells that do not touch.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
@@ -35,7 +35,7 @@ impl Band {
         }
     }
 
-    /// For indicator functions.
+    /// The band for indicator functions.
     pub(crate) fn constants(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();

@@ -1,4 +1,4 @@
-//! Products with symmetric circulants, by one real transform while it fits the cache, else by blocks
+//! Products with symmetric circulants, by one real transform if it fits into the cache, else by blocks
 //! ([`super::six_step`]).
 
 use super::six_step::{SixStep, SixStepWorkspace};
@@ -37,7 +37,7 @@ enum Workspace {
 }
 
 impl Circulant {
-    /// For the symmetric Toeplitz matrix with the given first column.
+    /// The circulant for the symmetric Toeplitz matrix with the given first column.
     pub(crate) fn new(column: &[f64]) -> Result<Self> {
         let least = 2 * column.len();
         if smooth_length(least) < BLOCKED {
@@ -128,14 +128,14 @@ fn eigenvalues(column: &[f64], length: usize) -> Result<Vec<f64>> {
     Ok(symbol.iter().map(|s| s.re).collect())
 }
 
-/// The smallest 2^a or 3·2^a that is at least n: lengths for which every stage is a fast one.
+/// The smallest 2^a or 3·2^a that is at least n: lengths for which all stages are fast.
 fn smooth_length(n: usize) -> usize {
     let power = n.next_power_of_two().max(4);
     let with_three = power / 4 * 3;
     if with_three >= n { with_three } else { power }
 }
 
-/// What the transform says of its buffers, which come from the plans themselves, or of values that are not
+/// The error of a transform: wrong buffers (impossible, the plans allocate them) or values that are not
 /// finite.
 fn fourier(error: realfft::FftError) -> Error {
     Error::Solver { reason: format!("Fourier transform: {error}") }

@@ -8,7 +8,7 @@
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
 
-/// Elements of a leaf at most.
+/// Largest number of elements of a leaf.
 pub(crate) const LEAF: usize = 16;
 
 /// Consecutive elements first..end.
@@ -40,8 +40,8 @@ impl ClusterTree {
         Self::with_leaves(partition, LEAF, |_| true)
     }
 
-    /// Leaves of at most `leaf` elements, and no cluster that ends at a node that `may_cut` forbids: the
-    /// elements between two nodes that may cut stay together.
+    /// The tree with leaves of at most `leaf` elements whose clusters end only at nodes admitted by
+    /// `may_cut`.
     pub(crate) fn with_leaves(partition: &Mesh, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
         let mut tree = Self { clusters: Vec::new() };
         tree.grow(partition.lengths(), 0, partition.len(), leaf, &may_cut);

@@ -29,8 +29,8 @@ pub(crate) fn gram_constants(partition: &Mesh, order: Order) -> Result<DMatrix<f
     Ok(symmetric(&rows))
 }
 
-/// What the exterior of the interval adds to the form of functions that vanish there, 2 ∫ u v ∫_{ext} |x−y|^{-1-2ν},
-/// for the hat functions of the inner nodes: diagonal and off-diagonal.
+/// The contribution of the exterior to the form of functions that vanish outside the interval, 2 ∫ u v
+/// ∫_{ext} |x−y|^{-1-2ν}, for the hat functions of the inner nodes: diagonal and off-diagonal.
 pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec<f64>) {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -64,10 +64,11 @@ pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> DMatrix<f64> 
 /// # Method
 ///
 /// a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
-/// paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in closed
-/// form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring
-/// hats mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row sums, so
-/// that the row sums are a check. Cost O(N²); the entries of separate hats cost about 16 kernel values.
+/// paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in
+/// closed form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring hat
+/// functions mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row
+/// sums, so that the row sums are a check. Cost O(N²); the entries of separate hat functions cost about 16
+/// kernel values.
 pub(crate) fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -122,7 +123,8 @@ pub(crate) fn diagonal_constant(partition: &Mesh, cells: &CellPairs, i: usize) -
     2.0 * (touching(outside[0]) + touching(outside[1]))
 }
 
-/// What cell e contributes to the entries of its two hats with the hats of nodes e + 2, e + 3, ...
+/// The contributions of cell e to the entries of its two hat functions with the hat functions of nodes e +
+/// 2, e + 3, ...
 pub(crate) struct FarRow {
     /// `values[k]` = contributions of (node e + 1, node e) with node e + 2 + k
     pub(crate) values: Vec<[f64; 2]>,

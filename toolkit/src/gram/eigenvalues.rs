@@ -1,8 +1,8 @@
 //! The smallest positive and the largest eigenvalue of A x = λ M x.
 //!
-//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of the largest
-//! eigenvalues of the tridiagonal pencil (K, M) as start, with hats where a_ii/m_ii is largest, and (κM − K)⁻¹ as
-//! preconditioner, κ just above the largest eigenvalue of (K, M).
+//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of
+//! the largest eigenvalues of the tridiagonal pencil (K, M) as start, with hat functions where a_ii/m_ii is
+//! largest, and (κM − K)⁻¹ as preconditioner, κ just above the largest eigenvalue of (K, M).
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};
@@ -14,7 +14,7 @@ use crate::numeric::block_iteration::{Pencil, smallest};
 /// Vectors of a block.
 const BLOCK: usize = 3;
 
-/// Steps at most.
+/// Largest number of steps.
 const STEPS: usize = 300;
 
 /// κ above the largest eigenvalue of (K, M), relative.
@@ -200,6 +200,6 @@ fn found(
         "eigenvalue",
         tolerance.relative(),
         estimate,
-        "the block iteration took its last step",
+        "the block iteration reached the largest number of steps",
     ))
 }

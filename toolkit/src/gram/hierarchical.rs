@@ -3,8 +3,8 @@
 //! Hackbusch & Börm, Computing 69 (2002) 1-35. On admissible pairs of clusters ([`super::cluster`]) the
 //! kernel is interpolated at m Chebyshev points in each variable; a cluster passes moments ∫ u ℓ_a up and
 //! potentials down the tree. Moments are divided by the cluster's length and kernels multiplied by both, so
-//! that nothing leaves the range of binary64. Near pairs of leaves are stored, entry by entry as accurate as
-//! the dense matrix. Memory about 60 N numbers.
+//! that all numbers stay in the range of binary64. Near pairs of leaves are stored, entry by entry as
+//! accurate as the dense matrix. Memory about 60 N numbers.
 
 use super::cluster::{Blocks, ClusterTree};
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! The Gram matrices of |·|_ν as operators y = A x: no N² anywhere.
+//! The Gram matrices of |·|_ν as operators y = A x, in less than O(N²) time and memory.
 
 use super::band::Band;
 use super::dense::{exterior_linears, require_constants_finite};
@@ -36,12 +36,13 @@ enum OffBand {
 pub(crate) struct GramOperator {
     band: Band,
     rest: OffBand,
-    /// A 1, zero but for the errors of the fast product
+    /// A 1, which is zero up to the errors of the fast product
     row_sums: Vec<f64>,
     exterior: Option<Exterior>,
 }
 
-/// Functions that vanish at the two ends and outside: what the exterior adds for the inner nodes.
+/// The contribution of the exterior to the inner nodes, for functions that vanish at the two ends and
+/// outside.
 struct Exterior {
     diagonal: Vec<f64>,
     beside: Vec<f64>,
@@ -57,12 +58,13 @@ impl std::fmt::Debug for GramOperator {
 }
 
 impl GramOperator {
-    /// For the hat functions of all N + 1 nodes; FFT when all lengths agree, else hierarchical.
+    /// The operator for the hat functions of all N + 1 nodes: by FFT if all lengths agree, else
+    /// hierarchical.
     pub(crate) fn linears(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         Self::build(partition, order, tolerance, true, partition.uniform_length())
     }
 
-    /// On the whole line, for the hat functions of the N − 1 inner nodes.
+    /// The operator on the whole line, for the hat functions of the N − 1 inner nodes.
     pub(crate) fn zero_outside(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         let mut operator = Self::linears(partition, order, tolerance)?;
         let (diagonal, beside) = exterior_linears(partition, order);
@@ -71,7 +73,8 @@ impl GramOperator {
         Ok(operator)
     }
 
-    /// For the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
+    /// The operator for the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥
+    /// 1/2.
     pub(crate) fn constants(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         require_constants_finite(order)?;
         Self::build(partition, order, tolerance, false, partition.uniform_length())
@@ -107,7 +110,7 @@ impl GramOperator {
         self.diagonal().len()
     }
 
-    /// True when the product goes by FFT.
+    /// True if the product is computed by FFT.
     pub(crate) fn is_uniform(&self) -> bool {
         matches!(self.rest, OffBand::Uniform(_))
     }
@@ -189,7 +192,7 @@ mod tests {
     use super::*;
     use crate::gram::gram_linears;
 
-    /// Asked of the operators, and required of the product relative to its largest entry.
+    /// Tolerance of the operators, and required accuracy of the product relative to its largest entry.
     const ASKED: f64 = 1e-12;
     const PRODUCT_TOLERANCE: f64 = 1e-10;
 

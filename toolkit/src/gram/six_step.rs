@@ -1,4 +1,4 @@
-//! Products with long symmetric circulants: a blocked transform that stays in the cache.
+//! Products with long symmetric circulants: a blocked transform that works in the cache.
 //!
 //! y = C x, C of even length 2n with eigenvalues S_k = S_{2n−k} (real, since C is symmetric). Even and odd
 //! samples are packed, z_j = x_{2j} + i x_{2j+1}, and with Z the transform of z, w = e^{−πik/n}, E = (Z_k +
@@ -9,9 +9,9 @@
 //! 23-35): with n = n₁n₂, j = j₁n₂ + j₂, k = k₁ + n₁k₂, Z_k = Σ_{j₂} e^{−2πi j₂k₂/n₂} [ e^{−2πi j₂k₁/n}
 //! Σ_{j₁} z_j e^{−2πi j₁k₁/n₁} ]. Three passes over memory: columns (eight at a time, transposed into a
 //! buffer) with the twiddles; pairs of rows k₁, n₁−k₁, each transformed, multiplied and transformed back
-//! while in the cache; columns backwards. Nothing is reordered in between, as a product needs no order of
-//! frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log n), memory 6n
-//! numbers.
+//! while in the cache; columns backwards. Nothing is reordered in between, since a product does not depend
+//! on the order of the frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log
+//! n), memory 6n numbers.
 
 use crate::numeric::parallel;
 use rayon::prelude::*;
@@ -97,13 +97,13 @@ fn is_smooth(mut n: usize) -> bool {
 }
 
 impl SixStep {
-    /// The length 2 n₁ n₂ ≥ `least` of the circulant used for it.
+    /// The length 2 n₁ n₂ of the circulant, at least `least`.
     pub(crate) fn length(least: usize) -> usize {
         let (rows, columns) = shape(least.div_ceil(2));
         2 * rows * columns
     }
 
-    /// From eigenvalues S_0 ..= S_n, of a circulant of a length given by [`SixStep::length`].
+    /// The circulant with eigenvalues S_0 ..= S_n, of a length given by [`SixStep::length`].
     pub(crate) fn new(eigenvalues: &[f64]) -> Self {
         let n = eigenvalues.len() - 1;
         let (rows, columns) = shape(n);
@@ -198,7 +198,7 @@ impl SixStep {
         }
     }
 
-    /// Where row k₁ lies among the pairs: 0 and n₁/2 first, then 1, n₁−1, 2, n₁−2, ...
+    /// The position of row k₁ among the pairs: 0 and n₁/2 first, then 1, n₁−1, 2, n₁−2, ...
     fn place(&self, row: usize) -> usize {
         match row {
             0 => 0,

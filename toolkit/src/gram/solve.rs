@@ -6,10 +6,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::numeric::sum::{RunningSum, compensated};
 
-/// The energy of the error is at most what the last so many steps gained: it falls at least by half per step.
+/// Number of last steps whose gain bounds the energy of the error, which is at least halved per step.
 const SETTLED: usize = 4;
 
-/// Steps at most; about 15 are usual, more for orders near 0.
+/// Largest number of steps; about 15 are typical, more for orders near 0.
 const STEPS: usize = 500;
 
 /// Relative rounding of the entries, each at most a few dozen operations.
@@ -68,5 +68,10 @@ pub(crate) fn solve(
     if converged {
         return Ok((x, energy));
     }
-    Err(Error::not_met("energy", tolerance.relative(), energy, "conjugate gradients took their last step"))
+    Err(Error::not_met(
+        "energy",
+        tolerance.relative(),
+        energy,
+        "conjugate gradients reached the largest number of steps",
+    ))
 }

@@ -17,10 +17,12 @@ use rayon::prelude::*;
 /// Step in ln t: relative error 2 e^{-2π²/step} < 0.3 %.
 const STEP: f64 = 3.0;
 
-/// Both ends of the range of t lie beyond the eigenvalues by this factor; what follows is a geometric series.
+/// Factor by which the range of t exceeds the eigenvalues at both ends; the remainder is a geometric
+/// series.
 const BEYOND: f64 = 100.0;
 
-/// Largest number that t takes: the shortest element to the square in units of the interval may be smaller.
+/// Largest value of t; the squared relative length of the shortest element may be smaller than its
+/// reciprocal.
 const LARGEST: f64 = 1e280;
 
 /// Entries of a vector summed by one thread.

@@ -1,9 +1,9 @@
 //! y = A x on uniform meshes by the fast Fourier transform.
 //!
-//! On elements of equal length the entries of two hats (or indicators) that are apart depend on i − j alone;
-//! the half hats at the two ends have rows of their own; the diagonal and its neighbours feel the distance to
-//! the ends and are kept as they are. The Toeplitz part is embedded in a circulant ([`super::circulant`]).
-//! Setup O(N) integrals; product O(N log N), memory about 12 N numbers.
+//! On elements of equal length the entries of two hat functions (or indicators) that are apart depend on i
+//! − j alone; the half hat functions at the two ends have rows of their own; the diagonal and its
+//! neighbours depend on the distance to the ends and are stored. The Toeplitz part is embedded in a
+//! circulant ([`super::circulant`]). Setup O(N) integrals; product O(N log N), memory about 12 N numbers.
 
 use super::circulant::Circulant;
 use crate::error::Result;
@@ -18,14 +18,14 @@ const PIECE: usize = 1 << 12;
 
 /// The part of a Gram matrix on a uniform mesh that lies off its band.
 pub(crate) struct Toeplitz {
-    /// of the inner hats, or of all indicators
+    /// of the inner hat functions, or of all indicators
     circulant: Circulant,
-    /// row of the first half hat; mirrored, of the last. Empty for constants.
+    /// row of the first half hat function; mirrored, of the last. Empty for constants.
     end_row: Vec<f64>,
 }
 
 impl Toeplitz {
-    /// Entries −2 ∫∫ over separate cells, for hats.
+    /// Entries −2 ∫∫ over separate cells, for hat functions.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);

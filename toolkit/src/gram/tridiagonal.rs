@@ -1,10 +1,10 @@
 //! Symmetric tridiagonal matrices K + t M of a mesh as electrical networks: factors without cancellation.
 //!
-//! A row is s_i + c_{i−1} + c_i on the diagonal and −c_i beside it, c the conductances between neighbours and s
-//! those to the ground. Elimination from left to right keeps this form,
+//! A row is s_i + c_{i−1} + c_i on the diagonal and −c_i beside it, c the conductances between neighbours
+//! and s those to the ground. Elimination from left to right keeps this form,
 //!   d_i = s_i + c_i,  s_{i+1} += s_i c_i / d_i,
-//! and nothing is subtracted while c ≥ 0: rows with elements of length 1e-100 beside 1 are factorized to all
-//! digits. Where c < 0 (t h² > 6, the mass) the ground dominates.
+//! without subtraction if c ≥ 0: rows with elements of length 1e-100 beside 1 are factorized to all digits.
+//! Where c < 0 (t h² > 6, the mass) the ground dominates.
 
 use crate::mesh::Mesh;
 

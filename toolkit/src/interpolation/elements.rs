@@ -1,4 +1,5 @@
-//! Elements made of cells: functions live on the cells, I^h and π^h on the elements.
+//! Elements made of cells: functions are piecewise polynomials on the cells, I^h and π^h act on the
+//! elements.
 
 use crate::Mesh;
 use crate::error::{Error, Result};

@@ -1,8 +1,8 @@
 //! The largest quotient of two quadratic forms over the piecewise linears on m cells per element of a mesh.
 //!
-//! A lower bound of the supremum over the whole space, which rises as the cells are halved. What halving them
-//! adds falls by a factor of at least two each time, so the last addition bounds what is still missing: it is
-//! the error returned.
+//! A lower bound of the supremum over the whole space, which rises as the cells are halved. The increments
+//! under bisection decrease by a factor of at least two, so that the last increment bounds the remaining
+//! error; it is the error returned.
 
 use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
@@ -12,20 +12,22 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 
-/// Cells per element of the finer of two meshes that are compared, at least.
+/// Smallest number of cells per element of the finer of two meshes that are compared.
 const FEWEST: usize = 4;
 
 /// The seminorm |·|_r² and the form that is measured against it, on a mesh.
 pub(super) type Forms = (DMatrix<f64>, DMatrix<f64>);
 
-/// The root of a largest quotient, and the values at the cell nodes of a function with seminorm 1 that takes it.
+/// The root of a largest quotient, and the values at the cell nodes of a function with seminorm 1 that
+/// attains it.
 pub(super) struct Largest {
     pub(super) root: Estimate,
     pub(super) mesh: ElementMesh,
     pub(super) values: Vec<f64>,
 }
 
-/// The root of the largest quotient on as many cells as the tolerance takes, `first` or more per element.
+/// The root of the largest quotient on as many cells as the tolerance requires, at least `first` per
+/// element.
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`] beyond 4096 cells.
@@ -53,7 +55,7 @@ pub(super) fn largest(
         best = Some(root);
         (coarse, cells) = (fine, 2 * cells);
     }
-    let why = "more than 4096 cells in all would be needed";
+    let why = "more than 4096 cells would be required";
     Err(Error::best_of("best constant on a mesh", tolerance.relative(), best, why))
 }
 

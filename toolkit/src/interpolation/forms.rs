@@ -8,8 +8,8 @@
 //! | \|v\|_r², 0 ≤ r ≤ 1, with the constants made positive | A_r + m mᵀ |
 //! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linears |
 //!
-//! m_e are the integrals of the hats over element e, m those over the interval. Dense, for meshes of some
-//! hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.
+//! m_e are the integrals of the hat functions over element e, m those over the interval. Dense, for meshes
+//! of some hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.
 
 use super::elements::ElementMesh;
 use crate::constant::UnitOrder;
@@ -22,7 +22,7 @@ use nalgebra::DMatrix;
 /// Largest number of cells for which dense matrices are built.
 pub(super) const MAX_CELLS: usize = 4096;
 
-/// Integrals of the hats over the cells of a range, for all nodes.
+/// Integrals of the hat functions over the cells of a range, for all nodes.
 pub(super) fn hat_integrals(cells: &Mesh, range: std::ops::Range<usize>) -> Vec<f64> {
     let mut integrals = vec![0.0; cells.len() + 1];
     for i in range {

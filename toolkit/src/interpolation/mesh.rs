@@ -70,7 +70,7 @@ mod tests {
     use crate::numeric::random::SplitMix;
     use crate::{Function, Order};
 
-    /// Share of the best constant that power iteration has to reach.
+    /// Share of the best constant that the power iteration must reach.
     const SHARE: f64 = 0.999;
 
     /// Power iteration on the quotient from random values: the largest value, and where it is taken.

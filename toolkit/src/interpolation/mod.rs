@@ -47,16 +47,18 @@ use crate::order::SobolevOrder;
 /// analytic inside: with K odd Legendre polynomials the constant is approached from below like K^{-4(a+1/2−s)}, measured
 /// K^{-5.6}: 1e-9 at K = 16, 1e-13 at K = 64. Cost O(K⁴).
 ///
-/// **Mesh.** At most the constant of its longest element; smaller for several elements, because |u|²\_{1+s} also holds
-/// the pairs of points in different elements. A lower bound from slopes linear on m cells per element, the best
-/// constant at most `error` above it; what is missing falls like m^{-1-2s}, at most like m^{-2}. Dense; cost O((N m)³).
+/// **Mesh.** At most the constant of its longest element; smaller for several elements, because |u|²\_{1+s}
+/// also holds the pairs of points in different elements. A lower bound from slopes linear on m cells per
+/// element, the best constant at most `error` above it; the error decreases like m^{-1-2s}, at most like
+/// m^{-2}. Dense; cost O((N m)³).
 ///
-/// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners give a lower
-/// bound: a generalised eigenvalue problem. The bounds of degrees p, p − 2, ... settle like p^{-k}, with k from three of
-/// them; their limit is the constant, and its error is what that limit changed by from p − 2 to p, a part of the distance
-/// from the bound, and what the last direction of the powers still gave. p rises from 10, or from 14 for tolerances below
-/// 1e-5, to 30 at most. `upper` is proved by telescoping over halved triangles; for the gradient at s = 1 it is
-/// Kobayashi's (Proc. Symp. RIMS 1733 (2011) 58-77). Quadrature leaves 3e-8.
+/// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners give
+/// a lower bound: a generalised eigenvalue problem. The bounds of degrees p, p − 2, ... converge like
+/// p^{-k}, with k estimated from three of them; the constant is their extrapolated limit, and its error the
+/// sum of the change of that limit from p − 2 to p, a part of its distance from the bound, and the
+/// contribution of the last direction of the powers. p rises from 10, or from 14 for tolerances below 1e-5,
+/// to 30 at most. `upper` is proved by telescoping over halved triangles; for the gradient at s = 1 it is
+/// Kobayashi's (Proc. Symp. RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};

@@ -36,9 +36,10 @@ const FIRST: usize = 4;
 /// Σ |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal
 /// coordinates; the paper's chain gives γ₁(r) γ₁(1/2) in its place, equal at r = 1/2.
 ///
-/// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower bound
-/// from piecewise linears on cells, the best constant at most `error` above it; dense, at most 4096 cells. Between N
-/// and 2N equal elements it falls at the rate r, or r + 1/2 in the dual norm.
+/// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower
+/// bound from piecewise linears on cells, and the best constant exceeds it by at most `error`; dense
+/// matrices, at most 4096 cells. Between N and 2N equal elements it falls at the rate r, or r + 1/2 in the
+/// dual norm.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, Mesh, projection_constant};

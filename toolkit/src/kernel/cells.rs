@@ -1,8 +1,9 @@
 //! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat
 //! functions.
 //!
-//! Every integrand below has one sign, so every value has full relative accuracy, whatever p, q, d ≥ 1e-303
-//! of each other. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s + t.
+//! Every integrand below has one sign, so that every value has full relative accuracy for p, q, d with
+//! ratios down to 1e-303. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s +
+//! t.
 //!
 //! - separate cells (d > 0): the inner integral in closed form ([`PowerKernel::hats`]), the outer one by
 //!   Gauss rules on pieces that grow away from the other cell; a tensor rule when both cells are shorter than
@@ -54,8 +55,8 @@ impl CellPairs {
         f(lengths.map(|length| length / scale)).times(self.kernel.scaling(scale))
     }
 
-    /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat that is 1 at the facing end, 1 at the other; d >
-    /// 0.
+    /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat function that is 1 at the facing end, 1 at the
+    /// other; d > 0.
     pub(crate) fn separate(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
         self.scaled([d, d.max(p).max(q)], [p, q, d], |[p, q, d]| {
             if p <= d && q <= d {
@@ -149,8 +150,8 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat that vanishes at the common point against a
-    /// constant.
+    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat function that vanishes at the common
+    /// point against a constant.
     pub(crate) fn touching_square_constant(&self, p: f64, q: f64) -> f64 {
         self.scaled([p, q], [p, q], |[p, q]| {
             let along_q = self.kernel.whole(p, q);
@@ -172,8 +173,9 @@ impl CellPairs {
         })
     }
 
-    /// ∫_0^p w(s) ∫_d^∞ (s+t)^{-1-2ν} dt ds for w = (1 − s/p)², (s/p)(1 − s/p), (s/p)²: products of hats against the
-    /// exterior of an interval. For d = 0 the last one; the others are infinite from ν = 1/2 on.
+    /// ∫_0^p w(s) ∫_d^∞ (s+t)^{-1-2ν} dt ds for w = (1 − s/p)², (s/p)(1 − s/p), (s/p)²: products of hat
+    /// functions against the exterior of an interval. For d = 0 the last one; the others are infinite from
+    /// ν = 1/2 on.
     pub(crate) fn against_exterior(&self, p: f64, d: f64) -> [f64; 3] {
         if d == 0.0 {
             let last = self.kernel.scaling(p) / (self.kernel.twice * self.kernel.three_minus);

@@ -8,9 +8,9 @@ pub(crate) struct Chebyshev {
     weights: Vec<f64>,
 }
 
-/// Points at most: beyond, rounding is all that is left.
+/// Largest number of points, at which the error is at rounding level.
 const MOST: usize = 28;
-/// Places in either variable at which an interpolation is measured.
+/// Number of points in each variable at which the interpolation error is measured.
 const PLACES: usize = 23;
 
 impl Chebyshev {

@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 /// Orders 1 ..= MAX_POINTS of the Gauss rules kept at hand.
 const MAX_POINTS: usize = 40;
 
-/// Pieces longer than this multiple of their distance from the singularity are not left to one Gauss rule.
+/// Largest ratio of the length of a piece to its distance from the singularity for one Gauss rule.
 pub(crate) const GAUSS_REACH: f64 = 2.0;
 
 /// n-point Gauss-Legendre rules on (0, 1) and the largest ℓ/x for which each is exact to rounding.
@@ -69,7 +69,7 @@ pub(crate) struct GaussRules {
 }
 
 impl GaussRules {
-    /// To the relative accuracy `target` of a positive integral.
+    /// The rules for the relative accuracy `target` of a positive integral.
     pub(crate) fn to(degree: usize, target: f64) -> Self {
         Self { degree, share: (-target.log10() / 17.0).clamp(0.1, 1.0) }
     }

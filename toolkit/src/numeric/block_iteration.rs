@@ -7,10 +7,10 @@ use super::sum::pairwise_dot;
 use crate::error::Result;
 use nalgebra::DMatrix;
 
-/// Directions whose share of the basis is smaller do not count.
+/// Smallest relative size of an independent direction.
 const DEPENDENT: f64 = 1e-11;
 
-/// The pencil and what approximates the inverse of A − λ M up to a factor.
+/// A pencil with an approximate inverse of A − λ M, up to a factor.
 pub(crate) trait Pencil {
     /// A x; for the largest eigenvalues −A x.
     ///
@@ -21,7 +21,7 @@ pub(crate) trait Pencil {
     fn mass(&self, x: &[f64]) -> Vec<f64>;
     /// The preconditioner times a residual.
     fn precondition(&self, r: &[f64]) -> Vec<f64>;
-    /// True where the smallest eigenvalues are so far apart that Ritz values tell their gaps.
+    /// True if the smallest eigenvalues are so well separated that Ritz values give their gaps.
     fn is_separated(&self) -> bool;
     /// M⁻¹ r.
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
@@ -61,14 +61,16 @@ impl Imaged {
     }
 }
 
-/// The smallest eigenvalue of the pencil, the distance to the spectrum it may have, and the number of steps.
+/// The smallest eigenvalue of the pencil, the bound of its distance to the spectrum, and the number of
+/// steps.
 pub(crate) struct Smallest {
     pub(crate) value: f64,
     pub(crate) error: f64,
     pub(crate) steps: usize,
 }
 
-/// From a block of start vectors, until the error is below `tolerance` times the value, or for so many steps.
+/// The smallest eigenvalue from a block of start vectors, until the error is below `tolerance` times the
+/// value or the number of steps is reached.
 ///
 /// The error is the least of ‖R_k‖ and, where eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), R_k the residuals
 /// of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within ‖R_1‖.

@@ -1,9 +1,9 @@
-//! Preconditioned conjugate gradients for A x = b, A symmetric and positive definite, buffers kept from call
-//! to call.
+//! Preconditioned conjugate gradients for A x = b, A symmetric and positive definite, with buffers kept
+//! between calls.
 //!
-//! With r = b − A x and z = B r (B ≈ A⁻¹) a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA p, and takes the energy
-//! xᵀA x of the error down by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step: one
-//! product, one B, O(n).
+//! With r = b − A x and z = B r (B ≈ A⁻¹) a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA p, and reduces the
+//! energy xᵀA x of the error by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step:
+//! one product, one B, O(n).
 
 use super::sum::pairwise_dot;
 use crate::error::Result;
@@ -23,12 +23,12 @@ pub(crate) trait System {
     fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()>;
 }
 
-/// What a step did.
+/// The result of a step.
 ///
 /// Returned by [`ConjugateGradients::step`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Step {
-    /// The energy of the error fell by this, ρ²/κ.
+    /// The decrease ρ²/κ of the energy of the error.
     Gain(f64),
     /// κ is not positive, or not a number: A is not positive definite along the direction, or the residual is
     /// zero.
@@ -48,7 +48,7 @@ pub(crate) struct ConjugateGradients {
 }
 
 impl ConjugateGradients {
-    /// For n unknowns.
+    /// The buffers for n unknowns.
     pub(crate) fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }

@@ -1,22 +1,22 @@
-//! Small numerical pieces that several rooms need, each once.
+//! Numerical building blocks shared by several modules.
 //!
 //! | what | where |
 //! | --- | --- |
 //! | sums with compensation or by halving, inner products | [`sum`] |
 //! | units that are powers of two | [`scale`] |
 //! | lengths and finite values of input | [`check`] |
-//! | what fits into memory | [`memory`] |
+//! | available memory | [`memory`] |
 //! | sign changes, golden sections | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
 //! | random numbers with a seed | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
-//! | loops dealt out over threads | `parallel` |
+//! | parallel maps | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
 //! | extremal quotients of two quadratic forms | `pencil` |
 //!
-//! Plain `f64`; nothing here knows a norm or a mesh.
+//! All in `f64`; nothing here depends on norms or meshes.
 
 pub(crate) mod block_iteration;
 pub(crate) mod check;

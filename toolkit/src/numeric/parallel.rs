@@ -1,5 +1,5 @@
-//! Loops dealt out over threads. The loops are compiled once per kind of value, not once per body: what is
-//! dealt out is work of microseconds, beside which a call through a pointer costs nothing.
+//! Parallel maps. The loops are compiled once per type of value, not once per body: a task takes
+//! microseconds, so that a call through a pointer is negligible.
 
 use rayon::prelude::*;
 
@@ -8,7 +8,7 @@ pub(crate) fn map<T: Send>(count: usize, f: &(dyn Fn(usize) -> T + Sync)) -> Vec
     map_together(count, 1, f)
 }
 
-/// The same, at least `together` of them in a row on one thread.
+/// The same, with at least `together` consecutive items per thread.
 pub(crate) fn map_together<T: Send>(
     count: usize,
     together: usize,

@@ -9,10 +9,10 @@ use super::dense::{Cholesky, product, symmetric_eigen};
 use crate::error::{Error, Result};
 use nalgebra::DMatrix;
 
-/// Rows of the reduced matrix, relative to its norm, that do not matter to the largest eigenvalue.
+/// Relative norm of rows of the reduced matrix that do not affect the largest eigenvalue.
 const INSIGNIFICANT: f64 = 1e-13;
 
-/// What does not matter as an entry either, and would only slow the arithmetic down as a subnormal number.
+/// Size below which an entry is set to zero, since subnormal numbers slow the arithmetic down.
 const NEGLIGIBLE: f64 = 1e-30;
 
 /// The factorized matrix.

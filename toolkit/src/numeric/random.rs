@@ -1,4 +1,4 @@
-//! Numbers nobody has chosen, the same on every machine: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
+//! Reproducible pseudo-random numbers: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 
 /// A sequence of numbers with a seed.
 #[doc(alias("random number generator"))]

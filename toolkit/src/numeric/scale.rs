@@ -1,5 +1,5 @@
-//! Units that are powers of two: dividing by them is exact, and squares of what is left neither overflow nor
-//! underflow.
+//! Units that are powers of two: dividing by them is exact, and squares of the quotients neither overflow
+//! nor underflow.
 
 /// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
 /// = 0.
@@ -17,7 +17,7 @@ pub(crate) fn power_between(a: f64, b: f64) -> f64 {
     libm::ldexp(1.0, (libm::ilogb(a) + libm::ilogb(b)) / 2)
 }
 
-/// max |v|; NaN does not count.
+/// max |v|; NaN is ignored.
 pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }

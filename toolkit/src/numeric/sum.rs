@@ -1,7 +1,6 @@
-//! Sums whose rounding does not grow with the number of terms, or like its logarithm only.
+//! Sums whose rounding error does not grow with the number of terms, or only like its logarithm.
 
-/// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp of Σ|terms| ε² n, whatever
-/// the count.
+/// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp plus n ε² Σ|terms|.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct RunningSum {
     sum: f64,

@@ -1,4 +1,4 @@
-//! The cells of a piecewise polynomial as the moments want them.
+//! The cells of a piecewise polynomial, for the computation by moments.
 
 use super::pairs::{Cell, PolynomialPairs};
 use super::polynomial::PiecewisePolynomial;
@@ -8,12 +8,13 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::order::Order;
 use crate::quadrature::Rule;
 
-/// Elements of a leaf up to this degree, above which a pair of cells costs as much as one of clusters.
+/// Largest degree for leaves of several elements; above it a pair of cells costs as much as one of
+/// clusters.
 const LOW_DEGREE: usize = 2;
 const LEAF: usize = 4;
-/// Points of a rule beyond the degree: half as many as a cluster has, and one.
+/// Points of a rule beyond the degree: half as many as a cluster has, plus one.
 const MOMENT_POINTS: usize = 15;
-/// Asked of the interpolated kernel, over the tolerance of the root.
+/// Accuracy of the interpolated kernel over that of the seminorm.
 const SHARE: f64 = 0.2;
 
 /// A piecewise polynomial with rules for its degrees.

@@ -8,7 +8,7 @@ use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 use crate::root::accept;
 
-/// Bisections of one element before the error is taken as it is.
+/// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
 /// Rounding of a compensated mean, relative to the mean of the sizes of the pieces.
 const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;
@@ -66,7 +66,7 @@ impl PiecewisePolynomial {
         let value = scale * (total.powf(1.0 / q) * root);
         let relative = (error / sum.value() + 32.0 * f64::EPSILON) / q + 8.0 * f64::EPSILON;
         let work = Work { points, ..Work::default() };
-        let why = "rounding, or bisection at its deepest level";
+        let why = "rounding, or the largest number of bisections, limits the accuracy";
         accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance, why)
     }
 

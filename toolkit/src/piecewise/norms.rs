@@ -10,8 +10,8 @@ use crate::order::Order;
 use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 
-/// What ends the accuracy of a quadratic form.
-const LIMIT: &str = "rounding of the form; fewer elements or a smoother function have more digits";
+/// Message: what limits the accuracy of a quadratic form.
+const LIMIT: &str = "rounding of the form dominates: use fewer elements or a smoother function";
 
 impl PiecewisePolynomial {
     /// The seminorm |u|_ν.
@@ -24,16 +24,17 @@ impl PiecewisePolynomial {
     ///
     /// Few elements are summed pair by pair, exact to rounding, at O(N²) kernel values: constants and
     /// continuous linears through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which uses that
-    /// constants have seminorm zero and so keeps its digits when u is nearly constant. More elements go
+    /// constants have seminorm zero and so keeps its digits when u is nearly constant. More elements are
+    /// summed
     ///
-    /// - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding is relative to Σ
-    ///   a_ii x_i²: O(N log N);
-    /// - else, and where that rounding exceeds the tolerance, by moments: pairs of clusters of elements with
-    ///   a gap no shorter than either, on which the kernel is interpolated at Chebyshev points to the
-    ///   [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than zero,
-    ///   the relative error of the sum is at most that of the kernel.
+    /// - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding error is
+    ///   relative to Σ a_ii x_i²: O(N log N);
+    /// - otherwise, and where that rounding error exceeds the tolerance, by moments: pairs of clusters of
+    ///   elements with a gap no shorter than either, on which the kernel is interpolated at Chebyshev points
+    ///   to the [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than
+    ///   zero, the relative error of the sum is at most that of the kernel.
     ///
-    /// The rounding of the values of neighbours ends the accuracy of many elements for ν near 1.
+    /// For many elements and ν near 1 the accuracy is limited by the rounding of neighbouring values.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
@@ -111,7 +112,8 @@ impl PiecewisePolynomial {
         if spread == 0.0 { self.scale() } else { power_of_two(spread) }
     }
 
-    /// |u|_ν with whatever error it has; computed for u over a power of two, lengths in units of one, where
+    /// |u|_ν with its error, even above the tolerance; computed for u over a power of two, lengths in units
+    /// of one, where
     /// |u|_ν ~ L^{1/2−ν}.
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         self.require_finite_seminorm(order)?;

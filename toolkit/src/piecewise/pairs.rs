@@ -36,7 +36,8 @@ pub(crate) struct PolynomialPairs {
 const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl PolynomialPairs {
-    /// For polynomials up to `degree`; integrals of the kernel to the relative accuracy `target`.
+    /// The rules for polynomials up to `degree`, with integrals of the kernel to the relative accuracy
+    /// `target`.
     pub(crate) fn new(order: Order, degree: usize, target: f64) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         let points = 2 * degree + 1;
@@ -74,7 +75,7 @@ impl PolynomialPairs {
         form
     }
 
-    /// Over one element twice.
+    /// The integral over one element twice.
     pub(crate) fn own(&self, cell: Cell) -> PairSum {
         let slope = cell.piece.right - cell.piece.left;
         let coefficients = || std::iter::once(&slope).chain(&cell.piece.bubbles);
@@ -89,8 +90,8 @@ impl PolynomialPairs {
         PairSum { value: factor * value, rounding: factor * OWN_ROUNDING * size, points: 1 }
     }
 
-    /// Over two neighbours, both orders; `jump` = value of the right one minus value of the left one at the
-    /// common node.
+    /// The integral over two neighbours, both orders; `jump` = value of the right one minus value of the
+    /// left one at the common node.
     pub(crate) fn touching(&self, left: Cell, right: Cell, jump: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
         let scale = power_between(p, q);
@@ -141,7 +142,7 @@ impl PolynomialPairs {
         sum
     }
 
-    /// Over two elements at distance d > 0, both orders.
+    /// The integral over two elements at distance d > 0, both orders.
     pub(crate) fn separate(&self, left: Cell, right: Cell, d: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
         let largest = p.max(q).max(d);

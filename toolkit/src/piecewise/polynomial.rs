@@ -10,7 +10,7 @@ use std::ops::Range;
 /// Highest polynomial degree on an element.
 const MAX_DEGREE: usize = 20;
 
-/// Jumps below this multiple of the values on both sides are rounding, not jumps.
+/// Jumps below this multiple of the values on both sides count as rounding.
 const JUMP_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A polynomial on one element.
@@ -34,7 +34,7 @@ pub(crate) struct PiecewisePolynomial {
 }
 
 impl PiecewisePolynomial {
-    /// Piecewise constant, one value per element.
+    /// The piecewise constant function with one value per element.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -44,7 +44,7 @@ impl PiecewisePolynomial {
         Self::discontinuous_linears(partition, &ends)
     }
 
-    /// Continuous piecewise linear, one value per node.
+    /// The continuous piecewise linear function with one value per node.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -54,7 +54,7 @@ impl PiecewisePolynomial {
         Self::discontinuous_linears(partition, &ends)
     }
 
-    /// Piecewise linear with two values per element, at its left and right end.
+    /// The piecewise linear function with two values per element, at its left and right end.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -104,7 +104,7 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, &ends, bubbles)
     }
 
-    /// By p + 1 values on every element at equidistant points, p the degree.
+    /// The piecewise polynomial with p + 1 values on every element at equidistant points, p the degree.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
@@ -200,7 +200,7 @@ impl PiecewisePolynomial {
         (1..self.pieces.len()).all(|node| self.jump(node) == 0.0)
     }
 
-    /// Jump across the inner node 1 ≤ i < N; zero when it is rounding.
+    /// Jump across the inner node 1 ≤ i < N; zero if it is within rounding.
     pub(crate) fn jump(&self, node: usize) -> f64 {
         let (a, b) = (&self.pieces[node - 1], &self.pieces[node]);
         let jump = b.left - a.right;

@@ -14,15 +14,15 @@ use crate::root::ENTRY_ROUNDING;
 use rayon::prelude::*;
 use std::ops::Add;
 
-/// Elements up to which all pairs are summed directly; for degrees above one.
+/// Largest number of elements for which all pairs are summed directly, for degrees above one.
 const DIRECT: usize = 150;
 const DIRECT_POLYNOMIALS: usize = 24;
-/// Elements up to which they are when nothing faster is accurate enough.
+/// Largest number of elements for which all pairs are summed if no faster method is accurate enough.
 const PATIENT: usize = 16_000;
 const PATIENT_POLYNOMIALS: usize = 1000;
-/// Asked of the rules of all pairs: rounding is all that is left.
+/// Accuracy of the rules for all pairs: rounding level.
 const EXACT: f64 = 1e-17;
-/// Asked of the fast product.
+/// Accuracy of the fast product.
 const FAST_FORM: Tolerance = Tolerance::reference();
 /// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
 const FAST_ROUNDING: f64 = 1e-13;
@@ -43,8 +43,8 @@ impl PiecewisePolynomial {
         }
     }
 
-    /// The product where the mesh is uniform, else or where that is not enough the moments; none where these
-    /// are not enough either and all pairs can be summed.
+    /// By the fast product on a uniform mesh; otherwise, or if that is not accurate enough, by moments;
+    /// `None` if these are not accurate enough either and all pairs can be summed.
     fn faster(
         &self,
         product: impl FnOnce() -> Result<Estimate>,

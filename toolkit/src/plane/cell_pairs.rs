@@ -1,10 +1,10 @@
 //! Two squares of side 1 at an offset Δ, each cut from bottom left to top right: integrals of products of
-//! their four hats.
+//! their four hat functions.
 //!
 //! S_ab = ∫∫ φ_a(x) φ_b(x) k, C_ab = ∫∫ φ_a(x) φ_b(y) k, k = |x−y|^{-2-2s}, x in the square at 0, y in that
-//! at Δ. Near squares go through [`super::means`]. For others k is interpolated on q × q Chebyshev points of
-//! both squares: on a uniform grid it takes only (2q−1)² values, and the moments of hats and of their
-//! products are known once for all.
+//! at Δ. Near squares go through [`super::means`]. For others k is interpolated on q × q Chebyshev points
+//! of both squares: on a uniform grid it takes only (2q−1)² values, and the moments of hat functions and of
+//! their products are known once for all.
 
 use super::far::Nodes;
 use super::kernel::InversePower;
@@ -20,9 +20,9 @@ pub(super) const HATS: usize = 4;
 pub(super) const CORNERS: [[usize; 2]; HATS] = [[0, 0], [1, 0], [1, 1], [0, 1]];
 /// Both triangles.
 const HALVES: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-/// Offsets up to this in both coordinates are integrated by cutting.
+/// Largest offset in both coordinates that is integrated by subdivision.
 const NEAR: usize = 4;
-/// Chebyshev points at least and at most.
+/// Smallest and largest number of Chebyshev points.
 const POINTS: (usize, usize) = (3, 12);
 
 pub(super) type Square = [[f64; HATS]; HATS];
@@ -61,7 +61,7 @@ impl CellPairs {
         })
     }
 
-    /// Of an offset that leaves no common node.
+    /// The forms of an offset without a common node.
     pub(super) fn apart(&self, offset: [i64; 2]) -> Result<CellPair> {
         let reach = offset[0].unsigned_abs().max(offset[1].unsigned_abs()) as usize;
         if reach > NEAR {

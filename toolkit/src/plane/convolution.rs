@@ -16,7 +16,7 @@ pub(super) struct Torus {
 pub(super) type Spectrum = Vec<Complex64>;
 
 impl Torus {
-    /// For offsets −n₁ < i < n₁, −n₂ < j < n₂.
+    /// The torus for offsets −n₁ < i < n₁, −n₂ < j < n₂.
     pub(super) fn new(cells: [usize; 2]) -> Self {
         let size = cells.map(|n| smooth(2 * n - 1));
         let mut planner = FftPlanner::new();
@@ -57,7 +57,7 @@ impl Torus {
         vec![Complex64::default(); self.size[0] * self.size[1]]
     }
 
-    /// Where an offset lies in a field.
+    /// The position of an offset in a field.
     pub(super) fn at(&self, offset: [i64; 2]) -> usize {
         let [i, j] = [0, 1].map(|k| offset[k].rem_euclid(self.size[k] as i64) as usize);
         j * self.size[0] + i

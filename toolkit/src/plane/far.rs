@@ -1,4 +1,4 @@
-//! Pairs of clusters that are apart: |x−y|^{-2-2s} interpolated in both variables.
+//! Separated pairs of clusters: |x−y|^{-2-2s} interpolated in both variables.
 //!
 //! With Lagrange polynomials ℓ_k on q × q Chebyshev points x_k of the box of a cluster and the moments M^j_k
 //! = ∫ ℓ_k (w − c)^j, j = 0, 1, 2, of a cluster, c its first value, and a = c − c',
@@ -16,7 +16,7 @@ use crate::numeric::parallel;
 use crate::numeric::scale::power_of_two;
 use std::f64::consts::PI;
 
-/// Triangles with the values at their corners, as the moments need them.
+/// Triangles with the values at their corners, for the moments.
 pub(super) struct Source<'a> {
     pub(super) triangles: &'a [[Point; 3]],
     pub(super) values: &'a [[f64; 3]],

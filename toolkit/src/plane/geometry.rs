@@ -41,8 +41,8 @@ pub(super) fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     high + (high_low + (first_low - second_low) + low)
 }
 
-/// The distance of a point from the segment ab, seen from the nearer end: also small distances have their
-/// digits.
+/// The distance of a point from the segment ab, computed from the nearer end, so that small distances keep
+/// their digits.
 pub(super) fn distance_from_segment(p: Point, a: Point, b: Point) -> f64 {
     let (first, second) = (minus(p, a), minus(p, b));
     let is_nearer = dot(first, first) <= dot(second, second);

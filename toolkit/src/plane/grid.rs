@@ -12,7 +12,7 @@ use crate::order::Order;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
-/// Accuracy of entries beyond which they are not asked.
+/// Highest accuracy of the entries that is requested.
 const FINEST: f64 = 1e-14;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
@@ -52,11 +52,11 @@ const BYTES_OF_SQUARE: usize = 1600;
 const BAND: usize = 32;
 
 impl GridOperator {
-    /// For the grid of [`super::Triangles::grid`]; entries to the relative tolerance.
+    /// The operator on the grid of [`super::Triangles::grid`], with entries to the relative tolerance.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
-    /// [`Error::OutOfRange`] unless h > 0.
+    /// [`Error::CountOutOfRange`] for a grid without squares, [`Error::TooLarge`] if the memory does not
+    /// suffice, [`Error::OutOfRange`] unless h > 0.
     pub(crate) fn new(squares: [usize; 2], h: f64, order: Order, tolerance: Tolerance) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {
@@ -134,7 +134,7 @@ impl GridOperator {
         image
     }
 
-    /// The transforms of the images of the hats 0 and 1, and 2 and 3, packed.
+    /// The transforms of the images of the hat functions 0 and 1, and 2 and 3, packed.
     fn multiplied(&self, packed: &[Spectrum; 2]) -> [Spectrum; 2] {
         let [n, m] = self.torus.size();
         let i = Complex64::i();
@@ -198,7 +198,7 @@ impl GridOperator {
 }
 
 impl Touching {
-    /// From the form on a patch of 3 × 3 nodes, the first square at `origin`.
+    /// The form from that on a patch of 3 × 3 nodes, the first square at `origin`.
     fn new(origin: [usize; 2], offset: [i64; 2], patch: &[[f64; 9]; 9]) -> Self {
         let twice = if offset == [0, 0] { 1.0 } else { 2.0 };
         let of = |at: [i64; 2]| CORNERS.map(|corner| [0, 1].map(|k| corner[k] as i64 + at[k]));

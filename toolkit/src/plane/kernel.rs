@@ -51,7 +51,7 @@ impl InversePower {
         Self { power, pieces: (0..PIECES).map(piece).collect(), scales: std::array::from_fn(scale), series }
     }
 
-    /// At a positive number.
+    /// The value x^{-p} at a positive number x.
     #[inline]
     pub(super) fn at(&self, x: f64) -> f64 {
         let bits = x.to_bits();

@@ -2,9 +2,10 @@
 //!
 //! Tensor Gauss rules; on a triangle the rule is a product after collapsing one side to a corner, x = A + r
 //! (B − A + t (C − B)) with the weight 2r. Along a segment of length ℓ at distance d the kernel is analytic
-//! in the ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and n points leave about ρ^{-2n}. Pieces longer than twice
-//! their distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss error of
-//! a convex kernel has one sign, so that the three values of a whole sum tell how fast it settles.
+//! in the ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and n points leave about ρ^{-2n}. Pieces longer than
+//! twice their distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss
+//! error of a convex kernel has one sign, so that the three values of a whole sum show the rate of
+//! convergence.
 
 use super::kernel::InversePower;
 use super::simplex::Simplex;
@@ -19,25 +20,26 @@ pub(super) type Levels<const K: usize> = [[[f64; K]; K]; LEVELS];
 
 /// Rules compared.
 pub(super) const LEVELS: usize = 3;
-/// A piece may be as long as its distance over this.
+/// Smallest ratio of distance to length of an admissible piece.
 const ADMISSIBLE: f64 = 0.5;
-/// Only the nearest corners are as near as the distance: part of the digits that the rest gives away.
+/// Share of the digits required on average, since only the nearest points are as close as the distance.
 const AVERAGE: f64 = 0.75;
-/// Points of the last rule at least: two points of the first are exact for the square of a linear function.
+/// Smallest number of points of the last rule: two points of the first are exact for the square of a linear
+/// function.
 const FEWEST: usize = LEVELS + 1;
-/// Points of a rule at most.
+/// Largest number of points of a rule.
 const MOST: usize = 44;
-/// Pieces into which one pair may fall apart.
+/// Largest number of pieces into which one pair is subdivided.
 const PATIENCE: usize = 2_000_000;
 
-/// Why the work allowed is not enough.
-const NEEDLES: &str = "the limit of work is reached (Tolerance::with_work): triangles much thinner than they are long \
-     take as many pieces as they are longer than wide; a mesh with wider triangles has none";
+/// Message: the work limit is exceeded.
+const NEEDLES: &str = "the work limit is reached: thin triangles are subdivided in proportion to their aspect ratio; use a \
+     mesh with less elongated triangles, or raise Tolerance::with_work";
 
 /// Barycentric coordinates (of corners 1 and 2) and weights of sum one.
 type Points = Vec<([f64; 2], f64)>;
 
-/// Two triangles without a common node that stand so near each other that no halving parts them.
+/// The error for two triangles without a common node that are too close to be separated by bisection.
 pub(super) fn too_near(distance: f64, size: f64) -> Error {
     let range = "distances of triangles without a common node that integrals can resolve";
     Error::OutOfRange { name: "distance over length", value: distance / size, range }
@@ -62,7 +64,7 @@ pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
     Ok(known.get_or_init(|| made))
 }
 
-/// The kernel |x−y|^{-2-2s} and the accuracy asked of every mean.
+/// The kernel |x−y|^{-2-2s} and the requested accuracy of every mean.
 #[derive(Debug, Clone)]
 pub(super) struct Leaves {
     /// 1 + s
@@ -70,7 +72,7 @@ pub(super) struct Leaves {
     kernel: InversePower,
     /// ln(1 / relative accuracy)
     digits: f64,
-    /// what is left of the evaluations allowed
+    /// the remaining evaluations
     left: Arc<AtomicU64>,
     asked: f64,
 }
@@ -87,7 +89,7 @@ impl Leaves {
         }
     }
 
-    /// The same with so many evaluations of the kernel at most, all pairs together.
+    /// The same with at most this many kernel evaluations for all pairs together.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { left: Arc::new(AtomicU64::new(evaluations)), ..self }
     }

@@ -12,9 +12,9 @@
 //! - a common edge PQ: integrals point-triangle and segment-segment over pieces that do not touch;
 //! - a common corner: integrals segment-triangle over pieces that do not touch.
 //!
-//! All factors are positive: nothing cancels. What does not touch goes to [`super::leaves`]; a point and a
-//! segment to Gauss rules in θ, where the distance along the segment from the foot of the point is its height
-//! times sinh θ: exact to rounding for every sliver.
+//! All factors are positive: there is no cancellation. Simplices that do not touch are integrated by
+//! [`super::leaves`]; a point and a segment to Gauss rules in θ, where the distance along the segment from
+//! the foot of the point is its height times sinh θ: exact to rounding for every sliver.
 
 use super::geometry::{dot, length, minus, product_difference, twice_area};
 use super::leaves::{LEVELS, Leaves, Levels, add_square};
@@ -24,7 +24,7 @@ use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::quadrature::Rule;
 
-/// What is integrated: differences of linear functions, or of constants.
+/// The integrand: differences of linear functions, or of constants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Shape {
     Constants,
@@ -48,7 +48,7 @@ impl Means {
         Self { order, shape, leaves: Leaves::new(order.value(), accuracy) }
     }
 
-    /// The same with so many evaluations of the kernel at most.
+    /// The same with at most this many kernel evaluations.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { leaves: self.leaves.within(evaluations), ..self }
     }

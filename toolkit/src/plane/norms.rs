@@ -10,17 +10,17 @@ use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled, scaled_root};
 
-/// How often the accuracy of every integral is raised.
+/// Largest number of times the accuracy of the integrals is raised.
 const ATTEMPTS: usize = 3;
 /// Its first value over the tolerance.
 const FIRST: f64 = 0.4;
-/// By how much beyond the quotient of what is asked and reached, and at most.
+/// Factor beyond the ratio of requested to reached accuracy, and its maximum.
 const SHARPER: f64 = 0.04;
 const LEAST_SHARPER: f64 = 1e-4;
-/// Evaluations of the kernel for one triangle by default.
+/// Default number of kernel evaluations per triangle.
 const PER_TRIANGLE: u64 = 1 << 26;
-/// What ends the accuracy of a sum over pairs.
-const LIMIT: &str = "finer rules and clusters no longer help: the rest is rounding";
+/// Message: what limits the accuracy of a sum over pairs.
+const LIMIT: &str = "rounding dominates: finer rules and clusters do not help";
 
 impl PlaneFunction {
     /// The seminorm |w|_s.
@@ -32,15 +32,15 @@ impl PlaneFunction {
     /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     /// ```
     ///
-    /// The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of `means`. Piecewise
-    /// constants have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every
-    /// integral is computed by three rules: the second gives the value, the third and the first judge it.
-    /// Limits: (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral
-    /// with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, clusters
-    /// that are apart are compressed: cost O(N log N), errors included.
+    /// The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of `means`. Piecewise constants
+    /// have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every integral is
+    /// computed by three rules: the second gives the value, the first and third its error. Limits:
+    /// (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0.
+    /// |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, separated clusters
+    /// are compressed, with their error included: cost O(N log N).
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for a function that jumps and s ≥ 1/2; [`Error::OutOfRange`] for triangles
+    /// [`Error::InfiniteNorm`] for a function with a jump and s ≥ 1/2; [`Error::OutOfRange`] for triangles
     /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
@@ -96,7 +96,8 @@ impl PlaneFunction {
         used.iter().all(|value| *value == used[0])
     }
 
-    /// |w|_s with whatever error it has; computed in units of the size of the polygon and of the values.
+    /// |w|_s with its error, even above the tolerance; computed in units of the size of the polygon and of
+    /// the values.
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_constant() {
             return Estimate::new(0.0, 0.0, Work::default());
@@ -110,7 +111,8 @@ impl PlaneFunction {
         scaled(extent.powf(order.complement()), root)
     }
 
-    /// Evaluations of the kernel for one sum: what was asked for, by default more for more triangles.
+    /// The limit of kernel evaluations for one sum: the requested one, by default proportional to the
+    /// number of triangles.
     fn allowed(&self, tolerance: Tolerance) -> u64 {
         let count = self.mesh().triangles().len() as u64;
         match tolerance.work() {

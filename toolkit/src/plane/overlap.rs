@@ -2,11 +2,11 @@
 
 use super::geometry::{Point, length, minus, twice_area};
 
-/// Boxes that are compared all with all.
+/// Number of boxes up to which all pairs are compared.
 const FEW: usize = 24;
-/// Cuts of a set of boxes at most.
+/// Largest depth of subdivision of a set of boxes.
 const DEEPEST: u32 = 40;
-/// Of the smaller height of two triangles: how deep they may lie in each other by rounding.
+/// Largest overlap by rounding, relative to the smaller height of two triangles.
 const ROUNDING: f64 = 1e-6;
 
 /// Ends of the smallest upright rectangle around a triangle.
@@ -24,7 +24,7 @@ pub(super) fn overlapping(triangles: &[[Point; 3]]) -> Option<[usize; 2]> {
     among(triangles, &rectangles, (0..triangles.len()).collect(), 0)
 }
 
-/// Of these triangles; they are cut at the middle of all until few are left.
+/// Two overlapping triangles among the given ones, which are bisected recursively.
 fn among(
     triangles: &[[Point; 3]],
     rectangles: &[Rectangle],
@@ -60,7 +60,7 @@ fn among(
     None
 }
 
-/// Whether they have inner points in common: no line along an edge of one has the other on its outer side.
+/// True if they have interior points in common: no line along an edge of one separates it from the other.
 fn share_points(a: &[Point; 3], b: &[Point; 3]) -> bool {
     let height = |t: &[Point; 3]| {
         let longest = (0..3).map(|k| length(minus(t[k], t[(k + 1) % 3]))).fold(0.0, f64::max);

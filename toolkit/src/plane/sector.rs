@@ -7,7 +7,7 @@ use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use std::f64::consts::PI;
 
-/// What stands beside r^a.
+/// The angular factor of r^a.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Part {
     /// sin(bφ).
@@ -54,15 +54,15 @@ pub(crate) struct SectorPower {
     radius: f64,
 }
 
-/// Points in each direction, and those of the rule that judges.
+/// Points in each direction, and those of the rule for the error estimate.
 const POINTS: [usize; 2] = [16, 22];
-/// What ends the accuracy.
-const LIMIT: &str = "the rules have no more points, and rounding of a + 1 - s grows as it falls";
+/// Message: what limits the accuracy.
+const LIMIT: &str = "the largest number of quadrature points is reached, or rounding of a + 1 - s dominates";
 /// Largest cells.
 const CELL: f64 = 0.5;
-/// Widest sector: beyond, both sides come close to each other.
+/// Largest opening angle; beyond it the two sides come close to each other.
 const WIDEST: f64 = 1.75 * PI;
-/// e^{-40} is nothing.
+/// Exponent from which on e^{-x} is negligible.
 const NOTHING: f64 = 40.0;
 
 /// The elastic v above on a half disc.
@@ -115,7 +115,7 @@ impl SectorPower {
         Ok(Self { part: Part::Sine, exponent, frequency, angle, radius })
     }
 
-    /// |∇w|_s of the harmonic r^p sin(pφ); none where a ≠ b. Scales like R^{p−s}.
+    /// |∇w|_s of the harmonic r^p sin(pφ); `None` if a ≠ b. Scales like R^{p−s}.
     ///
     /// # Errors
     /// As [`SectorPower::seminorm`], with a = p − 1.

@@ -1,8 +1,8 @@
-//! Points, segments and triangles whose corners carry numbers and values, as the integrals need them.
+//! Points, segments and triangles with node numbers and values at their corners.
 
 use super::geometry::{Point, distance_from_segment, length, minus};
 
-/// Number of the corner of a piece that is no node of the mesh.
+/// Number of a corner of a piece that is not a node of the mesh.
 pub(super) const NO_NODE: usize = usize::MAX;
 
 /// A corner with the values of K linear functions.

@@ -14,19 +14,18 @@ use crate::numeric::parallel;
 use crate::numeric::sum::{RunningSum, compensated};
 use crate::root::ENTRY_ROUNDING;
 
-/// Triangles up to which all pairs are summed directly.
+/// Largest number of triangles for which all pairs are summed directly.
 const DIRECT: usize = 200;
-/// What is off over its change by the next rule, which is off less.
+/// Safety factor: error of a rule over its difference to the next rule.
 const SAFETY: f64 = 3.0;
-/// A change is not believed below this part of the one before.
+/// Smallest ratio of successive changes that is accepted.
 const LEAST_CHANGE: f64 = 0.02;
 /// The error of q + 1 Chebyshev points over the change from q − 1: two steps, since odd and even counts err
 /// differently and a single step may be small by accident.
 const FAR_SAFETY: f64 = 0.5;
-/// ln of what a further Chebyshev point gains at the nearest corners of clusters that are apart, on the
-/// average.
+/// ln of the average gain of a further Chebyshev point at the nearest corners of separated clusters.
 const FAR_GAIN: f64 = 2.7;
-/// Chebyshev points at least and at most.
+/// Smallest and largest number of Chebyshev points.
 const FAR_POINTS: (usize, usize) = (4, 18);
 
 /// Sums of one function in units of its values and of its polygon.
@@ -109,8 +108,8 @@ impl PairSum {
     }
 }
 
-/// The second of three sums that settle, judged by the third; a last change is not believed when it is far
-/// below the one before.
+/// The second of three converging sums, with its error by the third; a last change far below the one before
+/// is not accepted.
 fn settled(parts: &[Part], far: f64, far_error: f64) -> Result<Estimate> {
     let [first, value, judge]: [f64; LEVELS] =
         std::array::from_fn(|k| compensated(parts.iter().map(|part| part.0[k])));

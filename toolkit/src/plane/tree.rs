@@ -1,11 +1,11 @@
-//! A binary tree of clusters of triangles, and the pairs of clusters into which the square of the polygon
-//! falls.
+//! A binary tree of clusters of triangles, and the pairs of clusters that make up the square of the
+//! polygon.
 
 use super::geometry::{Point, length};
 
-/// Triangles of a leaf at most.
+/// Largest number of triangles of a leaf.
 const LEAF: usize = 4;
-/// Two clusters are apart when neither box has a diagonal longer than this multiple of their distance.
+/// Two clusters are separated if neither box has a diagonal longer than this multiple of their distance.
 const APART: f64 = 1.0;
 
 /// Triangles first..end of the order of the tree, in the box from `low` to `high`.
@@ -90,7 +90,7 @@ impl Cluster {
         length([self.size(0), self.size(1)])
     }
 
-    /// Of the boxes.
+    /// The distance of the boxes.
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let gap = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
         length([gap(0), gap(1)])

@@ -1,4 +1,4 @@
-//! Triangulations as the plane norms need them: nodes and triangles, nothing about boundaries.
+//! Triangulations for the norms in the plane: nodes and triangles, without boundary data.
 
 use super::geometry::{Point, twice_area};
 use super::overlap::overlapping;
@@ -7,14 +7,14 @@ use crate::numeric::check::require_finite_at;
 use crate::numeric::memory::require_memory;
 use std::collections::HashMap;
 
-/// Of one square of a grid: a node, two triangles, and three edges in the table that checks them.
+/// Bytes per square of a grid: a node, two triangles, and three edges in the table that checks them.
 const BYTES_OF_SQUARE: usize = 300;
 
 /// A triangulation of a polygon.
 ///
 /// # Method
 ///
-/// Triangles touch along whole edges or at nodes that they share by number, and do not overlap. Either
+/// Triangles meet only in whole edges or at nodes, which they share by number, and do not overlap. Either
 /// orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
 #[doc(alias("mesh", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// A triangulation from its nodes and from three node numbers for each triangle.
+    /// The triangulation with the given nodes and three node numbers for each triangle.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;
@@ -37,8 +37,9 @@ impl Triangles {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
-    /// [`Error::Triangle`] for a node number out of range or no area, [`Error::Edge`] for an edge of more
-    /// than two triangles, [`Error::Overlap`] for two triangles with inner points in common.
+    /// [`Error::Triangle`] for a node number out of range or a triangle without area, [`Error::Edge`] for
+    /// an edge of more than two triangles, [`Error::Overlap`] for two triangles with interior points in
+    /// common.
     pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
@@ -75,7 +76,8 @@ impl Triangles {
         }
     }
 
-    /// Squares of an n₁ × n₂ grid on (0, n₁ h) × (0, n₂ h), each cut from bottom left to top right.
+    /// The triangulation of (0, n₁ h) × (0, n₂ h) by n₁ × n₂ squares, each cut from bottom left to top
+    /// right.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Triangles, closed_forms};
@@ -88,8 +90,8 @@ impl Triangles {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for no square, [`Error::TooLarge`] for more than memory holds,
-    /// [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
+    /// [`Error::CountOutOfRange`] for a grid without squares, [`Error::TooLarge`] if the memory does not
+    /// suffice, [`Error::OutOfRange`] unless h > 0; as [`Triangles::new`].
     pub fn grid(squares: [usize; 2], h: f64) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         let [columns, rows] = squares;
@@ -107,7 +109,8 @@ impl Triangles {
         Self::new(places.collect(), triangles)
     }
 
-    /// The polygon with corners 0, P_1, ..., P_m as triangles 0 P_k P_{k+1}: node 0 is the origin.
+    /// The triangulation of the polygon with corners 0, P_1, ..., P_m by the triangles 0 P_k P_{k+1}; node
+    /// 0 is the origin.
     ///
     /// # Errors
     /// As [`Triangles::new`].
@@ -116,8 +119,8 @@ impl Triangles {
         Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
     }
 
-    /// The same polygon, every triangle at a node cut in three: the part of it next to that node, `share` < 1
-    /// of its sides, and two of what is left.
+    /// The refined triangulation in which every triangle at a node is cut in three: a smaller copy at that
+    /// node, `share` < 1 times its sides, and two triangles that fill the rest.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;
@@ -181,7 +184,7 @@ impl Triangles {
         &self.areas
     }
 
-    /// The area of the whole.
+    /// The area of the polygon.
     pub(crate) fn area(&self) -> f64 {
         self.areas.iter().sum()
     }
@@ -190,7 +193,7 @@ impl Triangles {
         self.triangles[triangle].map(|node| self.nodes[node])
     }
 
-    /// A size of the whole: the larger side of the smallest upright rectangle around it.
+    /// The size of the polygon: the larger side of its bounding box.
     pub(super) fn extent(&self) -> f64 {
         let span = |k: usize| {
             let of = |node: &usize| self.nodes[*node][k];

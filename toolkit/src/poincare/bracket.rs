@@ -8,11 +8,11 @@
 //! beyond, so ‖u‖₀² = 1 − 2/L + 2(1 − θ)/L² and |u|² ≤ 2π²/(3L) − 8ζ(3)/L² + 4θ/(1−θ)² (1/L + 2/L²).
 //!
 //! **Above**, γ² ≤ γ₁² + N², N the dual norm of D(u) = mean u − mean_(0,θ) u = ∫ e^{−t} (v(t) − v(t+L)) dt.
-//! For r ≤ 2L let k ≥ 1 be the integer nearest to L/r. Cauchy-Schwarz along t, t + r, ..., t + kr gives W(r)
-//! ≥ (r/k) Δ², Δ the difference of the means of v over (0, r) and (kr, kr + r). Δ and D(u) differ by the
-//! functional ∫ (1_{(0,r)}/r − e^{−t}) v dt twice, here and shifted, whose norm in L²(0,1) is ((e^r − 1)/r² −
-//! 1)^{1/2}, and by a shift of at most r/2 of a mean, of norm (e^{r/2} − 1)^{1/2}. All three see u − mean u
-//! alone, so that with |u| = 1
+//! For r ≤ 2L let k ≥ 1 be the integer nearest to L/r. Cauchy-Schwarz along t, t + r, ..., t + kr gives
+//! W(r) ≥ (r/k) Δ², Δ the difference of the means of v over (0, r) and (kr, kr + r). Δ and D(u) differ by
+//! the functional ∫ (1_{(0,r)}/r − e^{−t}) v dt twice, here and shifted, whose norm in L²(0,1) is ((e^r − 1)/r²
+//! − 1)^{1/2}, and by a shift of at most r/2 of a mean, of norm (e^{r/2} − 1)^{1/2}. All three depend on u
+//! − mean u only, so that with |u| = 1
 //!
 //! |Δ| ≥ D(u) − C(r),  C(r) = γ₁ [2 ((e^r − 1)/r² − 1)^{1/2} + (e^{r/2} − 1)^{1/2}],
 //! 1 ≥ ∫₀^{2L} (N − C(r))₊² r² / (2 sinh²(r/2)) dr / (L + r/2),
@@ -36,7 +36,7 @@ const POINTS: usize = 12;
 /// Shortest and longest r: beyond them the integrand is below the rounding of the rest.
 const SHORTEST: f64 = 1e-30;
 const LONGEST: f64 = 120.0;
-/// The upper bound is raised by this part for the rounding of quadrature and search.
+/// Relative amount by which the upper bound is raised for the rounding of quadrature and search.
 const ROUNDED_UP: f64 = 1e-9;
 
 /// [lower, upper] of γ_θ(1/2)² at L = ln(1/θ): the square of the quotient of the ramp, and γ₁² + N² with N
@@ -62,7 +62,7 @@ struct Chains {
     whole: f64,
     log: f64,
     rule: Rule,
-    /// Where C(r) is least.
+    /// The minimum point of C(r).
     least: f64,
 }
 

@@ -9,15 +9,16 @@ use crate::constant::Extremal;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
-/// γ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy a constraint: the constant, its extremal function,
-/// and bounds.
+/// The Poincaré constant γ(ν) = sup ‖u‖₀ / |u|_ν over the functions that satisfy a constraint, with its
+/// extremal function and bounds.
 ///
 /// # Method
 ///
-/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
-/// pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
-/// every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
-/// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns, whatever θ.
+/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of
+/// the pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is
+/// conforming, so every value is a lower bound up to rounding. The error estimate compares two spaces of
+/// different shape; their difference is mostly the error of the coarser one. Cost: a few hundred unknowns
+/// for every θ.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma};
@@ -28,10 +29,10 @@ use crate::estimate::{Estimate, Tolerance};
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a point when ν ≤ 1/2, where points have no trace; [`Error::ToleranceNotMet`] when
-/// rounding (about 2e-13, up to 5e-11 for very short zones inside; for several intervals far apart, of lengths
-/// up to θ, also 4e-15 θ^(2ν−1) below one half) forbids the tolerance, and for a point when ν is so close to
-/// 1/2 that the constant is decided below r = 1e-290.
+/// [`Error::OutOfRange`] for a condition at a point and ν ≤ 1/2, where point values are not defined;
+/// [`Error::ToleranceNotMet`] if rounding exceeds the tolerance (about 2e-13, up to 5e-11 for very short
+/// zones inside; for several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) for ν < 1/2), and
+/// for a condition at a point if ν is so close to 1/2 that the constant depends on distances below 1e-290.
 #[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
 pub fn gamma(
     order: impl Given<Order>,
@@ -43,7 +44,7 @@ pub fn gamma(
         Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
         let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
         if reached > tolerance.relative() {
-            let why = "so near to order 1/2 it is decided nearer to the point than binary64 reaches";
+            let why = "so close to order 1/2 the constant depends on distances below the range of binary64";
             return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
         }
     }
@@ -65,8 +66,8 @@ pub struct Gamma {
 }
 
 impl Gamma {
-    /// A function for which the constant is attained: of the space on which the value was found, or continued
-    /// from larger orders as the value is.
+    /// A function for which the constant is attained, from the space on which the value was computed, or
+    /// continued from larger orders like the value.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Gamma, gamma};
@@ -80,12 +81,12 @@ impl Gamma {
         Extremal::on_interval(self.found.function.clone())
     }
 
-    /// Two bounds that do not use the eigenvalue (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m
-    /// the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of [`gamma`],
-    /// which a `Gamma` holds (about a megabyte).
+    /// Two-sided bounds that do not use the eigenvalue (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²)
+    /// |u|_ν², m the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of
+    /// [`gamma`], which a `Gamma` holds (about a megabyte).
     ///
-    /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it when
-    /// the representer of m is split off. It is guaranteed as far as the estimates of γ₁ and N are.
+    /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it
+    /// when the representer of m is split off. It is a bound up to the errors of γ₁ and N.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, gamma};

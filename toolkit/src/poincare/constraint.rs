@@ -1,9 +1,9 @@
-//! What is asked of a function: mean zero, or to vanish, and where.
+//! Constraints on a function: mean zero or zero, on a zone.
 
 use super::zones::Zones;
 use crate::error::{Error, Given, Result};
 
-/// What is asked of u on the zone.
+/// The condition on u on the zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Condition {
     /// ∫_E u = 0.
@@ -12,11 +12,10 @@ pub(crate) enum Condition {
     Vanishing,
 }
 
-/// What is asked of u on (0,1), and where: mean zero on a zone, zero on a zone, or zero at a point.
+/// A constraint on u: mean zero on a zone, zero on a zone, or zero at a point.
 ///
-/// A zone is a range `a..b` between its two ends, an array of such ranges, or, where a length is tiny or
-/// digits count, [`Zones`] by start and length. Errors of a zone may be left to the function that takes the
-/// constraint.
+/// A zone is a range `a..b` between its two ends, an array of such ranges, or, for tiny lengths, [`Zones`]
+/// by start and length. An invalid zone is reported by the function that takes the constraint.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};
@@ -39,7 +38,7 @@ pub struct Constraint {
 }
 
 impl Constraint {
-    /// Mean zero over (0,1).
+    /// The constraint of mean zero over (0,1).
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Order, gamma};
@@ -52,7 +51,7 @@ impl Constraint {
         Self { parts: vec![1.0], zones: vec![0], condition: Condition::MeanZero }
     }
 
-    /// Mean zero over the union of the zones, ∫_E u = 0.
+    /// The constraint ∫_E u = 0, mean zero over the union E of the zones.
     ///
     /// # Errors
     /// Those of the zone, as for [`Zones::from_start_and_length`] and [`Zones::union`].
@@ -60,7 +59,7 @@ impl Constraint {
         Ok(Self::on_zones(&zones.given()?, Condition::MeanZero))
     }
 
-    /// u = 0 on the zones.
+    /// The constraint u = 0 on the zones.
     ///
     /// # Errors
     /// Those of the zone; [`Error::OutOfRange`] for the whole interval, which leaves only u = 0.
@@ -72,7 +71,7 @@ impl Constraint {
         Ok(found)
     }
 
-    /// u(x) = 0, for orders above 1/2 (Remark 6).
+    /// The constraint u(x) = 0, for orders above 1/2 (Remark 6).
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, gamma};
@@ -94,12 +93,12 @@ impl Constraint {
         self.parts.iter().copied().filter(|&l| l > 0.0).fold(1.0, f64::min)
     }
 
-    /// The condition holds on the whole interval.
+    /// True if the condition is imposed on the whole interval.
     pub(crate) fn is_whole(&self) -> bool {
         self.parts.len() == 1
     }
 
-    /// The condition holds at a point.
+    /// True if the condition is imposed at a point.
     pub(crate) fn is_point(&self) -> bool {
         self.parts[self.zones[0]] == 0.0
     }

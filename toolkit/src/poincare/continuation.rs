@@ -1,4 +1,5 @@
-//! Orders so small that ν|u|_ν², a difference of terms of order one, has no digits left: γ from larger ones.
+//! γ for orders so small that ν|u|_ν², a difference of terms of order one, loses all digits, from larger
+//! orders.
 //!
 //! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where 1/|x−y| takes the
 //! place of the kernel), so ln γ is interpolated by a polynomial in Chebyshev points ν_k ∈ [h/40, h] and
@@ -12,13 +13,13 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
 
-/// Orders below this may be continued.
+/// Largest order that is continued.
 const SMALL: f64 = 1e-3;
 /// Largest order used, and the share of it that is left out below.
 const LARGEST: f64 = 0.04;
 const LEAST_SHARE: f64 = 1.0 / 40.0;
-/// The points contribute about ten times their errors together: share of the tolerance that is asked of each,
-/// and the tolerance that rounding permits.
+/// The points contribute about ten times their errors together: the share of the tolerance for each, and
+/// the tolerance that rounding permits.
 const SHARE_OF_POINT: f64 = 0.05;
 const SHARPEST: f64 = 1e-11;
 
@@ -31,7 +32,8 @@ pub(crate) struct Continuation {
 }
 
 impl Continuation {
-    /// For zones and parts beside them of length `shortest` at least; `None` for orders that are not small.
+    /// The continuation for zones and gaps of length at least `shortest`; `None` for orders that are not
+    /// small.
     pub(crate) fn to(order: Order, shortest: f64, tolerance: Tolerance) -> Option<Self> {
         let order = order.value();
         if order >= SMALL {
@@ -47,7 +49,8 @@ impl Continuation {
         Some(Self { order, nodes: (0..count).map(node).collect(), tolerance })
     }
 
-    /// What `solve` finds at the points: sharper than asked, or as asked where rounding forbids that.
+    /// The results of `solve` at the points, to a smaller tolerance, or to the given one where rounding
+    /// does not permit that.
     pub(crate) fn at_points<T: Send>(
         &self,
         solve: impl Fn(Order, Tolerance) -> Result<T> + Sync,
@@ -63,7 +66,7 @@ impl Continuation {
         parallel::over(&self.nodes, at).into_iter().collect()
     }
 
-    /// The positive quantity at the order, given it at the points.
+    /// The positive quantity at the order, from its values at the points.
     pub(crate) fn value(&self, points: &[Estimate]) -> Result<Estimate> {
         let logarithm = |count: usize| -> (f64, f64) {
             self.weights(count).iter().zip(points).fold((0.0, 0.0), |(sum, error), (weight, point)| {

@@ -10,7 +10,8 @@ use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
-/// So near below 1/2 the power law needs lengths out of reach, and the law through 1/2 is used.
+/// Distance below 1/2 within which the law through 1/2 is used, since the power law would hold for
+/// extremely short lengths only.
 const NEAR_HALF: f64 = 0.01;
 
 /// The law of γ_θ(ν) as θ → 0 at fixed ν, for functions with mean zero on zones that shrink to the point
@@ -25,9 +26,9 @@ const NEAR_HALF: f64 = 0.01;
 /// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
 /// A = 3/(2π²), L = ln(1/θ). At ν = 1/2 c, d, e come from the dual norm N of u ↦ mean_E u − mean u: with r
-/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on mean-free
-/// functions). Within 0.01 below 1/2, and above where no point condition is within reach of f64, the same
-/// expansion serves with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
+/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
+/// mean-free functions). Within 0.01 below 1/2, and above where no point condition is within reach of f64,
+/// the same expansion holds with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -39,8 +40,8 @@ const NEAR_HALF: f64 = 0.01;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a place outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] when B or
-/// the dual norms cannot be had to the tolerance.
+/// [`Error::OutOfRange`] for a place outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or
+/// the dual norms do not reach the tolerance.
 #[doc(alias("asymptotics", "limit law"))]
 pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -70,7 +71,7 @@ pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance
     Ok(Law { exponent: order.offset().min(0.0), expansion, order, at_end, tolerance, form })
 }
 
-/// How γ_θ(ν) grows as θ → 0, for one order and one place of the zone.
+/// The asymptotic law of γ_θ(ν) as θ → 0, for one order and one position of the zone.
 ///
 /// Returned by [`law`].
 #[derive(Debug, Clone, PartialEq)]
@@ -93,12 +94,12 @@ enum Form {
     Constant(Estimate),
     /// The law through ν = 1/2.
     Uniform(Box<UniformLaw>),
-    /// Inside, at or near 1/2.
+    /// A zone inside, ν at or near 1/2: no expansion is known.
     Unknown,
 }
 
 impl Law {
-    /// γ_θ by the law.
+    /// The value of γ_θ by the law.
     ///
     /// ```
     /// use fractional_sobolev::{Law, law};
@@ -108,8 +109,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] where the law through 1/2 does not reach, θ near 1, and inside (0,1) for ν = 1/2
-    /// (and above where the point is out of reach), where γ² ~ L/(2π²) is all that is known.
+    /// [`Error::OutOfRange`] for θ near 1, where the law through 1/2 does not hold, and for a zone inside
+    /// (0,1) with ν = 1/2 (or just above), where only γ² ~ L/(2π²) is known.
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) => {
@@ -118,7 +119,7 @@ impl Law {
             }
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
-            Form::Unknown => Err(self.no_formula("not 1/2 for a zone inside (0,1)")),
+            Form::Unknown => Err(self.no_formula("orders other than 1/2 for a zone inside (0,1)")),
         }
     }
 
@@ -139,8 +140,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for ν = 1/2, where there is none; [`Error::ToleranceNotMet`] when the rounding of
-    /// 1 − 2ν, 9e-16/(1 − 2ν) relative, forbids the tolerance.
+    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists; [`Error::ToleranceNotMet`] when the
+    /// rounding of 1 − 2ν, 9e-16/(1 − 2ν) relative, forbids the tolerance.
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
@@ -149,8 +150,8 @@ impl Law {
         }
     }
 
-    /// Lower and upper bound of γ_θ(1/2)² for the zone (0,θ) with ln(1/θ) = `log`, all constants explicit; L
-    /// may pass ln of the largest number.
+    /// Lower and upper bound of γ_θ(1/2)² for the zone (0,θ) with ln(1/θ) = `log`, all constants explicit;
+    /// L may exceed ln of the largest binary64 number.
     ///
     /// The lower bound is the quotient of a ramp in ln x, the upper γ₁² + N² with N bounded by Cauchy-Schwarz
     /// along chains of equal steps in ln x. Cost: some thousand evaluations per bisection step.

@@ -1,4 +1,4 @@
-//! The exact limits that are closed forms.
+//! Limits in closed form.
 
 use crate::Order;
 use crate::error::{Error, Result};

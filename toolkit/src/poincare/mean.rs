@@ -1,4 +1,4 @@
-//! How large the mean of a function may be beside its seminorm: the second part of the constant of Lemma 5.2.
+//! The largest mean of a function relative to its seminorm: the second part of the constant of Lemma 5.2.
 
 use super::constraint::Constraint;
 use super::discrete::Discrete;
@@ -9,8 +9,9 @@ use crate::Order;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. For mean zero on E it is what 1_E/|E| − 1
-/// has as a functional in the dual of the seminorm; dual norms to (1.1) are in [`crate::dual`].
+/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. For mean zero on E it is the dual
+/// norm of the functional 1_E/|E| − 1 with respect to the seminorm; dual norms to (1.1) are in
+/// [`crate::dual`].
 pub(super) fn largest_mean(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Estimate> {
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());

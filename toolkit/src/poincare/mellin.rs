@@ -27,13 +27,13 @@ const ROUNDING: f64 = 1e-14;
 pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
-        let why = "the order nu is rounded, and 1 - 2 nu holds no more digits";
+        let why = "rounding of the order nu limits the digits of 1 - 2 nu";
         return Err(Error::not_met("limit of the Poincare constant", asked, limit, why));
     }
     Ok(limit)
 }
 
-/// B(ν) with the error that is reached, be it above the tolerance.
+/// B(ν) with its error, even above the tolerance.
 pub(super) fn reached(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     let (nu, p) = (order.value(), order.one_minus_twice());

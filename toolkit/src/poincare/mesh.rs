@@ -33,13 +33,13 @@ pub(crate) struct MeshModel {
 /// Largest fall of the energy across a cell, as an exponent: beyond, slopes on it would be linearly dependent
 /// in f64.
 const LARGEST_FALL: f64 = 8.0;
-/// Where the energy has fallen by e^−28 a coarse slope will do.
+/// Decay e^−28 of the energy from which on a coarse slope is sufficient.
 const NEGLIGIBLE_FALL: f64 = 28.0;
 
 /// Innermost cells are not shorter than this, relative to the nearest feature.
 pub(crate) const SHORTEST_RADIUS: f64 = 1e-290;
 
-/// Smallest ratio of two features that are told apart.
+/// Smallest ratio of two features that are treated as distinct.
 const SEPARATION: f64 = 3.0;
 
 /// Largest extent in ln r of a quadrature panel.

@@ -1,18 +1,18 @@
-//! What rounding does to γ, as far as it is known beforehand.
+//! A priori estimates of the rounding error of γ.
 
 use super::constraint::Constraint;
 use super::slopes::local::{SHORT, negligible_for_jumps};
 use crate::Order;
 
-/// Relative error of assembly, factorization and quotient: 1.3e-13 was the worst seen where the space is
-/// exact.
+/// Relative error of assembly, factorization and quotient: the largest observed for an exact space is 1.3e-13.
 pub(super) const ROUNDING: f64 = 2e-13;
 
-/// The same for a short zone inside, where energies at all distances add up: two unrelated bases differ by
-/// 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the logarithm.
+/// The same for a short zone inside, where energies at all distances add up: two independent bases differ
+/// by 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the
+/// logarithm.
 const ROUNDING_INSIDE: f64 = 5e-11;
 
-/// The same as ν → 0, times 1/ν: ν|u|_ν² is computed, a difference of terms of order one.
+/// Relative error as ν → 0, times 1/ν, because ν|u|_ν² is computed as a difference of terms of order one.
 const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
 
 /// The same for a zone of several intervals: each costs θ^{1−2ν}, the difference of numbers of the size of

@@ -1,5 +1,5 @@
-//! Suprema over conforming spaces: two spaces of different shape, finer ones until they agree to the tolerance;
-//! small orders that have no digits of their own are continued from larger ones.
+//! Suprema over conforming spaces: two spaces of different shape are refined until they agree to the
+//! tolerance; for small orders, where all digits cancel, the result is continued from larger ones.
 
 use super::constraint::Constraint;
 use super::continuation::Continuation;
@@ -12,10 +12,10 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use std::sync::Arc;
 
-/// How often the space is refined when the two spaces still differ too much.
+/// Largest number of refinements if the two spaces still differ too much.
 const REFINEMENTS: usize = 3;
 
-/// Factors for the accuracy a mesh is made for: when it was not reached, and when it was too much for f64.
+/// Factors for the accuracy of the mesh: if it was not reached, and if it exceeded the range of f64.
 const FINER: f64 = 0.02;
 const COARSER: f64 = 4.0;
 
@@ -24,7 +24,7 @@ const COARSER: f64 = 4.0;
 pub(super) struct Attained {
     pub(super) constant: Estimate,
     pub(super) function: SlopeSum,
-    /// None where γ is continued from larger orders.
+    /// `None` if γ is continued from larger orders.
     pub(super) spaces: Option<Arc<[Discrete; 2]>>,
 }
 
@@ -49,7 +49,7 @@ pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Toleran
     }
 }
 
-/// What `direct` finds, at small orders that have no digits of their own what is continued from larger ones.
+/// The result of `direct`; for small orders, where all digits cancel, its continuation from larger ones.
 pub(super) fn continued(
     order: Order,
     constraint: &Constraint,
@@ -84,7 +84,8 @@ fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) ->
     refine(order, rounding, tolerance, solve, join, |found| found.constant)
 }
 
-/// A supremum over spaces, computed on two spaces, finer ones until their difference meets the tolerance.
+/// A supremum over spaces, computed on two spaces that are refined until their difference meets the
+/// tolerance.
 pub(crate) fn refine_until(
     order: Order,
     constraint: &Constraint,

@@ -9,7 +9,7 @@ use crate::Order;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
 
-/// γ between two bounds that do not use the eigenvalue itself.
+/// Two-sided bounds of γ that do not use the eigenvalue.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, GammaBounds, gamma};
@@ -36,7 +36,7 @@ pub struct GammaBounds {
     pub dual_norm: Estimate,
 }
 
-/// The bounds for what was found on two spaces: the dual norm on each of them.
+/// The bounds from the results on two spaces: the dual norm on each of them.
 pub(super) fn two_sided(
     order: Order,
     constraint: &Constraint,
@@ -62,8 +62,8 @@ pub(super) fn two_sided(
 }
 
 impl GammaBounds {
-    /// Where no function of the space has digits of its own: γ less its error, and √(γ₁² + N²) with their
-    /// errors.
+    /// The bounds for orders at which all digits of the quotient cancel: γ less its error, and √(γ₁² + N²)
+    /// with their errors.
     fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {
         let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
         let upper = upper.max(gamma.value + gamma.error);

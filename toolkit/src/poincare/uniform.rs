@@ -10,14 +10,15 @@ use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// Lengths at which the constants are read off: remainders below 1e-12 relative, and N² still of order one.
+/// Lengths at which the constants are determined: remainders below 1e-12 relative, and N² still of order
+/// one.
 const SHORT: f64 = 1e-22;
 const SHORTER: f64 = 1e-44;
 
 /// Length at which the law is compared with the constant: the remainder is well above the other errors there.
 const COMPARED: f64 = 1e-3;
 
-/// Steps of Newton's method, which converges quadratically: a handful would do.
+/// Largest number of Newton steps; convergence is quadratic.
 const NEWTON: usize = 20;
 
 /// 1 − 2ν from which the limit B(ν) has more digits than the quotient of two values of N².
@@ -35,8 +36,8 @@ const NEAR_HALF: f64 = 1e-6;
 /// λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
 ///
 /// A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
-/// analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀² are
-/// of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is offered for |ν − 1/2| ≤ 0.1.
+/// analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀²
+/// are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is available for |ν − 1/2| ≤ 0.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UniformLaw {
     order: Order,
@@ -58,8 +59,8 @@ impl UniformLaw {
     /// The law for 0.4 ≤ ν ≤ 0.6.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] when the dual norms cannot be had
-    /// to the tolerance.
+    /// [`Error::OutOfRange`] for other orders; [`Error::ToleranceNotMet`] if the dual norms do not reach
+    /// the tolerance.
     pub(super) fn new(order: Order, tolerance: Tolerance) -> Result<Self> {
         Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
         let p = order.one_minus_twice();
@@ -97,7 +98,7 @@ impl UniformLaw {
     }
 
     /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second,
-    /// and the remainder seen at θ = 1e-3, scaled by its order.
+    /// and the remainder observed at θ = 1e-3, scaled by its order.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2 and λ > γ₁².

@@ -5,17 +5,17 @@ use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use std::fmt;
 use std::ops::Range;
 
-/// Shortest length that is admitted: below, f64 itself loses digits.
+/// Smallest admissible length; below it f64 loses digits.
 const SHORTEST: f64 = 1e-300;
-/// Intervals there may be: every one adds some hundred unknowns.
+/// Largest number of intervals; each adds some hundred unknowns.
 const MOST: usize = 32;
-/// A gap between given positions that is no longer than this, relative to them, is rounding.
+/// Relative length up to which a gap between given positions counts as rounding.
 const TOUCHING: f64 = 4.0 * f64::EPSILON;
 
 /// A zone E ⊂ (0,1): an interval, or a union of disjoint intervals with gaps between them.
 ///
-/// A range `a..b` or an array of ranges serves wherever a zone is an argument. Kept as lengths, so that short
-/// intervals, and such close to each other, keep their digits wherever they are.
+/// A range `a..b` or an array of ranges is accepted wherever a zone is an argument. The zone is stored by
+/// lengths, so that short intervals and short gaps keep their digits everywhere.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};
@@ -64,7 +64,7 @@ impl<const N: usize> Given<Zones> for [Range<f64>; N] {
 }
 
 impl Zones {
-    /// (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, a + θ ≤ 1 up to rounding.
+    /// The interval (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, a + θ ≤ 1 up to rounding.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] otherwise.
@@ -101,9 +101,8 @@ impl Zones {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for none and for more than 32 intervals; [`Error::EntryOutOfRange`] for
-    /// lengths that are no admissible ones, intervals that overlap or touch, or that reach beyond (0,1);
-    /// [`Error::NotFinite`].
+    /// [`Error::CountOutOfRange`] unless there are 1 to 32 intervals; [`Error::EntryOutOfRange`] for
+    /// inadmissible lengths and for intervals that overlap, touch, or leave (0,1); [`Error::NotFinite`].
     pub fn union(intervals: &[Range<f64>]) -> Result<Self> {
         require_count(intervals.len())?;
         for (k, interval) in intervals.iter().enumerate() {
@@ -117,7 +116,13 @@ impl Zones {
             let gap = start - before;
             if k > 0 {
                 let apart = gap > TOUCHING * start;
-                require_entry("start of interval", k, start, "beyond the interval before", apart)?;
+                require_entry(
+                    "start of interval",
+                    k,
+                    start,
+                    "above the end of the previous interval",
+                    apart,
+                )?;
             }
             lengths.extend([gap, end - start]);
             before = end;
@@ -125,7 +130,8 @@ impl Zones {
         Self::closed(lengths, 1.0 - before)
     }
 
-    /// Gap, interval, gap, interval, ..., interval from the left end on; what is left to 1 is the last gap.
+    /// The zone with the lengths gap, interval, gap, interval, ..., interval from the left end; the rest up
+    /// to 1 is the last gap.
     ///
     /// ```
     /// use fractional_sobolev::Zones;
@@ -180,8 +186,8 @@ impl Zones {
         located.collect()
     }
 
-    /// The length of a single interval that touches exactly one end of (0,1), what it leaves, and whether
-    /// that end is 1.
+    /// The length of a single interval that touches exactly one end of (0,1), the length of its complement,
+    /// and whether that end is 1.
     pub(super) fn at_one_end(&self) -> Option<(f64, f64, bool)> {
         match self.lengths[..] {
             [0.0, length, rest] if rest > 0.0 => Some((length, rest, false)),
@@ -190,7 +196,7 @@ impl Zones {
         }
     }
 
-    /// The lengths that are not zero, and which of them belong to the zone.
+    /// The nonzero lengths, with a flag for those that belong to the zone.
     pub(crate) fn parts(&self) -> (Vec<f64>, Vec<usize>) {
         let first = usize::from(self.lengths[0] > 0.0);
         let parts = self.lengths.iter().copied().filter(|&length| length > 0.0).collect();

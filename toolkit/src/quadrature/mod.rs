@@ -1,4 +1,4 @@
-//! Quadrature rules on the unit interval, the ground every double integral stands on.
+//! Quadrature rules on the unit interval, used by all double integrals.
 //!
 //! All rules live on (0, 1) so that a point close to the end 0 keeps its relative accuracy, which t = 1 + x
 //! on (−1, 1) does not.

@@ -23,7 +23,7 @@ pub struct Rule {
     weights: Vec<f64>,
 }
 
-/// n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.
+/// The n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.
 ///
 /// ```
 /// use fractional_sobolev::{Rule, gauss_legendre};
@@ -39,7 +39,7 @@ pub fn gauss_legendre(n: usize) -> Result<Rule> {
     Rule::gauss_legendre(n)
 }
 
-/// n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
+/// The n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
 /// size.
 ///
 /// ```
@@ -108,7 +108,7 @@ impl Rule {
     }
 }
 
-/// The points are the eigenvalues of a tridiagonal matrix: n² operations.
+/// Largest number of points, the eigenvalues of a tridiagonal matrix: n² operations.
 const MOST_POINTS: usize = 1 << 16;
 
 fn require_points(n: usize) -> Result<()> {
@@ -118,7 +118,7 @@ fn require_points(n: usize) -> Result<()> {
     Err(Error::CountOutOfRange { name: "quadrature points", value: n, range: "[1, 65536]" })
 }
 
-/// Gauss-Legendre rules that are asked for again and again, by their number of points.
+/// Cache of Gauss-Legendre rules by their number of points.
 static KNOWN: [OnceLock<Rule>; 65] = [const { OnceLock::new() }; 65];
 
 /// The points of `gauss-quad` carried over to (0, 1), increasing.
@@ -129,14 +129,14 @@ fn on_unit_interval(n: usize) -> Vec<f64> {
     points
 }
 
-/// Newton steps at most; from points that are right to rounding one or two are taken.
+/// Largest number of Newton steps; one or two are typical.
 const NEWTON: usize = 4;
 
 /// The Gauss-Legendre rule on (0, 1): the points of `gauss-quad`, polished by Newton's method in t, then
 /// mirrored.
 ///
-/// On (−1, 1) a point near −1 is known to ε, hence t = (1 + x)/2 to ε n² relative to its size only; integrands
-/// with a singularity at 0 see that. The polish restores ε t.
+/// On (−1, 1) a point near −1 is known to ε, hence t = (1 + x)/2 to ε n² relative to its size only; which
+/// matters for integrands with a singularity at 0. The polish restores ε t.
 ///
 /// Q_k(t) = P_k(1 − 2t) by differences d_k = Q_{k+1} − Q_k, (k+1) d_k = k d_{k−1} − 2(2k+1) t Q_k, which
 /// cancel nowhere near t = 0; 2t(1−t) Q_n' = n (d_{n−1} − 2t Q_n), and the weight is 1/(t(1−t) Q_n'²).
@@ -244,8 +244,7 @@ impl Recurrence {
         Evaluation { value, derivative, square_sum }
     }
 
-    /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps square away what is
-    /// left.
+    /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps reach rounding.
     fn polish(&self, start: f64) -> f64 {
         let mut t = start.clamp(f64::MIN_POSITIVE, 1.0);
         for _ in 0..3 {

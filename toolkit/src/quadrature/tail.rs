@@ -5,8 +5,8 @@
 //! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; applied to an equidistant end
 //!   of the sequence.
 //!
-//! Each gives a sequence of limits; the better one is the one that has settled more, and its error is judged
-//! by its last two changes and by the rounding of the S_k as the transform amplifies it. Cost O(m²).
+//! Each gives a sequence of limits; the one with the smaller last changes is used; its error is estimated
+//! by its last two changes and the amplified rounding of the S_k. Cost O(m²).
 
 /// A limit and its estimated absolute error.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(crate) struct Limit {
     pub(crate) error: f64,
 }
 
-/// Highest order of the D-transform: beyond, its weights amplify rounding faster than they cancel terms.
+/// Highest order of the D-transform; beyond it the weights amplify rounding faster than they cancel terms.
 const MAX_LEVIN_ORDER: usize = 11;
 
 /// Quotient of neighbouring t_k in the D-transform.
@@ -24,7 +24,7 @@ const SPACING: f64 = 0.75;
 /// The limit of S_k at increasing t_k > 0 with integrand values ℓ(t_k), each S_k with absolute error `noise`,
 /// ℓ > 0.
 ///
-/// None with fewer than 5 values.
+/// `None` for fewer than 5 values.
 pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
     if partial.len() < 5 {
         return None;
@@ -42,7 +42,7 @@ pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f6
         .min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
-/// At most 16 values of the longest equidistant end of the sequence.
+/// The last values of the sequence with equal spacing, at most 16.
 fn equidistant(t: &[f64], partial: &[f64]) -> Vec<f64> {
     let last = t.len() - 1;
     let step = t[last] - t[last - 1];

@@ -1,4 +1,4 @@
-//! What is left of |x−z|^{-2-2s} when the radii are integrated out against r^{s−1+iτ}.
+//! The kernel |x−z|^{-2-2s} integrated over the radii against r^{s−1+iτ}.
 //!
 //! K_τ(a) = ∫_{−∞}^∞ cos(τu) (2cosh u − 2cos a)^{-1-s} du,
 //! D_τ(a) = ∫_{−∞}^∞ (cosh((1−s)u) − cos(τu)) (2cosh u − 2cos a)^{-1-s} du, 0 < a ≤ π.
@@ -13,7 +13,7 @@ use std::f64::consts::PI;
 /// Chebyshev points of a cell, whose ends have the ratio e^{WIDTH}.
 const POINTS: usize = 16;
 const WIDTH: f64 = 0.7;
-/// Logarithm of what is left out of the sums in v.
+/// Logarithm of the relative truncation error of the sums in v.
 const NOTHING: f64 = 34.0;
 
 /// K and D as tables.
@@ -28,7 +28,7 @@ pub(super) struct AngularKernel {
 }
 
 impl AngularKernel {
-    /// For angles between `smallest` and π.
+    /// The tables for angles between `smallest` and π.
     pub(super) fn new(order: Order, tau: f64, smallest: f64) -> Self {
         let start = smallest.ln();
         let cells = ((PI.ln() - start) / WIDTH).ceil() as usize;

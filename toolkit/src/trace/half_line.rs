@@ -18,7 +18,7 @@ pub(crate) struct HalfLineSymbol {
 }
 
 impl HalfLineSymbol {
-    /// For p = 1 − 2ν in (0, 1).
+    /// The symbol for p = 1 − 2ν in (0, 1).
     pub(crate) fn new(gap: f64) -> Self {
         Self { gap, log_gamma: log_gamma_difference(Complex::new(1.0 + 0.5 * gap, 0.0), gap).re }
     }

@@ -39,7 +39,7 @@ pub(super) fn require_trace(order: Order) -> Result<f64> {
     Error::require("s - 1/2", order.offset(), "(0, 1/2)", order.offset() > 0.0)
 }
 
-/// Width of the exponents e^{-700}: what follows is nothing.
+/// Width of the exponents, e^{-700}: the remainder is negligible.
 const RANGE: f64 = 700.0;
 /// Step of the trapezoidal rule in ln t: its error is below rounding for σ ≤ 1/2.
 const STEP: f64 = 0.06;

@@ -35,9 +35,9 @@ const FAR: f64 = 690.0;
 /// 2π. Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1. No edge of a domain has a smaller
 /// constant. The extremal function is cos(x) φ(y), φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2.
 ///
-/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of each mode, which tends to that of the
-/// half-plane as τ → ∞: the larger of the latter and of the largest quotient found for τ ≤ 16. A lower bound, as far
-/// as the finite elements are.
+/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of each mode, which tends to that of
+/// the half-plane as τ → ∞: it is the larger of the latter and of the largest quotient found for τ ≤ 16, a
+/// lower bound up to the error of the finite elements.
 ///
 /// **Square.** C(s) of the half-plane: proved to be the best constant for s = 1, a proved lower bound for s < 1, where
 /// no function with a larger quotient is known and `upper` is `None`.
@@ -87,10 +87,10 @@ pub fn trace_constant(
 ///
 /// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
 ///
-/// whose minimum over ψ is computed by finite elements, which do not reach it: up to the rules the value lies below
-/// the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient is the closed form for
-/// *every* τ, which two independent computations show. For s = 1: 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6
-/// operations.
+/// whose minimum over ψ is approximated from above by finite elements: up to quadrature the value is a
+/// lower bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient
+/// equals the closed form for *every* τ, confirmed by two independent computations. For s = 1: 2(πτ
+/// coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, trace_constant, trace_quotient};
@@ -137,7 +137,7 @@ fn half_plane(s: UnitOrder) -> Result<Estimate> {
     }
 }
 
-/// With the function cos(x) φ(y).
+/// The constant with the extremal function cos(x) φ(y).
 fn with_profile(found: BestConstant, s: UnitOrder) -> BestConstant {
     let profile = move |y: f64| match s {
         UnitOrder::Inner(order) if y < FAR => extension_profile(order, y).unwrap_or(f64::NAN),

@@ -10,7 +10,7 @@ use crate::numeric::pencil::Factored;
 use crate::order::Order;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Two finenesses: the second is returned, the first judges it.
+/// Two levels of refinement: the second is returned, the first gives the error.
 const FINENESS: [Fineness; 2] = [
     Fineness { degree: 7, points: 11, levels: 3, first: 1e-4 },
     Fineness { degree: 9, points: 14, levels: 4, first: 1e-5 },
@@ -64,8 +64,8 @@ impl WedgeTrace {
     /// |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the least energy: a lower bound of the
     /// square of the best constant.
     ///
-    /// The finite elements do not reach the least energy: up to the rules the value lies below the quotient.
-    /// Cost: 1e6 operations.
+    /// The finite elements approximate the least energy from above: up to quadrature the value is a lower
+    /// bound of the quotient. Cost: 1e6 operations.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 ≤ τ ≤ 100.
@@ -98,7 +98,7 @@ impl WedgeTrace {
         half + 8.0 * step * (1..=terms).map(across).sum::<f64>()
     }
 
-    /// min E_τ and how many unknowns it took.
+    /// min E_τ and the number of unknowns.
     fn least_energy(&self, tau: f64, fineness: Fineness) -> Result<(f64, u64)> {
         let first = fineness.first / (1.0 + tau);
         let elements = WedgeElements::new(self.order, self.angle, Fineness { first, ..fineness })?;

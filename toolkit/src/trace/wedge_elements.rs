@@ -2,7 +2,7 @@
 //! first element, where the least energy has its singular part.
 //!
 //! With ψ = 1 − η, η(0) = 0, the energy is e₁₁ − 2 r·η + η·Mη, the entries formed from differences of the
-//! basis: constants cost nothing and nothing cancels.
+//! basis: constants have no energy and there is no cancellation.
 
 use super::angular_kernel::AngularKernel;
 use crate::closed_forms;
@@ -12,7 +12,8 @@ use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// How fine: degree, points of a rule, levels of rules graded to a singular point, first element.
+/// The discretisation parameters: degree, points of a rule, levels of rules graded to a singular point,
+/// first element.
 #[derive(Clone, Copy)]
 pub(super) struct Fineness {
     pub(super) degree: usize,
@@ -45,7 +46,7 @@ pub(super) struct WedgeElements {
     /// Local nodes with their barycentric weights.
     nodes: Points,
     plain: Points,
-    /// For pairs within one element, for touching ones, and towards 0 alone.
+    /// The rules for pairs within one element, for touching elements, and towards 0.
     same: Points,
     touching: Points,
     graded: Points,

@@ -67,7 +67,7 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
             let slack = if name.starts_with("plane") { 600_000 } else { 200 };
             assert!(spent <= integrals * (limit + slack), "{name}: {spent} of {limit}");
             if spent as f64 > 0.9 * limit as f64 && name != "mean" && name != "plane L2" {
-                assert!(why.contains("limit of work"), "{name}, {limit}: {why}");
+                assert!(why.contains("work limit"), "{name}, {limit}: {why}");
             }
         }
     }

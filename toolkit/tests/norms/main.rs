@@ -9,9 +9,11 @@ mod hard;
 
 mod closed_forms;
 mod dual_norms;
+mod eigenvalues;
 mod errors_of_fields;
 mod extremes;
 mod fields;
+mod fractional_laplacian;
 mod functions;
 mod gram;
 mod intervals;

@@ -10,7 +10,8 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 
-/// Orders below this have the constant of the limit ν → 0: the two differ by less than the order.
+/// Largest order for which the constant of the limit ν → 0 is returned; the two differ by less than the
+/// order.
 const LIMIT: f64 = 1e-30;
 
 /// Checks the length of an element; its square must stay finite beside 1.
@@ -55,7 +56,7 @@ pub(in crate::interpolation) fn on_interval(
     Ok(found.with_others(move |norm| on_interval(h, norm, s, tolerance)))
 }
 
-/// sup ‖v − v̄‖ / |v|_ν on (0, h): that of the derivative, with the extremal v.
+/// sup ‖v − v̄‖ / |v|_ν on (0, h), the constant of the derivative, with the extremal v.
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`].

@@ -23,7 +23,7 @@ pub(super) fn form(norm: ErrorNorm, h: f64, degrees: &[usize]) -> Result<DMatrix
     })
 }
 
-/// The refusal of a norm.
+/// The error for a norm without a form.
 pub(in crate::interpolation) fn refused(norm: ErrorNorm) -> Error {
     norm.refused("interpolation", "L2, Derivative or H1")
 }

@@ -87,10 +87,10 @@ pub(in crate::interpolation) fn odd_degrees(count: usize) -> Vec<usize> {
     (0..count).map(|k| 2 * k + 1).collect()
 }
 
-/// Numbers of functions that are tried in turn.
+/// Numbers of functions, tried in turn.
 const COUNTS: [usize; 5] = [4, 8, 16, 32, 64];
 
-/// Doubling the count divides the error by 2^{5.6} = 48; half of that is relied upon.
+/// Doubling the count divides the error by 2^{5.6} = 48; half of that is assumed.
 const GAIN_OF_DOUBLING: f64 = 24.0;
 
 /// Rounding of an extremal quotient, relative; grows with the number of functions.

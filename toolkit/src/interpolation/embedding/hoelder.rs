@@ -10,7 +10,7 @@ use crate::{Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// The last increments: other α on the same mesh use them.
+/// Cache of the last increments, for other α on the same mesh.
 static LAST: Mutex<Option<Arc<EndIncrements>>> = Mutex::new(None);
 
 /// N(0, θ) at the nodes θ of a mesh.
@@ -31,7 +31,8 @@ pub(super) struct EndIncrements {
 }
 
 impl EndIncrements {
-    /// On the nodes of a mesh of (0, 1), which should be geometric to 0; the last ones where the nodes are the same.
+    /// The increments at the nodes of a mesh of (0, 1), which should be geometric to 0; cached for the last
+    /// mesh.
     ///
     /// # Errors
     /// As [`EndIncrements::new`].
@@ -46,7 +47,7 @@ impl EndIncrements {
         Ok(found)
     }
 
-    /// On the nodes of a mesh of (0, 1).
+    /// The increments at the nodes of a mesh of (0, 1).
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.

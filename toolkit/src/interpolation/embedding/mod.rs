@@ -43,7 +43,7 @@ impl Given<Target> for f64 {
     }
 }
 
-/// An embedding that is known here.
+/// The embeddings with a method.
 #[derive(Clone, Copy)]
 enum Embedding {
     Lq(Order, f64),
@@ -77,9 +77,9 @@ impl Embedding {
     }
 }
 
-/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or in |u(x) −
-/// u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; rounded up. That of [`embedding_constant`] alone, in closed form up to a
-/// maximum over k.
+/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or
+/// in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; rounded up. It is the upper bound of
+/// [`embedding_constant`], in closed form up to a maximum over k.
 ///
 /// ```
 /// let bound = fractional_sobolev::embedding_bound(0.5, 100.0)?;
@@ -88,7 +88,7 @@ impl Embedding {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] and [`Error::Incompatible`] for another embedding.
+/// [`Error::OutOfRange`] and [`Error::Incompatible`] for any other embedding.
 #[doc(alias("Sobolev inequality"))]
 pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) -> Result<f64> {
     Embedding::new(s.given()?, into.given()?)?.bound().map(|bound| bound.value)
@@ -97,9 +97,10 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 /// The best constant in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), with the full norm (1.1), 0 < s ≤ 1/2, 2 ≤ q ≤
 /// 2/(1−2s), q ≤ 1e6; or in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1.
 ///
-/// `lower` and `upper` are known to the tolerance; `constant` is the interval between the two, whose width no
-/// tolerance changes: the best constant itself is known only where `upper` is 1, the quotient of u = 1. At s = 1/2
-/// both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672 √q, `upper` like (q/8)^{1/2}.
+/// `lower` and `upper` are known to the tolerance; `constant` is the midpoint of the interval between the
+/// two, whose width does not depend on the tolerance: the best constant is known only where `upper` is 1,
+/// the quotient of u = 1. At s = 1/2 both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672
+/// √q, `upper` like (q/8)^{1/2}.
 ///
 /// # Method
 ///
@@ -151,7 +152,7 @@ pub fn embedding_constant(
     }
 }
 
-/// What lies between two bounds; the upper one where it is 1 and attained.
+/// The interval between two bounds as an estimate; the upper bound where it is 1 and attained.
 fn between(lower: Estimate, upper: Estimate) -> Result<Estimate> {
     let work = lower.work + upper.work;
     if upper.value <= 1.0 && lower.value + lower.error >= upper.value {

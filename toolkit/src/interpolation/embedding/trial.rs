@@ -10,30 +10,32 @@ use crate::{Function, Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Most steps of the ascent: some dozens do where the maximum is isolated.
+/// Largest number of steps of the ascent; some dozens suffice if the maximum is isolated.
 const STEPS: usize = 400;
 
-/// Relative rise in a step below which the ascent has arrived.
+/// Relative increase per step below which the ascent has converged.
 const RISE: f64 = 1e-12;
 
 /// Gauss points per cell in the ascent; the quotient that is returned is integrated anew, to its tolerance.
 const POINTS: usize = 12;
 
-/// Largest exponent that the layers of a mesh are chosen for; beyond it they would leave the range of binary64.
+/// Largest exponent for which the layers of a mesh are chosen; for larger ones they would leave the range
+/// of binary64.
 const LARGEST: f64 = 1000.0;
 /// The same for a critical exponent.
 const LARGEST_CRITICAL: f64 = 800.0;
-/// The layers at ν = 1/2 serve exponents up to this one in any case.
+/// Smallest exponent for which the layers at ν = 1/2 are chosen.
 const USUAL: f64 = 200.0;
 
-/// The last space, with its order and layers: other exponents q use its factorized matrix.
+/// Cache of the last space with its order and layers, whose factorized matrix is reused for other exponents
+/// q.
 static LAST: Mutex<Option<(usize, Arc<EmbeddingSpace>)>> = Mutex::new(None);
 
 /// Grading towards the end of the interval.
 const RATIO: f64 = 0.6;
 
-/// Layers in which the extremal functions for exponents up to q are seen: down to e^{-0.6 q}, beyond ln(1/θ) = q/2
-/// where they are cut off.
+/// Number of layers that resolve the extremal functions for exponents up to q: down to e^{-0.6 q}, beyond
+/// ln(1/θ) = q/2 where these functions are cut off.
 fn layers(q: f64) -> usize {
     (30.0 + 0.6 * q.clamp(USUAL, LARGEST) / -RATIO.ln()) as usize
 }

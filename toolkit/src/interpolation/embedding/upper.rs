@@ -6,10 +6,10 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use std::f64::consts::PI;
 
-/// Terms of the maximum that are computed; beyond, the tail bound.
+/// Number of terms of the maximum that are computed; the tail is bounded.
 const TERMS: usize = 100_000;
 
-/// Rounding of products of that many factors.
+/// Rounding of products of this many factors.
 const ROUNDING: f64 = 1e-10;
 
 /// Checks ν ≤ 1/2 and 2 ≤ q ≤ 2/(1−2ν), q < ∞.
@@ -31,8 +31,8 @@ pub(super) fn critical_exponent(order: Order) -> f64 {
 /// An upper bound of C(q), for every function of H^ν(0,1); rounded up.
 ///
 /// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best this method gives, lies at most `error` below it:
-/// rounding, and what terms beyond the 100 000th could add. How far C(q) itself lies below it is seen from
-/// the functions of [`super::trial`].
+/// rounding, and what terms beyond the 100 000th could add. The distance to C(q) is bounded by the
+/// functions of [`super::trial`].
 ///
 /// # Method
 ///

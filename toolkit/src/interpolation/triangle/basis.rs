@@ -24,7 +24,7 @@ pub(super) struct Angular {
 }
 
 impl Angular {
-    /// Of degrees below `count`, at a.
+    /// The polynomials of degrees below `count`, at a.
     pub(super) fn new(count: usize, a: f64) -> Self {
         let mut angular = Self { values: vec![0.0; count], slopes: vec![0.0; count] };
         angular.at(a);

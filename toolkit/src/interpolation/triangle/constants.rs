@@ -12,20 +12,20 @@ use crate::interpolation::element::{refused, scale};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 
-/// Powers r^μ with μ nearer to 1 or 2 than this would be polynomials to too many digits: μ is moved away (the
+/// Powers r^μ with μ nearer to 1 or 2 than this are polynomials to almost all digits: μ is moved away (the
 /// difference to a polynomial is then nearly that of r ln r or r² ln r).
 const FROM_POLYNOMIALS: f64 = 0.004;
 /// Angular polynomials of the powers.
 const ANGULAR: usize = 8;
-/// Degrees that are tried in turn, from the second one for tolerances below [`COARSE`].
+/// Degrees, tried in turn, from the second one for tolerances below [`COARSE`].
 const DEGREES: [usize; 6] = [10, 14, 18, 22, 26, 30];
 const COARSE: f64 = 1e-5;
-/// A degree that leaves more than this part of the error before it ends the search.
+/// The search ends at a degree whose error exceeds this share of the previous error.
 const GAIN: f64 = 0.8;
-/// Part of what was extrapolated that may be wrong, and of the value by quadrature.
+/// Relative error of the extrapolated part, and of the value by quadrature.
 const TRUST: f64 = 0.03;
 const QUADRATURE: f64 = 3e-8;
-/// How far outside the triangle rounding may put a point.
+/// Largest distance outside the triangle that rounding may cause.
 const OUTSIDE: f64 = -1e-12;
 
 const WHAT: &str = "interpolation constant of a triangle";
@@ -84,7 +84,7 @@ fn refine(
     ))
 }
 
-const WHY: &str = "quadrature and polynomials of degree 30 do not reach it";
+const WHY: &str = "polynomials of degree 30 and the quadrature do not suffice";
 
 fn missed(tolerance: Tolerance, best: Estimate) -> Error {
     Error::not_met(WHAT, tolerance.relative(), best, WHY)
@@ -204,7 +204,7 @@ fn settled(
     Ok(Settled { lower, value: Estimate::new(value, error, work)?, coefficients })
 }
 
-/// The limit of three values c − C p^{-k}; the last value where they do not look like that.
+/// The limit of three values c − C p^{-k}; the last value if they do not fit.
 fn limit(levels: &[(usize, f64)]) -> f64 {
     let [(p, a), (q, b), (r, c)] = [0, 1, 2].map(|k| (levels[k].0 as f64, levels[k].1));
     let ratio = (c - b) / (b - a);

@@ -1,11 +1,11 @@
-//! The largest quotient of two forms on a part of a space, and the coefficients of a function that takes it.
+//! The largest quotient of two forms on a subspace, and the coefficients of a function that attains it.
 
 use crate::error::{Error, Result};
 use crate::numeric::dense::{product, symmetric_eigen, transpose_times};
 use nalgebra::DMatrix;
 
-/// Directions in which the scaled seminorm is below this part of its largest value are left out: what is left
-/// of them is rounding. The quotient of what stays is a lower bound all the same.
+/// Directions in which the scaled seminorm is below this share of its largest value are omitted, since
+/// rounding dominates them. The quotient on the remaining space is still a lower bound.
 const CUT: f64 = 1e-11;
 
 /// The largest λ with B x = λ A x on the span of the `kept` functions, and its vector with xᵀ A x = 1.

@@ -3,9 +3,10 @@
 //! |x − y|² = τ² κ, κ = ε² |f|² + 2 ε c f·t + c² |t|², ε = 1 − q, c = ε b − (b − a), f = B − A, t = C − B.
 //!
 //! w = R(τ) P(a) has w(x) − w(y) = (R(τ) − R(τq)) P(a) + R(τq) (P(a) − P(b)): with the matrices of
-//! P_k(a)P_l(a), P_k(a)(P_l(a) − P_l(b)) and (P_k(a) − P_k(b))(P_l(a) − P_l(b)) over a and b with the weight
-//! κ^{-1-s} the integral over τ and q is left, and nothing cancels. Near ε = 0 the kernel lives on |a − b| of
-//! size ε: cells that grow away from 0. Gauss rules: geometric convergence in the number of points.
+//! P_k(a)P_l(a), P_k(a)(P_l(a) − P_l(b)) and (P_k(a) − P_k(b))(P_l(a) − P_l(b)) over a and b with the
+//! weight κ^{-1-s} the integral over τ and q remains, without cancellation. Near ε = 0 the kernel is
+//! concentrated on |a − b| of size ε, so that the cells grow away from 0. Gauss rules: geometric
+//! convergence in the number of points.
 
 use super::shape::{TriangleShape, dot};
 use crate::Order;

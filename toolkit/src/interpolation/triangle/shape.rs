@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 /// Barycentric coordinates.
 pub(super) type Barycentric = [f64; 3];
 
-/// A triangle for interpolation; its size and place do not matter to digits.
+/// A triangle for interpolation; its size and position do not affect the accuracy.
 ///
 /// # Method
 ///
@@ -44,7 +44,7 @@ impl TriangleShape {
             signed.abs() / (first * second)
         });
         let least = sines.iter().copied().fold(f64::INFINITY, f64::min);
-        Error::require("least sine of an angle", least, "[0.1, 1]", least >= THINNEST)?;
+        Error::require("smallest sine of an angle", least, "[0.1, 1]", least >= THINNEST)?;
         let gradients = edges.map(|e| [-e[1] / signed, e[0] / signed]);
         Ok(Self { corners: unit, size, twice: signed.abs(), gradients })
     }

@@ -14,7 +14,7 @@ use crate::numeric::dense::{product, times_transpose};
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 
-/// Points of each half in the rules for powers, beyond the degree.
+/// Number of points of each half in the rules for powers, beyond the degree.
 const MORE: usize = 16;
 
 /// Functions w of the space by their values and gradients, less those of their interpolant where wanted.

@@ -11,7 +11,8 @@
 //!   |T| max |Σ ±E_A ∇β_A|²) |g|_s². In L²: ‖u − L‖ ≤ P/π |g|_s (Payne & Weinberger 1960) and ‖Σ e_A β_A‖² =
 //!   |T|/12 (Σ e² + (Σ e)²), largest for e = E.
 //!
-//! Finite for every s > 0, growing like 1/s as s → 0; near s = 1 it does not see that |g|_s grows.
+//! Finite for every s > 0, growing like 1/s as s → 0; near s = 1 it does not account for the growth of
+//! |g|_s.
 
 use super::shape::TriangleShape;
 use crate::Order;

@@ -1,5 +1,5 @@
-//! By faer. What is small stays on one thread: on some dozen rows threads would spend their time waiting for
-//! each other, and callers solve several problems at once.
+//! Dense algebra by faer. Small matrices are processed on one thread: for some dozen rows the
+//! synchronisation dominates, and callers solve several problems at once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
@@ -9,7 +9,8 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
-/// Rows from which the threads of the caller are used, except for eigenvectors: a few hundred rows at most.
+/// Number of rows from which on the threads of the caller are used, except for eigenvectors, which have a
+/// few hundred rows at most.
 const LARGE: usize = 200;
 
 fn threads(rows: usize) -> Par {
@@ -52,7 +53,7 @@ pub(crate) fn transpose_times(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64
 pub(crate) struct Cholesky(Mat<f64>);
 
 impl Cholesky {
-    /// From the lower half of A; `None` unless A is positive definite. Cost O(n³).
+    /// The factor of A, given by its lower half; `None` unless A is positive definite. Cost O(n³).
     pub(crate) fn new(a: &DMatrix<f64>) -> Option<Self> {
         let (size, par) = (a.nrows(), threads(a.nrows()));
         let mut lower = view(a).to_owned();

@@ -1,4 +1,4 @@
-//! By nalgebra, on one thread.
+//! Dense algebra by nalgebra, on one thread.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
@@ -22,7 +22,7 @@ pub(crate) fn transpose_times(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64
 pub(crate) struct Cholesky(DMatrix<f64>);
 
 impl Cholesky {
-    /// From the lower half of A; `None` unless A is positive definite. Cost O(n³).
+    /// The factor of A, given by its lower half; `None` unless A is positive definite. Cost O(n³).
     pub(crate) fn new(a: &DMatrix<f64>) -> Option<Self> {
         nalgebra::Cholesky::new(a.clone()).map(|factor| Self(factor.unpack_dirty()))
     }
@@ -46,7 +46,7 @@ impl Cholesky {
     }
 }
 
-/// Rotations per row after which the iteration is taken not to converge; two or three do.
+/// Largest number of rotations per row; two or three are typical.
 const ROTATIONS: usize = 60;
 
 /// (eigenvalues, increasing; unit eigenvectors as columns) of the symmetric matrix whose lower half is given.

@@ -1,8 +1,8 @@
 //! Pairs of pieces that do not touch, and the L² norm: rules on single pieces.
 //!
-//! A piece longer than twice its distance falls apart first. On a piece at a declared corner, x = ρ e(t),
-//! cells of ln ρ go down to where r^{2a+2} and r² are nothing; t runs over parts of the edge no longer than
-//! their distance from the corner.
+//! A piece longer than twice its distance is subdivided first. On a piece at a declared corner, x = ρ e(t),
+//! cells of ln ρ extend to where r^{2a+2} and r² are negligible; t runs over parts of the edge no longer
+//! than their distance from the corner.
 
 use super::piece::{Piece, View};
 use super::radial::{self, Approach, Points};
@@ -13,25 +13,25 @@ use crate::plane::kernel::InversePower;
 use crate::plane::leaves::{points, too_near};
 use crate::quadrature::Rule;
 
-/// A piece may be as long as its distance over this.
+/// Smallest ratio of distance to length of an admissible piece.
 const ADMISSIBLE: f64 = 0.5;
 /// Part of an edge over its distance from the corner.
 const LONGEST: f64 = 1.1;
-/// Pieces into which one pair may fall apart.
+/// Largest number of pieces into which one pair is subdivided.
 const PATIENCE: usize = 20_000;
 
-/// A point relative to the base of its piece, the root of a weight in area, and the function times that root:
-/// r^a may be so large that its square is no number.
+/// A point relative to the base of its piece, the root of a weight in area, and the function times that
+/// root: r^a may be so large that its square overflows.
 type Placed = (Point, f64, f64);
 
-/// What integrals over pieces need.
+/// Parameters of integrals over pieces.
 pub(super) struct Apart<'a> {
     pub(super) view: &'a View<'a>,
     pub(super) kernel: &'a InversePower,
     /// 1 + s
     pub(super) power: f64,
     pub(super) points: usize,
-    /// ln of what may be left out next to a corner.
+    /// ln of the relative size of the part omitted next to a corner.
     pub(super) digits: f64,
 }
 
@@ -108,7 +108,7 @@ impl Apart<'_> {
         Ok(points(2, self.points)?.iter().map(place).collect())
     }
 
-    /// On a piece at a declared corner, with a rule for ∫₀¹ ρ f dρ.
+    /// The points of a rule on a piece at a declared corner, from a rule for ∫₀¹ ρ f dρ.
     fn around(&self, piece: &Piece, radial: &Points) -> Result<Vec<Placed>> {
         let plain = Rule::gauss_legendre(self.points)?;
         let (mut open, mut placed) = (vec![[piece.at[1], piece.at[2]]], Vec::new());

@@ -5,11 +5,11 @@
 //!
 //! J J' ∫∫∫ τ² |e(t) − τ e'(t')|^{-2-2s} (∫₀¹ ρ^{1−2s} (w(P + ρ e(t)) − w(P + ρτ e'(t')))² dρ) dt dt' du,
 //!
-//! τ = e^{-u}, J and J' twice the areas: the kernel knows ρ as a power only, so that the radial rule
-//! ([`super::radial`]) takes the whole corner at once. What is singular is u = 0, t = t' on one edge, or u =
-//! t = t' = 0 where the edges e and e' begin at one point: Duffy's coordinates with a rule for ξ^{1−2s}, for
-//! ξ^{2−2s} (ξ^{−2s} when the function jumps there). Elsewhere tensor rules on boxes no longer than twice
-//! their distance; e(t) − τ e'(t') is computed from 1 − τ without cancellation.
+//! τ = e^{-u}, J and J' twice the areas: the kernel depends on ρ by a power only, so that the radial rule
+//! ([`super::radial`]) integrates over the whole corner. What is singular is u = 0, t = t' on one edge, or
+//! u = t = t' = 0 where the edges e and e' begin at one point: Duffy's coordinates with a rule for
+//! ξ^{1−2s}, for ξ^{2−2s} (ξ^{−2s} when the function jumps there). Elsewhere tensor rules on boxes no
+//! longer than twice their distance; e(t) − τ e'(t') is computed from 1 − τ without cancellation.
 
 use super::radial::{self, Points};
 use super::side::Side;
@@ -19,18 +19,18 @@ use crate::plane::geometry::{dot, length, minus};
 use crate::plane::kernel::InversePower;
 use crate::quadrature::Rule;
 
-/// A box may be as long as its distance over this.
+/// Smallest ratio of distance to length of an admissible box.
 const ADMISSIBLE: f64 = 0.5;
 /// First interval of u beyond the singular part.
 const STEP: f64 = 1.0;
-/// Boxes into which one pair may fall apart.
+/// Largest number of boxes into which one pair is subdivided.
 const PATIENCE: usize = 20_000;
 
-/// What the integrals at one corner need.
+/// Parameters of the integrals at one corner.
 pub(super) struct Fan<'a> {
     pub(super) order: Order,
     pub(super) kernel: &'a InversePower,
-    /// Of every rule but the radial one.
+    /// Number of points of every rule except the radial one.
     pub(super) points: usize,
     pub(super) radial: &'a Points,
     /// u up to which cells are needed; none where w is smooth in τ.
@@ -237,7 +237,7 @@ impl Fan<'_> {
     }
 }
 
-/// How the edges seen from the common corner lie.
+/// The relative position of the edges opposite to the common corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Contact {
     /// One triangle with itself.

@@ -1,5 +1,4 @@
-//! Functions of two variables given by a closure, with declared corners: everything that is not smooth in a
-//! triangle happens at these.
+//! Functions of two variables given by code, smooth in every triangle except at declared corners.
 
 use super::position::{Corners, PlanePosition};
 use crate::error::Result;
@@ -28,20 +27,20 @@ impl std::fmt::Debug for SingularPlaneFunction<'_> {
     }
 }
 
-/// Shares of the corners of a triangle at which the size of a function is looked at.
+/// Barycentric coordinates of the points at which the size of a function is estimated.
 const SAMPLES: [[f64; 3]; 4] = [[0.34, 0.33, 0.33], [0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8]];
-/// Shares of an edge at which both sides are compared.
+/// Positions on an edge at which both sides are compared.
 const EDGE_SAMPLES: [f64; 3] = [0.2, 0.5, 0.7];
-/// Values on both sides that differ by less than this part of the largest value are equal.
+/// Values on both sides count as equal if they differ by less than this share of the largest value.
 const EQUAL: f64 = 1e-9;
 
 impl<'a> SingularPlaneFunction<'a> {
     /// w on a triangulation; `corners` are pairs (node, a).
     ///
     /// # Errors
-    /// [`crate::Error::OutOfRange`] unless −1 < a ≤ 20, [`crate::Error::Node`] for a node of no triangle or
-    /// declared twice, [`crate::Error::Triangle`] for a triangle with two declared corners,
-    /// [`crate::Error::NotFinite`] for a value that is not finite where it is looked at.
+    /// [`crate::Error::OutOfRange`] unless −1 < a ≤ 20, [`crate::Error::Node`] for a node that belongs to
+    /// no triangle or is declared twice, [`crate::Error::Triangle`] for a triangle with two declared
+    /// corners, [`crate::Error::NotFinite`] for a sampled value that is not finite.
     pub(crate) fn new(
         mesh: Triangles,
         corners: &[(usize, f64)],
@@ -79,14 +78,14 @@ impl<'a> SingularPlaneFunction<'a> {
         power_of_two(self.largest)
     }
 
-    /// At base + offset, `anchor` the declared corner at the base.
+    /// The value at base + offset, `anchor` the declared corner at the base.
     pub(super) fn at(&self, triangle: usize, base: Point, offset: Point, anchor: Option<usize>) -> f64 {
         let x = [base[0] + offset[0], base[1] + offset[1]];
         let anchor = anchor.map(|corner| (corner, offset));
         (self.function)(&PlanePosition::new(&self.corners, triangle, x, anchor))
     }
 
-    /// At a mean of the corners of a triangle.
+    /// The value at a weighted mean of the corners of a triangle.
     fn at_shares(&self, triangle: usize, shares: [f64; 3]) -> f64 {
         let (nodes, corners) = (self.mesh.triangles()[triangle], self.mesh.corners(triangle));
         let known = (0..3).find_map(|k| self.corners.at(nodes[k]).map(|corner| (k, corner)));

@@ -1,4 +1,4 @@
-//! Norms of order s, 0 and 1 + s of functions given by closures.
+//! Norms of order s, 0 and 1 + s of functions given by code.
 
 use super::function::SingularPlaneFunction;
 use super::piece::View;
@@ -9,9 +9,9 @@ use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::root::{accept, root_of_squares, scaled, scaled_root};
 
-/// What ends the accuracy.
-const LIMIT: &str =
-    "the rules have no more points: it is not as smooth as declared, or what is left is rounding";
+/// Message: what limits the accuracy.
+const LIMIT: &str = "the largest number of quadrature points is reached: the function is less smooth than declared, or \
+     rounding dominates";
 
 /// The estimate, unless it misses the tolerance.
 fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
@@ -28,12 +28,12 @@ impl SingularPlaneFunction<'_> {
     /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     /// ```
     ///
-    /// Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across an
-    /// edge exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where that is
-    /// finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴, n the
-    /// points that the tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the closure for a pair. A
-    /// singularity along an edge has no rule of its own: [`Error::ToleranceNotMet`] says how far the others
-    /// come.
+    /// Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across
+    /// an edge exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where
+    /// that is finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴,
+    /// n the points that the tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the function per pair.
+    /// There is no special rule for a singularity along an edge: [`Error::ToleranceNotMet`] reports the
+    /// accuracy that is reached.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
@@ -52,7 +52,7 @@ impl SingularPlaneFunction<'_> {
         judged("norm", root_of_squares(&parts)?, tolerance)
     }
 
-    /// The norm of order 1 + s, given both derivatives.
+    /// The norm of order 1 + s, from the given partial derivatives.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] where w jumps or the gradient has no norm of order s; as

@@ -1,7 +1,8 @@
-//! Triangles and parts of them: known from a base point so that no digits of small offsets are lost.
+//! Triangles and parts of triangles, relative to a base point so that small offsets keep their digits.
 //!
-//! A triangle at a declared corner c is {c + ρ e(t)}, 0 < ρ < 1, e(t) on the edge opposite c. Cut at ρ = 1/2
-//! it falls apart into a smaller such triangle and a strip of two triangles on which the function is smooth.
+//! A triangle at a declared corner c is {c + ρ e(t)}, 0 < ρ < 1, e(t) on the edge opposite c. Cut at ρ =
+//! 1/2 it is divided into a smaller such triangle and a strip of two triangles on which the function is
+//! smooth.
 
 use super::function::SingularPlaneFunction;
 use crate::numeric::scale::power_of_two;
@@ -77,7 +78,7 @@ impl Piece {
         minus(self.base, other.base)
     }
 
-    /// With its corners relative to a point.
+    /// The piece as a simplex, with its corners relative to a point.
     pub(super) fn simplex(&self, shift: Point) -> Simplex<1> {
         Simplex::triangle(std::array::from_fn(|k| Corner {
             node: self.nodes[k],

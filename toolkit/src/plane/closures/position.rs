@@ -1,4 +1,4 @@
-//! Points of a triangulation as a closure sees them: near a declared corner the offset from it is exact.
+//! Points of a triangulation, with exact offsets from declared corners.
 
 use crate::error::{Error, Result};
 use crate::plane::geometry::{Point, dot, length, minus, product_difference};
@@ -23,8 +23,8 @@ pub(super) struct Corners {
 
 /// A point of a triangle.
 ///
-/// In the triangles at a declared corner the offset from it is exact as close as 1e-290; the coordinates
-/// themselves are rounded.
+/// In the triangles at a declared corner the offset from it is exact down to 1e-290; the coordinates are
+/// rounded.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Triangles};
@@ -66,7 +66,7 @@ impl<'a> PlanePosition<'a> {
         self.triangle
     }
 
-    /// x minus the declared corner with this number; NaN when there is none.
+    /// x minus the declared corner with this number; NaN if there is none.
     pub fn offset(&self, corner: usize) -> [f64; 2] {
         match (self.anchor, self.corners.all.get(corner)) {
             (Some((anchor, offset)), _) if anchor == corner => offset,
@@ -81,7 +81,7 @@ impl<'a> PlanePosition<'a> {
     }
 
     /// φ, the angle at the declared corner with this number, counterclockwise from the side of the polygon
-    /// where its inside begins; from the first axis when the corner lies inside the polygon. Continuous on
+    /// at which the interior begins; from the first axis if the corner is an interior point. Continuous on
     /// every triangle, in [0, 2π] on those at the corner.
     pub fn angle(&self, corner: usize) -> f64 {
         let Some(known) = self.corners.all.get(corner) else { return f64::NAN };
@@ -97,13 +97,13 @@ pub(super) fn angle_between(a: Point, b: Point) -> f64 {
 }
 
 impl Corners {
-    /// Of pairs (node, exponent).
+    /// The declared corners from pairs (node, exponent).
     pub(super) fn new(mesh: &Triangles, declared: &[(usize, f64)]) -> Result<Self> {
         let mut all: Vec<Corner> = Vec::with_capacity(declared.len());
         for &(node, exponent) in declared {
             Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
             if !mesh.triangles().iter().any(|corners| corners.contains(&node)) {
-                return Err(Error::Node { node, reason: "is no corner of a triangle" });
+                return Err(Error::Node { node, reason: "is not a corner of a triangle" });
             }
             if all.iter().any(|corner| corner.node == node) {
                 return Err(Error::Node { node, reason: "is declared twice" });

@@ -1,9 +1,9 @@
 //! Rules in the distance from a corner, ρ in (0, 1), for squares of differences and for functions.
 //!
 //! Next to a corner a difference of two values on the ray from it is ρ^a times an analytic function D of ρ.
-//! A Gauss-Jacobi rule with the weight ρ^{2(a+1−s)−1} therefore integrates ρ^{1−2s} (ρ^a D)² over all of (0,
-//! 1), however close a is to s − 1. Where D is not analytic at 0, cells [e^{-w(k+1)}, e^{-wk}] with Gauss
-//! rules in ln ρ come first, and the weighted rule takes what is left.
+//! A Gauss-Jacobi rule with the weight ρ^{2(a+1−s)−1} therefore integrates ρ^{1−2s} (ρ^a D)² over all of
+//! (0, 1), however close a is to s − 1. Where D is not analytic at 0, cells [e^{-w(k+1)}, e^{-wk}] with
+//! Gauss rules in ln ρ are used first, and the weighted rule for the remainder.
 
 use crate::error::Result;
 use crate::order::Order;
@@ -14,13 +14,13 @@ pub(super) type Points = Vec<(f64, f64)>;
 
 /// Width of a cell in ln ρ.
 pub(super) const CELL: f64 = 2.5;
-/// Below this β + 1 a Gauss-Jacobi point falls onto 0.
+/// Smallest β + 1 for which no Gauss-Jacobi point rounds to 0.
 const CLOSE: f64 = 0.3;
 
-/// e^{-640} and its square root times 1e-100 are numbers.
+/// Largest depth: e^{-640} and its square root times 1e-100 are in the range of binary64.
 const DEEPEST: f64 = 640.0;
 
-/// How a corner is approached.
+/// The radial rule at a corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Approach {
     /// Cells in ln ρ before the weighted rule.
@@ -65,19 +65,19 @@ pub(super) fn cells(power: f64, depth: f64, points: usize) -> Result<Points> {
     Ok((0..count as usize).flat_map(cell).collect())
 }
 
-/// ln ρ down to which cells are needed where ρ² and ρ^{2+2a} below e^{-digits} are nothing; at most as deep
-/// as ρ^a and ρ itself are numbers of binary64.
+/// ln ρ down to which cells are needed where ρ² and ρ^{2+2a} fall below e^{-digits}; limited by the range
+/// of binary64 for ρ and ρ^a.
 pub(super) fn depth(digits: f64, exponent: f64) -> f64 {
     let a = exponent.min(0.0);
     (digits / (2.0 + 2.0 * a)).min(DEEPEST / (1.0 - a))
 }
 
-/// What is left out beyond that depth, relative to the whole.
+/// The truncation error beyond that depth, relative to the whole.
 pub(super) fn left_out(digits: f64, exponent: f64) -> f64 {
     (-depth(digits, exponent) * (2.0 + 2.0 * exponent.min(0.0))).exp()
 }
 
-/// For squares of differences at a corner with exponent a: ∫₀¹ ρ^{1−2s} Δ(ρ)² dρ.
+/// The rule for squares of differences at a corner with exponent a: ∫₀¹ ρ^{1−2s} Δ(ρ)² dρ.
 pub(super) fn for_differences(order: Order, exponent: f64, approach: Approach) -> Result<Points> {
     rule(2.0 * order.complement(), 2.0 * exponent, approach)
 }

@@ -4,7 +4,7 @@ use super::piece::{Piece, View};
 use super::radial::Points;
 use crate::plane::geometry::{Point, distance_from_segment, length, minus, product_difference};
 
-/// An edge seen from P is cut until it is no longer than this times its distance.
+/// Largest ratio of the length of a piece of an edge to its distance from P.
 const LONGEST: f64 = 1.1;
 
 /// A triangle seen from P, in units of length.
@@ -58,7 +58,7 @@ impl<'a> Side<'a> {
         rule.iter().map(|(rho, weight)| weight * self.value(*rho, t).powi(2)).sum()
     }
 
-    /// With the edge in the other direction.
+    /// The side with its edge in the other direction.
     pub(super) fn turned(self) -> Self {
         Self { from: self.edge(1.0), along: self.along.map(|x| -x), ..self }
     }

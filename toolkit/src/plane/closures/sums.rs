@@ -1,10 +1,10 @@
-//! |w|²_s of a closure as a sum over pairs of triangles, each by rules of more and more points until it
-//! settles.
+//! |w|²_s of a function given by code as a sum over pairs of triangles, each by rules of increasing order
+//! until it converges.
 //!
-//! Pairs with a common corner go to [`super::fan`], seen from a declared corner if both are at it; a triangle
-//! at a declared corner that touches another one elsewhere falls apart first. How a declared corner is
-//! approached is decided once: at a few places (t, t', τ) the radial integral with cells down to e^{-230} is
-//! compared with shorter rules, and the shortest that agrees is taken.
+//! Pairs with a common corner go to [`super::fan`], seen from a declared corner if both are at it; a
+//! triangle at a declared corner that touches another one elsewhere is subdivided first. The radial rule at
+//! a declared corner is chosen once: at a few places (t, t', τ) the radial integral with cells down to
+//! e^{-230} is compared with shorter rules, and the shortest that agrees is used.
 
 use super::apart::Apart;
 use super::fan::{Contact, Fan};
@@ -20,7 +20,7 @@ use crate::plane::kernel::InversePower;
 use crate::root::ENTRY_ROUNDING;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Points of the rules, one after the other.
+/// Numbers of points of the rules, in turn.
 const POINTS: [usize; 6] = [4, 6, 9, 13, 18, 24];
 /// Points and cells of the approaches of a corner, from the shortest to the longest; 92 cells reach 1e-100.
 const SHORT: [usize; 4] = [2, 4, 7, 12];
@@ -31,9 +31,9 @@ const PROBES: [[f64; 3]; 5] =
     [[0.5, 0.5, 0.4], [0.1, 0.8, 0.7], [0.9, 0.3, 0.2], [0.3, 0.4, 0.9], [0.6, 0.05, 0.05]];
 /// Part of the tolerance that the radial rule and depths may use.
 const PART: f64 = 1e-2;
-/// e^{-40} is nothing.
+/// Exponent from which on e^{-x} is negligible.
 const NOTHING: f64 = 40.0;
-/// A change is not believed below this part of the one before, nor an error below this part of a change.
+/// Smallest ratio of successive changes, and of an error to a change, that is accepted.
 const LEAST_CHANGE: f64 = 2e-3;
 const LEAST: f64 = 0.1;
 
@@ -60,16 +60,16 @@ pub(super) struct ClosureSum<'a> {
     view: View<'a>,
     order: Order,
     kernel: InversePower,
-    /// Relative accuracy asked of the square.
+    /// Requested relative accuracy of the square.
     accuracy: f64,
-    /// Values of the closure that may be taken.
+    /// Limit of evaluations of the function.
     work: u64,
     approaches: Vec<Approach>,
-    /// By how much, relative to the whole, the radial rules may be off.
+    /// Error of the radial rules, relative to the whole.
     radial_error: f64,
 }
 
-/// What is integrated along rays from a corner.
+/// The quantity integrated along rays from a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Quantity {
     Seminorm,
@@ -182,8 +182,8 @@ impl<'a> ClosureSum<'a> {
         Apart { view, kernel, power: 1.0 + self.order.value(), points: POINTS[level], digits }
     }
 
-    /// How the corner of a piece is approached, somewhat longer at higher levels; one rule where it is
-    /// smooth.
+    /// The radial rule at the corner of a piece, longer at higher levels; a single rule where the function
+    /// is smooth.
     fn approach(&self, piece: &Piece, level: usize) -> Approach {
         match piece.corner().map(|corner| self.approaches[corner]) {
             Some(short) => longer(short, level),
@@ -243,7 +243,7 @@ impl<'a> ClosureSum<'a> {
         Task { times: 1.0, pieces: [*piece; 2], meeting: Some(([vertex; 2], None)) }
     }
 
-    /// The pairs into which two different pieces fall apart.
+    /// The pairs into which two different pieces are subdivided.
     fn together(&self, a: &Piece, b: &Piece, tasks: &mut Vec<Task>) {
         let shared = a.shared(b);
         let is_fan = a.corner().is_some() && a.corner() == b.corner();

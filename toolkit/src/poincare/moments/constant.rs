@@ -19,18 +19,19 @@ use crate::quadrature::Rule;
 
 /// The moment M = sup ∫ m w / |w|_ν over the functions w that vanish on a zone at one end of (0,1).
 ///
-/// x is the distance from the free end, e the length that the zone leaves, and m is 1, x or e − x
-/// ([`Moment`]). The zone is a range at either end: `e..1.0` keeps the digits of a short e, `0.0..z` those of
-/// a short zone.
+/// x is the distance from the free end, e the length of the complement of the zone, and m is 1, x or e − x
+/// ([`Moment`]). The zone is a range at either end: `e..1.0` keeps the digits of a short e, `0.0..z` those
+/// of a short zone.
 ///
 /// # Method
 ///
 /// M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
-/// `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and so small only
-/// by the square of what the space leaves of |w|_ν; the error estimate compares two spaces, as for `gamma`.
+/// `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and its error is
+/// the square of the approximation error in |w|_ν; the error estimate compares two spaces, as for `gamma`.
 ///
-/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length that
-/// at an end is the worst for m = 1 (rearrangement). Cost: one factorization of a few hundred unknowns.
+/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length
+/// the zone at an end has the largest moment for m = 1 (rearrangement). Cost: one factorization of a few
+/// hundred unknowns.
 ///
 /// ```
 /// use fractional_sobolev::{Moment, moment};
@@ -43,8 +44,8 @@ use crate::quadrature::Rule;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless the zone touches one end and both it and what it leaves have at least 1e-300
-/// and at most 1 − 1e-15; [`Error::ToleranceNotMet`] as for [`gamma`](crate::gamma).
+/// [`Error::OutOfRange`] unless the zone touches one end and the lengths of the zone and of its complement
+/// lie in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for [`gamma`](crate::gamma).
 pub fn moment(
     order: impl Given<Order>,
     zone: impl Given<Zones>,
@@ -91,7 +92,7 @@ pub struct MomentConstant {
     tolerance: Tolerance,
 }
 
-/// The length of a zone at one end, what it leaves, and whether that end is 1.
+/// The length of a zone at one end, the length of its complement, and whether that end is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Place {
     zone: f64,
@@ -107,7 +108,7 @@ impl Place {
 }
 
 impl MomentConstant {
-    /// The w with |w|_ν = 1 for which the moment is attained, on a space for the tolerance asked for.
+    /// The function w with |w|_ν = 1 for which the moment is attained, to the requested tolerance.
     ///
     /// ```
     /// use fractional_sobolev::{Moment, moment};
@@ -126,7 +127,8 @@ impl MomentConstant {
         Ok(Extremal::on_interval(if self.place.at_right { found.mirrored() } else { found }))
     }
 
-    /// Lower and upper bound by the strong form of the equation, which shares nothing with the Gram matrices.
+    /// A lower and an upper bound by the strong form of the equation, computed independently of the Gram
+    /// matrices.
     ///
     /// # Method
     ///
@@ -136,7 +138,8 @@ impl MomentConstant {
     /// to 3e-9 of M. Cost: a million values of the basis for one ν; those of the last ν are kept.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the zone leaves between 0.01 and 0.99.
+    /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the length of the complement lies
+    /// in [0.01, 0.99].
     pub fn bounds(&self) -> Result<[f64; 2]> {
         strong_bounds(self.order, self.place.length, self.moment)
     }
@@ -144,7 +147,7 @@ impl MomentConstant {
     /// M at ν = 1/2 by Wiener and Hopf's method, to about 1e-14.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for other orders, and unless the zone leaves between 1e-6 and 0.7.
+    /// [`Error::OutOfRange`] for other orders, and unless the length of the complement lies in [1e-6, 0.7].
     pub fn closed_form(&self) -> Result<Estimate> {
         Error::require("nu", self.order.value(), "1/2", self.order.offset() == 0.0)?;
         half_order_moment(self.place.length, self.moment)

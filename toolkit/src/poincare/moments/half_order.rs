@@ -10,11 +10,11 @@ use std::sync::OnceLock;
 
 /// Roots of tan z = z in the product; the rest by an integral, to 2e-15.
 const ROOTS: usize = 4000;
-/// Powers of w; for w ≤ 0.3 rounding outgrows what is left before.
+/// Powers of w; for w ≤ 0.3 rounding dominates the remainder earlier.
 const POWERS: usize = 30;
 /// Points of the integral over s.
 const POINTS: usize = 40;
-/// Longest part: beyond, the lost digits count.
+/// Largest length; beyond it the loss of digits is significant.
 const LONGEST: f64 = 0.7;
 /// Roundings, in units of ε, of f_k/g_k and of a term of c_m; m of the product and the binomial coefficient
 /// are added.
@@ -84,7 +84,7 @@ struct Series {
 }
 
 impl Series {
-    /// From k/g_k and factor(k) = ±f_k/k without its alternating sign.
+    /// The series from k/g_k and factor(k) = ±f_k/k without its alternating sign.
     fn new(ratios: &[f64], factor: impl Fn(f64) -> f64) -> Self {
         let coefficient = |m: usize| {
             // 4^k C(m+k−1, m−k) downwards from k = m.
@@ -106,10 +106,10 @@ impl Series {
         Self { coefficients: (0..POWERS).map(times).collect() }
     }
 
-    /// h at w and its error, with as many terms as make rounding and what is left smallest together.
+    /// h at w and its error, with the number of terms that minimises the sum of rounding and remainder.
     ///
-    /// The larger of two neighbours of the d_m falls from m = 2 on (seen to m = 40, not proved): what is left
-    /// after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
+    /// The larger of two neighbours of the d_m decreases from m = 2 on (observed up to m = 40, not proved):
+    /// the remainder after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
     fn at(&self, w: f64) -> (f64, f64) {
         let (mut value, mut rounding, mut power) = (0.0, 0.0, 1.0);
         let mut best = (0.0, f64::INFINITY);

@@ -1,11 +1,11 @@
-//! The functions of which [`super::strong_form`] makes its trial functions, and the operator A on them.
+//! The basis of the trial functions of [`super::strong_form`], and the operator A on it.
 //!
 //! On s ∈ (0, 1), s from the free end, with the zone from 1 on:
 //!
 //! * (1−s)^ν (1 + ν s + ... + (ν)_12 s¹²/12!), flat at 0: 1 less the rest of a Taylor series;
 //! * (1−s)^ν s^β P_i(2s−1), β ∈ (1, 2) the first exponent at a free end, A s^β = 0 on the half line;
-//! * (1−s)^{ν+j} ((1−s)^{j(2ν−1)} − 1)/(2ν−1) s⁴ P_i(2s−1), what the zone sends back; at ν = 1/2 the quotient
-//!   is j ln(1−s).
+//! * (1−s)^{ν+j} ((1−s)^{j(2ν−1)} − 1)/(2ν−1) s⁴ P_i(2s−1), the singular response of the zone; at ν = 1/2
+//!   the quotient is j ln(1−s).
 //!
 //! In y = ln(s/(1−s)) the pairs y ± d are taken together: their sum is d^{1−2ν} times an analytic function,
 //! integrated by a rule for that power on (0, 1) and Gauss rules beyond. Differences near the free end are
@@ -18,7 +18,7 @@ use crate::poincare::slopes::kernel::exp_quotient;
 use crate::quadrature::{PowerWeightRule, Rule};
 use std::f64::consts::PI;
 
-/// Degrees of the three families, and how many powers the zone sends back.
+/// Degrees of the three families, and the number of powers in the response of the zone.
 const SMOOTH: usize = 14;
 const RETURNED: usize = 4;
 const POWERS: usize = 2;
@@ -29,7 +29,7 @@ const TAIL: usize = 48;
 /// y runs over panels of length 1 from −LEFT to RIGHT; beyond, s or 1 − s is below 3e-9.
 pub(super) const LEFT: i32 = 20;
 const RIGHT: i32 = 24;
-/// Points per panel, outside and inside; inner integrals end where e^{−d} does not count.
+/// Points per panel, outside and inside; inner integrals end where e^{−d} is negligible.
 const OUTER: usize = 10;
 const INNER: usize = 12;
 const REACH: f64 = 38.0;
@@ -55,7 +55,7 @@ pub(super) fn collocate(nu: f64, p: f64) -> Result<Vec<Collocation>> {
     Ok(parallel::over(&places, |&(y, w)| basis.collocate(y, w, &inner)))
 }
 
-/// The functions that v is made of.
+/// The basis of v.
 struct Basis {
     nu: f64,
     /// 2ν − 1.
@@ -147,7 +147,7 @@ fn inner_rule(nu: f64) -> Result<Vec<(f64, f64)>> {
     Ok(rule)
 }
 
-/// How far from ν = 1/2 the formula of the exponent keeps its digits; it need not be exact.
+/// Distance from ν = 1/2 beyond which the formula of the exponent keeps its digits; it need not be exact.
 const CANCELLED: f64 = 1e-6;
 
 /// The β in (max(1, 2ν), min(2, 1+2ν)) with A s^β = 0 on the half line,

@@ -1,5 +1,5 @@
-//! Moments of functions that vanish on a zone, between two bounds, by the strong form of their equation: a
-//! computation that shares nothing with the Gram matrices of `moment`.
+//! Moments of functions that vanish on a zone, between two bounds, by the strong form of their equation,
+//! independently of the Gram matrices of `moment`.
 
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
 use super::weight::Moment;
@@ -11,10 +11,10 @@ use std::sync::{Arc, Mutex, PoisonError};
 /// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits
 /// then, and the bounds, stationary in v, all that the rules have.
 const DEPENDENT: f64 = 1e-7;
-/// By what the integrals may be off, relative to M²: rules with two more points change 2e-12 at most.
+/// Error of the integrals, relative to M²: rules with two more points change 2e-12 at most.
 const QUADRATURE: f64 = 1e-10;
 
-/// The strong form of the order asked for last.
+/// Cache of the last strong form.
 static LAST: Mutex<Option<(Order, Arc<StrongForm>)>> = Mutex::new(None);
 
 /// [lower, upper] of sup ∫ m w / |w|_ν over the w that vanish beyond the distance `length` from the free end.
@@ -30,7 +30,7 @@ pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result
     form.moment(length, moment)
 }
 
-/// The strong form for one order; serves all zones.
+/// The strong form for one order, for all zones.
 ///
 /// # Method
 ///
@@ -56,7 +56,7 @@ struct StrongForm {
 }
 
 impl StrongForm {
-    /// Values of A on the basis.
+    /// The strong form for one order: values of A on the basis.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].

@@ -41,11 +41,11 @@ struct Term {
 
 /// Quadrature on one kind of pair.
 struct Singular {
-    /// For the analytic factor (g^p − 1)/p.
+    /// The points for the analytic factor (g^p − 1)/p.
     power: Vec<Sample>,
     /// The integrals with (1 − ρ^p)/p.
     logarithm: Block,
-    /// For functions of s alone, and of t alone.
+    /// The points for functions of s alone, and of t alone.
     of_nearer: Vec<Term>,
     of_further: Vec<Term>,
 }

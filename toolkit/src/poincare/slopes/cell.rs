@@ -5,7 +5,7 @@
 //! never stored: every distance is a sum of lengths, so that it keeps its relative accuracy however small it
 //! is.
 
-/// How a cell is parametrized.
+/// The parametrization of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Grading {
     /// x is affine in ξ.
@@ -113,7 +113,7 @@ impl Cell {
     }
 }
 
-/// Singularities further off than this, in lengths of the panel, are as good as absent.
+/// Distance, in lengths of the panel, beyond which singularities have no effect.
 const FAR: f64 = 20.0;
 /// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that
 /// point.
@@ -124,7 +124,7 @@ const AT_ORIGIN: f64 = 1e-9;
 pub(crate) struct Panel {
     /// The cell it belongs to.
     pub(crate) cell: usize,
-    /// Where it starts in the coordinate of the cell.
+    /// Its start in the coordinate of the cell.
     pub(crate) start: f64,
     /// Its extent in the coordinate of the cell.
     pub(crate) width: f64,
@@ -154,9 +154,9 @@ impl Panel {
         }
     }
 
-    /// How far outside the panel, in ξ, the point at distance `gap` from one of its ends lies; [`FAR`] at
-    /// most. Beyond the point to which the panel is graded the preimage is complex, at least π/spread off: as
-    /// far as 1 for a spread up to 2.
+    /// The distance from the panel, in ξ, of the point at distance `gap` from one of its ends; [`FAR`] at
+    /// most. Beyond the point to which the panel is graded the preimage is complex, at least π/spread off:
+    /// as far as 1 for a spread up to 2.
     pub(crate) fn outside(&self, gap: f64, on_the_left: bool) -> f64 {
         let grading = if on_the_left { self.grading } else { self.grading.mirrored() };
         let xi = match grading {

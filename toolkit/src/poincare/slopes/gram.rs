@@ -27,8 +27,8 @@ const COARSE_POINTS: usize = 6;
 const COARSE_FUNCTIONS: usize = 2;
 const COARSE_DIGITS: f64 = 6.0;
 
-/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hats where there is a
-/// `local` group.
+/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hat functions where
+/// there is a `local` group.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
     local: Option<&Local>,
@@ -65,7 +65,7 @@ pub(crate) fn seminorm_gram(
     Ok((DMatrix::from_fn(size, size, |i, j| gram[(i, j)] / nu), work))
 }
 
-/// What the blocks are computed from.
+/// The data of the blocks.
 pub(super) struct Assembly<'a> {
     pub(super) space: &'a SlopeSpace,
     pub(super) local: Option<&'a Local>,
@@ -112,7 +112,8 @@ impl<'a> Assembly<'a> {
         })
     }
 
-    /// In the local group hats are differences of steps, which need all their digits.
+    /// True for a coarse panel outside the local group, where hat functions are differences of steps at
+    /// full accuracy.
     fn is_coarse(&self, i: usize) -> bool {
         self.space.functions(i) <= COARSE_FUNCTIONS && !self.classes(i, i).0
     }
@@ -187,7 +188,7 @@ impl<'a> Assembly<'a> {
         self.in_cells(i, i, &block)
     }
 
-    /// From the Legendre polynomials of two panels to the basis of their cells.
+    /// The block in the basis of the cells, from Legendre polynomials of two panels.
     fn in_cells(&self, i: usize, j: usize, block: &Block) -> Block {
         let (of_i, of_j) = (&self.restrictions[i], &self.restrictions[j]);
         let (rows, columns) = (self.space.functions(i), self.space.functions(j));
@@ -205,7 +206,7 @@ impl<'a> Assembly<'a> {
         whole
     }
 
-    /// Whether the cells of two panels belong to the local group.
+    /// For each of two panels, true if its cell belongs to the local group.
     pub(super) fn classes(&self, i: usize, j: usize) -> (bool, bool) {
         let inside =
             |panel: usize| self.local.is_some_and(|local| local.is_shifted(self.space.panels[panel].cell));

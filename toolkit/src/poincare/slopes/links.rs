@@ -1,9 +1,10 @@
 //! Functions that vanish on several intervals: between two of them u has to return to zero.
 //!
 //! With frozen cells in place of the intervals, u is constant on each; that all constants agree is one
-//! condition for every gap between two of them, Σ x = 0 over the steps of the gap. In the basis of steps the
-//! one of the longest cell is expressed by the others; in the basis with hats of [`super::local`], where a
-//! coefficient is the value of u behind its cell, all gaps end with the value before the first.
+//! condition for every gap between two of them, Σ x = 0 over the steps of the gap. In the basis of steps
+//! the one of the longest cell is expressed by the others; in the basis with hat functions of
+//! [`super::local`], where a coefficient is the value of u behind its cell, all gaps end with the value
+//! before the first.
 
 use super::local::Local;
 use super::space::SlopeSpace;

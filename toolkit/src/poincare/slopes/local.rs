@@ -6,15 +6,15 @@
 //! basis its energy θ^p would be a difference of numbers of order one. Within a group G of cells around the
 //! zone
 //!
-//! * neighbouring steps are replaced by their differences, continuous hats; the last step of G stays (the net
-//!   increment),
+//! * neighbouring steps are replaced by their differences, continuous hat functions; the last step of G
+//!   stays (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and
-//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and do
-//!   not see what is subtracted; the last step gets it back.
+//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and are
+//!   not affected by the subtraction; for the last step it is added back.
 //!
-//! All entries then have the size of their own scale, whatever θ. For p well below 0 steps are the good basis
-//! (a wide plateau of many short hats would have next to no energy compared with theirs); there the group
-//! only serves to see near points from far as P.
+//! All entries then have the size of their scale, uniformly in θ. For p well below 0 steps are the good
+//! basis (a wide plateau of many short hat functions would have next to no energy compared with theirs);
+//! there the group only serves to replace near points by P in distant interactions.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;
@@ -27,9 +27,9 @@ const REACH: f64 = 0.3;
 /// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio
 /// times a logarithm.
 const NEGLIGIBLE: f64 = 1e-16;
-/// The same for p > 0.1 at the zone, where the entries of distant steps, of which those of hats are
-/// differences, round to more; but the extremal function's energy falls off like (θ/r)^p, and the ratio may
-/// grow accordingly up to the second number.
+/// The same for p > 0.1 at the zone, where the entries of hat functions are differences of larger entries
+/// and have larger rounding errors. The energy of the extremal function decays like (θ/r)^p, and the ratio
+/// increases accordingly up to the second number.
 const NEGLIGIBLE_FOR_JUMPS: (f64, f64) = (1e-13, 1e-6);
 /// Below this order the entries round to 1e-16/ν, and more has to be left out.
 const SMALL_ORDER: f64 = 0.2;
@@ -38,9 +38,9 @@ const SMALL_ORDER: f64 = 0.2;
 pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
     NEGLIGIBLE_FOR_JUMPS.0 * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
 }
-/// Least energy of a plateau of hats, relative to theirs, for which f64 has digits to spare.
+/// Least energy of a plateau of hat functions, relative to theirs, for which f64 has digits to spare.
 const WELL_CONDITIONED: f64 = 1e-4;
-/// A point this much nearer to P than another is P itself, as seen from the other.
+/// Ratio of distances from P below which the nearer point is replaced by P.
 const INDISTINCT: f64 = 1e-15;
 
 /// The group G and its point P.
@@ -116,7 +116,7 @@ impl Local {
         self.cells.contains(&cell)
     }
 
-    /// Whether the basis has hats and the kernel is shifted in this cell.
+    /// True if the basis has hat functions and the kernel is shifted in this cell.
     pub(crate) fn is_shifted(&self, cell: usize) -> bool {
         self.has_hats && self.contains(cell)
     }
@@ -151,8 +151,8 @@ impl Local {
         -self.unit_power * exp_quotient(self.p, ln_ratio(d, self.unit))
     }
 
-    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ if
-    /// there are no hats.
+    /// ν (K(P,t) − κ), or ν (K(s,P) − κ), for a point of G at signed distance `position` from P; without κ
+    /// if there are no hat functions.
     pub(crate) fn origin_kernel(&self, position: f64) -> f64 {
         if !self.has_hats {
             let (before, after) = if position > 0.0 {
@@ -166,8 +166,8 @@ impl Local {
         alone + self.inside(position.abs())
     }
 
-    /// Whether the first of two panels is nearer to P than f64 can tell from zero at the other
-    /// (`Some(true)`), or the second.
+    /// `Some(true)` if the distance of the first panel from P is below rounding at the second,
+    /// `Some(false)` if that of the second is at the first.
     pub(crate) fn is_nearer(&self, space: &SlopeSpace, i: usize, j: usize) -> Option<bool> {
         let reach = |panel: usize| self.panel_offsets[panel] + space.panels[panel].length;
         let is_nearer = |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
@@ -182,7 +182,7 @@ impl Local {
         })
     }
 
-    /// Whether hats up to the distance `near` from P do not interact with those beyond `far`.
+    /// True if hat functions up to the distance `near` from P do not interact with those beyond `far`.
     pub(super) fn is_apart(&self, near: f64, far: f64) -> bool {
         let ratio = if self.p > 0.1 {
             let fall = (near / self.unit).max(1.0).powf(self.p);
@@ -193,8 +193,8 @@ impl Local {
         near < ratio * far
     }
 
-    /// Whether nothing that holds a step of cell c interacts with anything that holds one of cell d; a hat
-    /// joins at most three cells.
+    /// True if no basis function with a step of cell c interacts with one of cell d; a hat function joins
+    /// at most three cells.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
             let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
@@ -203,8 +203,9 @@ impl Local {
         self.are_apart(self.range(space, around(c)), self.range(space, around(d)), (around(c), around(d)))
     }
 
-    /// Whether the ranges of distances (low, high) are so far apart that hats do not interact. The last step
-    /// of G has an increment and interacts with everything that is larger, and so has a function outside G.
+    /// True if the ranges of distances (low, high) are so far apart that hat functions do not interact. The
+    /// last step of G has an increment and interacts with everything that is larger, and so has a function
+    /// outside G.
     fn are_apart(
         &self,
         first: (f64, f64),

@@ -1,9 +1,9 @@
 //! The Gram matrix of ‖u‖₀² in the slope basis, the constant being fixed by a condition on a range of cells.
 //!
-//! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis function
-//! is a constant left of its cell, a constant right of it, and a primitive of its slope inside; the two
-//! constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E| between two
-//! ranges, e_l and e_r what lies of E on either side, so that nothing large is ever subtracted.
+//! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis
+//! function is a constant left of its cell, a constant right of it, and a primitive of its slope inside;
+//! the two constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E|
+//! between two ranges, e_l and e_r what lies of E on either side, so that no large numbers are subtracted.
 
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! Gauss rules on the panels, with all that the kernel needs of one point alone.
+//! Gauss rules on the panels, with the terms of the kernel that depend on one point only.
 //!
 //! The number of points follows from the digits wanted, from the degree of the slopes on the panel (a
 //! polynomial on a long cell has few degrees on each of its panels) and from the nearest singularity of the
@@ -41,7 +41,7 @@ pub(crate) struct Node {
     pub(crate) weighted: Values,
 }
 
-/// Rules of all sizes on all panels, made when they are first asked for.
+/// Rules of all sizes on all panels, computed at first use.
 pub(crate) struct Nodes {
     rules: Vec<Pairs>,
     panels: Vec<Vec<OnceLock<Vec<Node>>>>,
@@ -71,8 +71,8 @@ impl Nodes {
         Ok(Self { rules, panels, degrees, isolation })
     }
 
-    /// Which rule integrates to `digits` digits over panel i, the nearest singular point lying `outside`
-    /// times its length away.
+    /// The rule for `digits` digits over panel i, whose distance from the nearest singular point is
+    /// `outside` times its length.
     pub(crate) fn choose(&self, i: usize, outside: f64, digits: f64) -> usize {
         let beside = 1.0 + 2.0 * outside.min(self.isolation[i]);
         let ellipse = beside + (beside * beside - 1.0).sqrt();

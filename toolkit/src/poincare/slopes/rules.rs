@@ -1,4 +1,4 @@
-//! Gauss rules for the weights that the diagonal of the kernel brings: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
+//! Gauss rules for the weights from the diagonal of the kernel: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
 //!
 //! The second weight is positive for either sign of p and becomes −t^k ln t at p = 0. Because (1 − t^p)/p =
 //! ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: a product of a Gauss-Jacobi and a
@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 /// Points and weights, as pairs.
 pub(crate) type Pairs = Vec<(f64, f64)>;
 
-/// All one-dimensional rules the assembly needs.
+/// All one-dimensional rules of the assembly.
 #[derive(Debug, Clone)]
 pub(crate) struct Rules {
     /// Weight 1.

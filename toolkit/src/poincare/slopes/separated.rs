@@ -23,7 +23,7 @@ const NEGLIGIBLE: f64 = 1e-18;
 /// Beyond, e^{−pL} leaves the range of f64 (p near −1, the shortest distances).
 const LARGEST_EXPONENT: f64 = 600.0;
 
-/// Digits to spare where steps are differenced to hats.
+/// Digits to spare where steps are differenced to hat functions.
 const SPARE_DIGITS: f64 = 2.0;
 
 impl Assembly<'_> {

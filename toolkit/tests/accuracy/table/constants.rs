@@ -3,8 +3,8 @@
 use super::SplitMix;
 use super::{Family, ask, draw, formula, number, order, order_of, printed, rows};
 use fractional_sobolev::{
-    Constraint, Domain, ErrorNorm, Estimate, Mesh, Moment, Order, Result, Work, Zones, gamma,
-    interpolation_constant, law, moment, projection_constant,
+    Constraint, Domain, ErrorNorm, Estimate, Function, Mesh, Moment, Order, Result, Triangles, Work, Zones,
+    gamma, interpolation_constant, law, moment, projection_constant,
 };
 
 const GAMMA: &str = include_str!("../../reference/gamma_reference.json");
@@ -109,4 +109,44 @@ fn elements(each: usize, random: &mut SplitMix) -> Result<Vec<Family>> {
         Family { name: "element", least: 0.0, cases: constants },
         Family { name: "projection", least: 1e-4, cases: waves },
     ])
+}
+
+/// On (0, h) the H¹ constant squared is h^{2ν} sup (‖e′‖² + h² ‖e‖²)/|v|²_ν of the unit element: what the function
+/// adds to its derivative is of the order h².
+#[test]
+fn the_function_adds_the_square_of_the_length_to_the_h1_constant() {
+    let order = Order::new(0.3).unwrap();
+    let squared = |h: f64, norm| {
+        let found = interpolation_constant(Domain::Interval(h), norm, order, 1e-10).unwrap();
+        (found.constant.value / h.powf(order.value())).powi(2)
+    };
+    let gain = |h: f64| squared(h, ErrorNorm::H1) - squared(h, ErrorNorm::Derivative);
+    let quotient = gain(0.2) / gain(0.1);
+    assert!((quotient - 4.0).abs() < 0.05, "{quotient}");
+}
+
+#[test]
+fn the_dual_constant_of_the_projection_has_the_power_of_the_length() {
+    let on = |h: f64| projection_constant(Domain::Interval(h), ErrorNorm::Dual, 0.3, 1e-8).unwrap().constant;
+    let quotient = on(2.0).value / on(1.0).value;
+    assert!((quotient / 2f64.powf(0.8) - 1.0).abs() < 1e-12, "{quotient}");
+}
+
+/// On the triangle (0, 0), (1, 0), (0, 1), for u = x²/2 and its interpolant: ‖x − 1/2‖² = 1/24; and the limit at
+/// s = 1, where (1 − s) |v|²_s becomes π/2 ‖∇v‖².
+#[test]
+fn the_constant_of_a_triangle_is_above_a_parabola_and_has_its_limit() {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    let constant = |s: f64| {
+        let found = interpolation_constant(Domain::Triangle(corners), ErrorNorm::Derivative, s, 1e-3);
+        found.unwrap().constant.value
+    };
+    let x = Triangles::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+    let x = Function::on_triangles(&x, 1, &[0.0, 1.0, 0.0]).unwrap();
+    for s in [0.25, 0.6, 0.9] {
+        let quotient = (1f64 / 24.0).sqrt() / x.seminorm(s, 1e-12).unwrap().value;
+        assert!(quotient < constant(s) && constant(s) < 2.5 * quotient, "{s}: {quotient}, {}", constant(s));
+    }
+    let normalised = (std::f64::consts::FRAC_PI_2 / 0.01).sqrt() * constant(0.99);
+    assert!((normalised / constant(1.0) - 1.0).abs() < 0.02, "{normalised}");
 }
