@@ -10,20 +10,14 @@ mod chart;
 mod data;
 pub(crate) use data::save_svg;
 mod draw;
-mod floor;
 mod legend;
 mod marks;
-mod picture;
 mod scale;
 mod series;
 mod typeset;
-mod view;
 
 pub use body::edge_trace;
 pub use chart::Chart;
-pub use floor::Floor;
-pub use picture::BodyPicture;
-
 pub use series::{Axis, Series};
 
 /// A colour as red, green, blue.
