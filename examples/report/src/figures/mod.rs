@@ -7,18 +7,12 @@
 pub(crate) mod body;
 mod canvas;
 mod chart;
-mod data;
-pub(crate) use data::save_svg;
-mod draw;
-mod legend;
-mod marks;
 mod scale;
-mod series;
 mod typeset;
 
 pub use body::edge_trace;
-pub use chart::Chart;
-pub use series::{Axis, Series};
+pub use chart::{Axis, Chart, Series};
+pub(crate) use chart::{Mark, save_svg};
 
 /// A colour as red, green, blue.
 pub type Colour = (u8, u8, u8);
