@@ -3,7 +3,7 @@
 //! u^h: linear triangles of size h, u^h ≤ 0 at the nodes of the contact edge (nodal cone); energy norm. Test problem: on the
 //! edge y = 0 of the unit square choose g ≤ 0 and a pressure λ ≥ 0, g λ = 0; u is harmonic, g on the edge, 0 on top, without
 //! flux at the sides. Contact for x < a: λ = (a − x)^(τ−2); then g = −δ^(τ−1), δ = d (2 − 2a − d)/(2 − 2a), d = x − a: u in H^s
-//! for s < τ only. Errors are root mean squares over a = 5/12 and 11/24; u is replaced by its values on a grid 32 times finer.
+//! for s < τ only. Errors: root mean squares over a = 5/12 and 11/24, u replaced by its values on a grid 32 times finer than the last.
 //! Expected: order τ − 1, (τ − 3/2)(2 − τ) above the theorem's. Refuted if error/bound keeps growing (growth like h^(−δ) has
 //! increments that grow by 2^δ; here they are negative, or fall by 0.95) or if `by_definition` differs by one in a million.
 use example_report::prelude::*;
