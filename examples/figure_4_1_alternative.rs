@@ -1,10 +1,10 @@
 //! Figure 4.1: the two cases of Section 4, on a computed contact set; the program is that of Figure 3.2, its twin.
 //!
-//! For the midpoint cone (the mean of u_N over every segment is ≤ 0) the term to bound on a segment T of length h is (4.9),
+//! For the midpoint cone (the mean of u_N over every segment is ≤ 0) the term to bound on a segment t of length h is (4.9),
 //!
 //! ```text
-//! ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫ u_N     over T,     π the mean over T, since σ_N u_N = 0,
-//! first case     the contact set {u_N = 0} of T has diameter at most θh, and so has the set where σ_N ≠ 0;
+//! ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫ u_N     over t,     π the mean over t, since σ_N u_N = 0,
+//! first case     the contact set {u_N = 0} of t has diameter at most θh, and so has the set where σ_N ≠ 0;
 //! second case    the contact set has diameter at least θh: u_N' has mean zero between two points so far apart.
 //! ```
 //!
@@ -14,10 +14,11 @@
 
 #[allow(dead_code, reason = "the options and the command line of the twin are its own")]
 #[path = "figure_3_2_alternative.rs"]
-pub mod figure_3_2_alternative;
+mod figure_3_2_alternative;
 
 use example_report::prelude::*;
-use signorini::{edge::midpoint_term, problems::NamedProblem, proof::Section};
+use signorini::edge::{EdgeTrace, Interval, midpoint_term};
+use signorini::problems::NamedProblem;
 
 example! { quick "Figure 4.1", "each segment: contact set and pressure no wider than θh, or contact set at least θh";
     /// a body, or a contact set chosen on an edge
@@ -28,8 +29,20 @@ example! { quick "Figure 4.1", "each segment: contact set and pressure no wider 
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
 }
 
+/// Whether t is in the first and the second case, and d: the diameter of its contact set.
+pub(crate) fn cases(edge: &EdgeTrace, t: Interval, theta: f64) -> ([bool; 2], f64) {
+    let diameter = |set: &[Interval], meets: fn(&f64, &f64) -> bool| {
+        let met = set.iter().filter(|part| meets(&part.start, &t.end) && meets(&t.start, &part.end));
+        let parts = met.map(|part| [part.start.max(t.start), part.end.min(t.end)]);
+        let ends = parts.reduce(|[start, end], [from, to]| [start.min(from), end.max(to)]);
+        ends.map_or(0.0, |[start, end]| end - start)
+    };
+    let (d, reach) = (diameter(edge.contact(), f64::le), theta * t.length()); // ≤: an end of t may be a zero
+    ([d.max(diameter(edge.pressed(), f64::lt)) <= reach, d >= reach], d)
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let Options { problem, n, tau } = options.clone();
-    let figure = ("figure_4_1_alternative", Section::Four, midpoint_term as _);
-    figure_3_2_alternative::alternative(figure, &figure_3_2_alternative::Options { problem, n, tau }, out)
+    let twin = figure_3_2_alternative::Options { problem, n, tau };
+    figure_3_2_alternative::alternative("figure_4_1_alternative", (cases, midpoint_term), &twin, out)
 }

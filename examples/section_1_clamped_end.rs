@@ -81,8 +81,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // matrix, so that the innermost ring is as exact as the outermost.
             let (step, outline) = (PI / angles as f64, Outline::HalfDisc);
             let (smallest, poisson, direction) = (options.smallest, body, alpha);
-            let scene = DirichletEnd { outline, angles, step, smallest, poisson, direction };
-            let mut problem = scene.problem()?;
+            let body = DirichletEnd { outline, angles, step, smallest, poisson, direction };
+            let mut problem = body.problem()?;
             let arc = problem.edge().arc().to_vec();
             // Active set: guess which constraints are active, solve with these as equations, correct by the signs, node
             // by node without a tolerance; from no contact, and from full contact.

@@ -8,11 +8,12 @@
 //! ```
 //!
 //! Test problem, formula from the definition, loop and comparisons are those of Theorem 3.1, with the other cone: they
-//! stand in `theorem_3_1_rates.rs`, which this file loads and calls. There `below` holds the means of this cone.
+//! stand in `theorem_3_1_rates.rs`, which this file loads and calls. `below` holds the means of this cone.
 //!
 //! Refuted as Theorem 3.1: if the error over its printed bound keeps growing, or by `by_definition`.
 
 use example_report::prelude::*;
+use nalgebra::DMatrix;
 use signorini::cone::Cone;
 
 #[path = "theorem_3_1_rates.rs"]
@@ -27,5 +28,8 @@ example! { seconds "Theorem 4.1", "midpoint cone:  ‖u − u^h‖ ≤ C h^(τ²
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    nodal::rates("theorem_4_1", Cone::Midpoint, &options.tau, options.finest, out)
+    // The means over 32 segments of what is linear on each.
+    let means = DMatrix::from_fn(32, 33, |t, node| if node == t || node == t + 1 { 0.5 } else { 0.0 });
+    let Options { tau, finest } = options.clone();
+    nodal::rates("theorem_4_1", Cone::Midpoint, &means, &nodal::Options { tau, finest }, out)
 }

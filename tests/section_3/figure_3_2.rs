@@ -32,7 +32,7 @@ fn every_segment_of_the_block_is_in_a_case() {
             // The example compares lengths where the library looks for zeros and pieces.
             for theirs in found.segments() {
                 let case = theirs.alternative;
-                let (own, _) = figure_3_2_alternative::cases(Section::Three, &trace, theirs.segment, theta);
+                let (own, _) = figure_3_2_alternative::cases(&trace, theirs.segment, theta);
                 assert_eq!(own, [case.first(), case.second()], "{scene} n {n} {:?}", theirs.segment);
             }
         }
@@ -47,7 +47,7 @@ fn a_body_without_contact_carries_nothing() {
         ..Default::default()
     };
     let outcome = figure_3_2_alternative::outcome(&options).unwrap();
-    assert_eq!([outcome.value("integral.n8"), outcome.value("carriers.n8")], [Some(0.0); 2]);
+    assert_eq!([outcome.value("integral.n8"), outcome.value("carried_by.n8")], [Some(0.0); 2]);
     assert_eq!(outcome.value("second.n8"), Some(8.0));
 }
 
@@ -87,7 +87,7 @@ fn classification_agrees_with_the_definition_point_by_point() {
         };
         assert_eq!(found.first(), near(false) && near(true), "case {case}, theta {theta}");
         assert!(found.first() || found.second(), "case {case}, theta {theta}");
-        let (example, _) = figure_3_2_alternative::cases(Section::Three, &trace, edge, theta);
+        let (example, _) = figure_3_2_alternative::cases(&trace, edge, theta);
         assert_eq!(example, [found.first(), found.second()], "case {case}, theta {theta}");
     }
 }

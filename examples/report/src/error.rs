@@ -34,6 +34,14 @@ impl Error {
         Self::Option(format!("--{}: {what}", name.replace('_', "-")))
     }
 
+    /// Nothing where the condition holds.
+    ///
+    /// # Errors
+    /// The option with what is wrong with it.
+    pub fn unless(condition: bool, name: &str, what: &str) -> Result<()> {
+        if condition { Ok(()) } else { Err(Self::option(name, what)) }
+    }
+
     /// A file with what the system said.
     pub fn file(path: &std::path::Path, reason: impl ToString) -> Self {
         Self::File { path: path.display().to_string(), reason: reason.to_string() }

@@ -4,33 +4,21 @@
 //! radians, `log` and `ln` natural. What has two readings is refused: `2*-x`, `2^3^2`, `sin x`, `2x`, `x y`.
 
 use crate::{Error, Result};
+use std::sync::Arc;
 
 type Checked<T> = std::result::Result<T, String>;
 type Of1 = fn(f64) -> f64;
 type Of2 = fn(f64, f64) -> f64;
 
-const ONE: [(&str, Of1); 21] = [
-    ("abs", f64::abs),
-    ("signum", f64::signum),
-    ("sin", f64::sin),
-    ("cos", f64::cos),
-    ("tan", f64::tan),
-    ("asin", f64::asin),
-    ("acos", f64::acos),
-    ("atan", f64::atan),
-    ("sinh", f64::sinh),
-    ("cosh", f64::cosh),
-    ("tanh", f64::tanh),
-    ("asinh", f64::asinh),
-    ("acosh", f64::acosh),
-    ("atanh", f64::atanh),
-    ("floor", f64::floor),
-    ("exp", f64::exp),
-    ("sqrt", f64::sqrt),
-    ("cbrt", f64::cbrt),
-    ("ln", f64::ln),
-    ("log", f64::ln),
-    ("log10", f64::log10),
+/// Functions of one argument by their names.
+macro_rules! by_name {
+    [$($name:ident),*] => {
+        [$((stringify!($name), f64::$name as Of1)),*, ("log", f64::ln)]
+    };
+}
+const ONE: [(&str, Of1); 21] = by_name![
+    abs, signum, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor, exp, sqrt,
+    cbrt, log10, ln
 ];
 const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
 /// Longest text, and deepest parentheses.
@@ -38,16 +26,8 @@ const LONGEST: usize = 2000;
 const DEEPEST: usize = 50;
 
 /// A function of x and y.
-#[derive(Debug, Clone)]
-pub struct Expression(Node);
-
-#[derive(Debug, Clone)]
-enum Node {
-    Number(f64),
-    Coordinate(usize),
-    One(Of1, Box<Node>),
-    Two(Of2, Box<[Node; 2]>),
-}
+#[derive(Clone)]
+pub struct Expression(Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>);
 
 impl Expression {
     /// The function that a text means.
@@ -59,13 +39,13 @@ impl Expression {
             return Err(Error::Option(format!("an expression of more than {LONGEST} characters")));
         }
         let mut reader = Reader { rest: text.trim(), depth: 0 };
-        let whole = reader.sum().and_then(|node| match reader.peek() {
-            None => Ok(node),
+        let whole = reader.sum().and_then(|whole| match reader.peek() {
+            None => Ok(whole),
             Some(')') => Err("a parenthesis is closed that was not opened".to_owned()),
             Some(',') => Err("a comma between arguments of no function".to_owned()),
             Some(_) => Err(reader.two_in_a_row()),
         });
-        whole.map(Self).map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
+        whole.map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
     }
 
     /// The functions of a list with commas; commas inside parentheses belong to a function of two arguments.
@@ -83,22 +63,15 @@ impl Expression {
 
     /// The value; NaN where it is not defined.
     pub fn at(&self, point: [f64; 2]) -> f64 {
-        self.0.at(point)
-    }
-}
-
-impl Node {
-    fn at(&self, point: [f64; 2]) -> f64 {
-        match self {
-            Node::Number(number) => *number,
-            Node::Coordinate(axis) => point[*axis],
-            Node::One(function, argument) => function(argument.at(point)),
-            Node::Two(function, arguments) => function(arguments[0].at(point), arguments[1].at(point)),
-        }
+        (self.0)(point)
     }
 
-    fn two(function: Of2, a: Node, b: Node) -> Self {
-        Node::Two(function, Box::new([a, b]))
+    fn number(value: f64) -> Self {
+        Self(Arc::new(move |_| value))
+    }
+
+    fn two(f: Of2, a: Self, b: Self) -> Self {
+        Self(Arc::new(move |point| f(a.at(point), b.at(point))))
     }
 }
 
@@ -127,63 +100,59 @@ impl Reader<'_> {
     }
 
     /// [+-] product {+- product}
-    fn sum(&mut self) -> Checked<Node> {
+    fn sum(&mut self) -> Checked<Expression> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(format!("parentheses more than {DEEPEST} deep"));
         }
-        let is_negative = self.takes('-');
-        let _ = !is_negative && self.takes('+');
-        let mut node = self.product()?;
-        if is_negative {
-            node = Node::two(|a, b| a - b, Node::Number(0.0), node);
-        }
-        loop {
-            node = if self.takes('+') {
-                Node::two(|a, b| a + b, node, self.product()?)
-            } else if self.takes('-') {
-                Node::two(|a, b| a - b, node, self.product()?)
-            } else {
-                self.depth -= 1;
-                return Ok(node);
-            };
-        }
+        let first = if self.takes('-') {
+            Expression::two(|a, b| a - b, Expression::number(0.0), self.product()?)
+        } else {
+            self.takes('+');
+            self.product()?
+        };
+        let sum = self.chain(first, [('+', |a, b| a + b), ('-', |a, b| a - b)], Self::product);
+        self.depth -= 1;
+        sum
     }
 
     /// power {*/ power}
-    fn product(&mut self) -> Checked<Node> {
-        let mut node = self.power()?;
-        loop {
-            node = if self.takes('*') {
-                Node::two(|a, b| a * b, node, self.power()?)
-            } else if self.takes('/') {
-                Node::two(|a, b| a / b, node, self.power()?)
-            } else {
-                return Ok(node);
-            };
+    fn product(&mut self) -> Checked<Expression> {
+        let first = self.power()?;
+        self.chain(first, [('*', |a, b| a * b), ('/', |a, b| a / b)], Self::power)
+    }
+
+    /// What follows by one of two signs, from the left.
+    fn chain(
+        &mut self,
+        first: Expression,
+        signs: [(char, Of2); 2],
+        next: fn(&mut Self) -> Checked<Expression>,
+    ) -> Checked<Expression> {
+        let mut whole = first;
+        while let Some((_, f)) = signs.iter().find(|(sign, _)| self.takes(*sign)) {
+            whole = Expression::two(*f, whole, next(self)?);
         }
+        Ok(whole)
     }
 
     /// atom [^ atom]
-    fn power(&mut self) -> Checked<Node> {
+    fn power(&mut self) -> Checked<Expression> {
         let base = self.atom()?;
         if !self.takes('^') {
             return Ok(base);
         }
-        let node = Node::two(f64::powf, base, self.atom()?);
+        let power = Expression::two(f64::powf, base, self.atom()?);
         match self.peek() {
             Some('^') => Err("two powers in a row need parentheses: a^(b^c) or (a^b)^c".to_owned()),
-            _ => Ok(node),
+            _ => Ok(power),
         }
     }
 
-    fn atom(&mut self) -> Checked<Node> {
+    fn atom(&mut self) -> Checked<Expression> {
         match self.peek() {
             None => Err("is empty, or ends too early".to_owned()),
-            Some('(') => match &self.arguments("a parenthesis", 1)?[..] {
-                [node] => Ok(node.clone()),
-                _ => Err("a parenthesis takes one argument".to_owned()),
-            },
+            Some('(') => self.arguments("a parenthesis").map(|[argument]| argument),
             Some('0'..='9' | '.') => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.named(),
             Some('+' | '-') => {
@@ -195,7 +164,14 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&mut self) -> Checked<Node> {
+    /// The next so many bytes.
+    fn word(&mut self, length: usize) -> &str {
+        let (word, rest) = self.rest.split_at(length);
+        self.rest = rest;
+        word
+    }
+
+    fn number(&mut self) -> Checked<Expression> {
         let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
         let mut length = digits(self.rest);
         if let Some(power) = self.rest[length..].strip_prefix(['e', 'E']) {
@@ -203,54 +179,46 @@ impl Reader<'_> {
             let count = digits(&power[sign..]);
             length += if count > 0 { 1 + sign + count } else { 0 };
         }
-        let (word, rest) = self.rest.split_at(length);
-        self.rest = rest;
-        word.parse().map(Node::Number).map_err(|_| format!("'{word}' is not a number"))
+        let word = self.word(length);
+        word.parse().map(Expression::number).map_err(|_| format!("'{word}' is not a number"))
     }
 
-    fn named(&mut self) -> Checked<Node> {
+    fn named(&mut self) -> Checked<Expression> {
         let end = self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
-        let (word, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        let word = word.to_owned();
+        let word = self.word(end).to_owned();
         match word.as_str() {
-            "x" => return Ok(Node::Coordinate(0)),
-            "y" => return Ok(Node::Coordinate(1)),
-            "pi" => return Ok(Node::Number(std::f64::consts::PI)),
-            "e" => return Ok(Node::Number(std::f64::consts::E)),
+            "x" => return Ok(Expression(Arc::new(|[x, _]| x))),
+            "y" => return Ok(Expression(Arc::new(|[_, y]| y))),
+            "pi" => return Ok(Expression::number(std::f64::consts::PI)),
+            "e" => return Ok(Expression::number(std::f64::consts::E)),
             _ => {}
         }
-        let one = ONE.iter().find(|(name, _)| *name == word);
-        let two = TWO.iter().find(|(name, _)| *name == word);
-        if one.is_none() && two.is_none() {
-            let known: Vec<&str> = ONE.iter().map(|f| f.0).chain(TWO.iter().map(|f| f.0)).collect();
-            return Err(format!("unknown name '{word}': known are x, y, pi, e, {}", known.join(", ")));
-        }
-        if self.peek() != Some('(') {
-            return Err(format!("'{word}' needs its argument in parentheses: {word}(..)"));
-        }
-        let arguments = self.arguments(&word, if one.is_some() { 1 } else { 2 })?;
-        match (one, two, &arguments[..]) {
-            (Some((_, function)), _, [x]) => Ok(Node::One(*function, Box::new(x.clone()))),
-            (_, Some((_, function)), [x, y]) => Ok(Node::two(*function, x.clone(), y.clone())),
-            _ => Err(format!("'{word}' has another number of arguments")),
+        let has_arguments = self.peek() == Some('(');
+        let bare = || Err(format!("'{word}' needs its argument in parentheses: {word}(..)"));
+        if let Some(&(_, f)) = ONE.iter().find(|(name, _)| *name == word) {
+            let [a] = if has_arguments { self.arguments(&word)? } else { return bare() };
+            Ok(Expression(Arc::new(move |point| f(a.at(point)))))
+        } else if let Some(&(_, f)) = TWO.iter().find(|(name, _)| *name == word) {
+            let [a, b] = if has_arguments { self.arguments(&word)? } else { return bare() };
+            Ok(Expression::two(f, a, b))
+        } else {
+            let known: Vec<&str> = ONE.iter().map(|f| f.0).chain(TWO.map(|f| f.0)).collect();
+            Err(format!("unknown name '{word}': known are x, y, pi, e, {}", known.join(", ")))
         }
     }
 
     /// ( sum {, sum} ), with so many arguments.
-    fn arguments(&mut self, of: &str, takes: usize) -> Checked<Vec<Node>> {
+    fn arguments<const N: usize>(&mut self, of: &str) -> Checked<[Expression; N]> {
         self.takes('(');
         let mut arguments = vec![self.sum()?];
         while self.takes(',') {
             arguments.push(self.sum()?);
         }
         match self.peek() {
-            Some(')') if arguments.len() != takes => {
-                Err(format!("{of} has {} arguments, and takes {takes}", arguments.len()))
-            }
             Some(')') => {
                 self.takes(')');
-                Ok(arguments)
+                let wrong = |found: Vec<_>| format!("{of} has {} arguments, and takes {N}", found.len());
+                arguments.try_into().map_err(wrong)
             }
             None => Err("a parenthesis is not closed".to_owned()),
             Some(_) => Err(self.two_in_a_row()),
@@ -322,7 +290,7 @@ mod tests {
             ("1e", "follows without a sign"),
         ];
         for (text, why) in faults {
-            let error = Expression::parse(text).unwrap_err().to_string();
+            let error = Expression::parse(text).err().unwrap().to_string();
             assert!(error.contains(why) && !error.contains('\n'), "{text}: {error}");
         }
         for depth in [60, 900] {

@@ -15,7 +15,7 @@
 //! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
 //! | `out.note("sharpness", value)` | a number worth quoting |
 //! | `out.order("h", "error")` | order of convergence over the rows like the last one |
-//! | `out.plot(..)`, `out.picture(..)` | SVG, written where `--out` says so |
+//! | `out.plot(..)`, `out.chart(..)`, `out.bodies(..)` | SVG, written where `--out` says so |
 //!
 //! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
 //! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if

@@ -5,10 +5,9 @@ use clap::{Arg, ArgAction, Command};
 use fractional_sobolev::{Order, Tolerance};
 use serde_json::{Value, json};
 use signorini::cone::Cone;
-use signorini::contact::Solver;
 use signorini::problems::{NamedProblem, StripData, TestProblem};
 use signorini::singular::SideConditions;
-use signorini::strip::{Reference, StripKind};
+use signorini::strip::StripKind;
 
 /// Options of an example; made by [`crate::example!`].
 pub trait Declarations: Sized {
@@ -214,30 +213,40 @@ pub trait OptionValue: Sized {
     }
 }
 
+/// Types that are read by their own `FromStr`: the word for the page, the number, and the words it may be.
 macro_rules! option_value {
-    ($($kind:ty, $word:literal, $place:expr;)*) => {
+    ($($kind:ty, $word:literal $(, at $place:expr)? $(, of $words:expr)?;)*) => {
         $(impl OptionValue for $kind {
             const KIND: &'static str = $word;
             fn read(text: &str) -> std::result::Result<Self, String> {
                 text.trim().parse::<$kind>().map_err(|error| error.to_string())
             }
+            $(
+            #[allow(clippy::redundant_closure_call, reason = "one expression per type")]
             fn places(&self) -> Vec<f64> {
-                #[allow(clippy::redundant_closure_call, reason = "one expression per type")]
-                ($place)(self)
-            }
+                vec![($place)(self)]
+            })?
+            $(fn choices() -> Vec<String> {
+                $words
+            })?
         })*
     };
 }
 
 option_value! {
-    f64, "number", |x: &f64| vec![*x];
-    usize, "integer", |x: &usize| vec![*x as f64];
-    u32, "integer", |x: &u32| vec![f64::from(*x)];
-    u64, "integer", |x: &u64| vec![*x as f64];
-    Order, "order", |x: &Order| vec![x.value()];
-    Tolerance, "tolerance", |_: &Tolerance| Vec::new();
-    String, "text", |_: &String| Vec::new();
-    std::path::PathBuf, "file", |_: &std::path::PathBuf| Vec::new();
+    f64, "number", at |x: &f64| *x;
+    usize, "integer", at |x: &usize| *x as f64;
+    u32, "integer", at |x: &u32| f64::from(*x);
+    Order, "order", at |x: &Order| x.value();
+    Tolerance, "tolerance";
+    String, "text";
+    std::path::PathBuf, "file";
+    Cone, "choice", of Cone::ALL.iter().map(ToString::to_string).collect();
+    StripKind, "choice", of vec!["scalar".to_owned(), "elastic".to_owned()];
+    SideConditions, "choice", of SideConditions::ALL.iter().map(ToString::to_string).collect();
+    TestProblem, "named", of bodies();
+    StripData, "named", of strips();
+    NamedProblem, "named", of [bodies(), strips()].concat();
 }
 
 impl OptionValue for bool {
@@ -281,25 +290,6 @@ impl<T: OptionValue> OptionValue for Option<T> {
     }
 }
 
-/// Types that are read from words: the word for the page, and the words.
-macro_rules! words {
-    ($($kind:ty, $word:literal, $words:expr;)*) => {
-        $(impl OptionValue for $kind {
-            const KIND: &'static str = $word;
-            fn read(text: &str) -> std::result::Result<Self, String> {
-                text.trim().parse::<$kind>().map_err(|error| error.to_string())
-            }
-            fn choices() -> Vec<String> {
-                $words
-            }
-        })*
-    };
-}
-
-fn owned(words: &[&str]) -> Vec<String> {
-    words.iter().map(|word| (*word).to_owned()).collect()
-}
-
 /// Problems on strips that need no file.
 fn strips() -> Vec<String> {
     let named = StripData::all().iter().map(|data| data.name().to_owned()).collect::<Vec<_>>();
@@ -308,17 +298,6 @@ fn strips() -> Vec<String> {
 
 fn bodies() -> Vec<String> {
     TestProblem::all().iter().map(|problem| problem.name().to_owned()).collect()
-}
-
-words! {
-    Cone, "choice", Cone::ALL.iter().map(ToString::to_string).collect();
-    Solver, "choice", owned(&["active-set", "interior-point", "edge-interior-point", "multigrid", "auto"]);
-    StripKind, "choice", owned(&["scalar", "elastic"]);
-    Reference, "choice", owned(&["nested", "harmonic"]);
-    SideConditions, "choice", SideConditions::ALL.iter().map(ToString::to_string).collect();
-    TestProblem, "named", bodies();
-    StripData, "named", strips();
-    NamedProblem, "named", [bodies(), strips()].concat();
 }
 
 #[cfg(test)]
@@ -360,9 +339,7 @@ mod tests {
             }
         }
         are_read::<Cone>(&[""]);
-        are_read::<Solver>(&[""]);
         are_read::<StripKind>(&[""]);
-        are_read::<Reference>(&[""]);
         are_read::<SideConditions>(&[""]);
         are_read::<NamedProblem>(&["", ":0.5", ":0.3:4"]);
     }

@@ -1,7 +1,7 @@
 //! Charts of rows.
 
 use crate::cell::{Cell, Cells};
-use crate::figures::{Axis, Chart, Series};
+use crate::figures::{Axis, Chart, Mark, Series};
 
 /// A picture before it is written.
 #[derive(Debug, Clone)]
@@ -33,13 +33,6 @@ impl Axes {
             Axes::Linear(x, y) => [Axis::linear(x), Axis::linear(y)],
         }
     }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Mark {
-    Curve,
-    Points,
-    Dashed,
 }
 
 #[derive(Debug, Clone)]
@@ -75,12 +68,12 @@ impl Plot {
 
     /// Column y over column x: points joined by a line.
     pub fn curve(&mut self, x: &'static str, y: &'static str) -> &mut Self {
-        self.rows(Mark::Curve, x, y, None)
+        self.rows(Mark::LineAndPoints, x, y, None)
     }
 
     /// A curve for each value of a third column.
     pub fn curve_by(&mut self, by: &'static str, x: &'static str, y: &'static str) -> &mut Self {
-        self.rows(Mark::Curve, x, y, Some(by))
+        self.rows(Mark::LineAndPoints, x, y, Some(by))
     }
 
     /// Points only.
@@ -130,11 +123,7 @@ impl Plot {
                 Drawn::Given(series) => chart = chart.with(series.clone()),
                 Drawn::Rows { mark, x, y, by } => {
                     for (name, points) in curves(rows, x, y, *by, title) {
-                        chart = chart.with(match mark {
-                            Mark::Curve => Series::line_and_points(name, points),
-                            Mark::Points => Series::points(name, points),
-                            Mark::Dashed => Series::dashed(name, points),
-                        });
+                        chart = chart.with(Series::new(name, points, *mark));
                     }
                 }
             }

@@ -2,8 +2,8 @@
 
 use crate::cell::Cells;
 use crate::check::{Checked, Claim, Role};
+use crate::figures::Chart;
 use crate::figures::body::{body_svg, body_values, edge_chart};
-use crate::figures::{BodyPicture, Chart};
 use crate::outcome::Outcome;
 use crate::plot::{Axes, Picture, Plot};
 use crate::{Declarations, Measured, Result};
@@ -41,11 +41,6 @@ impl Report {
             draws: false,
             started: Instant::now(),
         }
-    }
-
-    /// The same report under another label and statement: twins, one file for two theorems.
-    pub fn rename(&mut self, label: &'static str, statement: &'static str) {
-        (self.label, self.statement) = (label, statement);
     }
 
     /// A title, and what it means, for the column of that name; without it the title is the name, Greek letters by
@@ -156,19 +151,10 @@ impl Report {
         self.pictures.push(Picture::Chart(name.into(), chart));
     }
 
-    /// A deformed body.
-    ///
-    /// # Errors
-    /// Those of [`BodyPicture::svg`].
-    pub fn picture(&mut self, name: impl Into<String>, picture: &BodyPicture<'_>) -> Result<()> {
-        self.pictures.push(Picture::Svg(name.into(), picture.svg()?));
-        Ok(())
-    }
-
     /// Contact solutions as deformed bodies, one picture each under its name, all on the scale of colour of the last one.
     ///
     /// # Errors
-    /// Those of the stresses and of [`BodyPicture::svg`].
+    /// Those of the stresses.
     pub fn bodies(
         &mut self,
         title: &str,

@@ -145,13 +145,21 @@ fn failure(error: impl std::fmt::Display) -> Error {
 
 fn finish(text: &str, width: f64, height: f64, title: &str) -> String {
     let head_end = text.find('>').map_or(0, |i| i + 1);
-    let title = title.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;");
     let body = typeset(&text[head_end..].replace(INK_TEXT, "currentColor"));
     format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{title}\" width=\"{width}\" \
-         height=\"{height}\" viewBox=\"0 0 {} {}\">\n<style>svg:root{{color:#222;background:#fff}}\
-         @media(prefers-color-scheme:dark){{svg:root{{color:#ddd;background:#1b1b1b}}}}</style>{body}",
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{width}\" \
+         height=\"{height}\" viewBox=\"0 0 {} {}\">\n{STYLE}{body}",
+        escape(title),
         units(width),
         units(height),
     )
+}
+
+/// Opened alone a picture has its own light and dark colours.
+pub(super) const STYLE: &str = "<style>svg:root{color:#222;background:#fff}\
+    @media(prefers-color-scheme:dark){svg:root{color:#ddd;background:#1b1b1b}}</style>";
+
+/// A text for an attribute or an element.
+pub(super) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

@@ -7,24 +7,12 @@
 pub(crate) mod body;
 mod canvas;
 mod chart;
-mod data;
-pub(crate) use data::save_svg;
-mod draw;
-mod floor;
-mod legend;
-mod marks;
-mod picture;
 mod scale;
-mod series;
 mod typeset;
-mod view;
 
 pub use body::edge_trace;
-pub use chart::Chart;
-pub use floor::Floor;
-pub use picture::BodyPicture;
-
-pub use series::{Axis, Series};
+pub use chart::{Axis, Chart, Series};
+pub(crate) use chart::{Mark, save_svg};
 
 /// A colour as red, green, blue.
 pub type Colour = (u8, u8, u8);

@@ -1,5 +1,8 @@
 //! Linear and logarithmic axes: from data to the unit interval, and ticks a reader can use.
 
+/// Ticks on an axis.
+const MOST: f64 = 6.0;
+
 /// How an axis maps data to the unit interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Scale {
@@ -8,11 +11,11 @@ pub(super) struct Scale {
     logarithmic: bool,
 }
 
-/// A tick: position in the unit interval, and a label unless it is a minor one.
+/// A tick: position in the unit interval, and label.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
     pub(super) position: f64,
-    pub(super) label: Option<String>,
+    pub(super) label: String,
 }
 
 impl Scale {
@@ -45,26 +48,26 @@ impl Scale {
         position.is_finite().then_some(position)
     }
 
-    /// At most about `most` labelled ticks.
-    pub(super) fn ticks(&self, most: usize) -> Vec<Tick> {
+    /// About [`MOST`] ticks at round numbers.
+    pub(super) fn ticks(&self) -> Vec<Tick> {
         let span = self.high - self.low;
         if self.logarithmic && span >= 3.0 {
-            self.decades((span / most as f64).ceil().max(1.0))
+            self.decades((span / MOST).ceil().max(1.0))
         } else if self.logarithmic {
             self.few_decades()
         } else {
-            self.linear(most)
+            self.linear()
         }
     }
 
-    fn tick(&self, at: f64, label: Option<String>) -> Tick {
+    fn tick(&self, at: f64, label: String) -> Tick {
         Tick { position: (at - self.low) / (self.high - self.low), label }
     }
 
     fn decades(&self, least_step: f64) -> Vec<Tick> {
         let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
         let step = steps.into_iter().find(|&s| s >= least_step).unwrap_or(100.0);
-        multiples(self.low, self.high, step).map(|k| self.tick(k, Some(power_of_ten(k as i64)))).collect()
+        multiples(self.low, self.high, step).map(|k| self.tick(k, power_of_ten(k as i64))).collect()
     }
 
     fn few_decades(&self) -> Vec<Tick> {
@@ -78,7 +81,7 @@ impl Scale {
             .flat_map(|k| mantissas.iter().map(move |&m: &f64| (k as f64 + m.log10(), k, m)))
             .filter(|&(at, ..)| at >= self.low && at <= self.high)
             .collect();
-        let every = if mantissas.len() > 3 { candidates.len().div_ceil(6).max(1) } else { 1 };
+        let every = if mantissas.len() > 3 { candidates.len().div_ceil(MOST as usize).max(1) } else { 1 };
         let label = |k: i64, m: f64| {
             if (-3..4).contains(&k) {
                 trimmed(m * 10f64.powi(k as i32), (1 - k).max(0) as usize)
@@ -86,11 +89,11 @@ impl Scale {
                 format!("{}·{}", trimmed(m, 1), power_of_ten(k))
             }
         };
-        candidates.iter().step_by(every).map(|&(at, k, m)| self.tick(at, Some(label(k, m)))).collect()
+        candidates.iter().step_by(every).map(|&(at, k, m)| self.tick(at, label(k, m))).collect()
     }
 
-    fn linear(&self, most: usize) -> Vec<Tick> {
-        let raw = (self.high - self.low) / most as f64;
+    fn linear(&self) -> Vec<Tick> {
+        let raw = (self.high - self.low) / MOST;
         let decade = 10f64.powf(raw.log10().floor());
         let step = [1.0, 2.0, 2.5, 5.0, 10.0]
             .map(|m| m * decade)
@@ -98,7 +101,7 @@ impl Scale {
             .find(|&s| s >= raw * 0.999)
             .unwrap_or(10.0 * decade);
         let largest = self.low.abs().max(self.high.abs());
-        multiples(self.low, self.high, step).map(|at| self.tick(at, Some(plain(at, step, largest)))).collect()
+        multiples(self.low, self.high, step).map(|at| self.tick(at, plain(at, step, largest))).collect()
     }
 }
 
@@ -157,7 +160,7 @@ mod tests {
     use super::*;
 
     fn labels(scale: Scale) -> Vec<String> {
-        scale.ticks(6).into_iter().filter_map(|t| t.label).collect()
+        scale.ticks().into_iter().map(|t| t.label).collect()
     }
 
     #[test]
