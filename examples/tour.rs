@@ -36,9 +36,13 @@ example! { long "Hild & Renard 2012", "an a priori error analysis of Signorini's
     tau: Vec<f64> = "1.55,1.75,1.95" in "(1.5, 2)",
 }
 
-/// The number of an example under this key; NaN prints as such.
-fn at(found: &Outcome, key: &str) -> f64 {
-    found.value(key).unwrap_or(f64::NAN)
+/// The numbers of an example under these keys; an unknown key ends the tour.
+fn at<const N: usize>(found: &Outcome, keys: [&str; N]) -> Result<[f64; N]> {
+    let mut numbers = [0.0; N];
+    for (number, key) in numbers.iter_mut().zip(keys) {
+        *number = found.value(key).ok_or_else(|| Error::Option(format!("the tour: no number {key}")))?;
+    }
+    Ok(numbers)
 }
 
 /// One line, and the claims of its example.
@@ -61,9 +65,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let found =
             block::outcome(&block::Options { n: vec![8, 16, 32], cone: vec![cone], ..Default::default() })?;
-        let touching = at(&found, &format!("touching.bodyblock.cone{cone}.n32"));
+        let key = format!("touching.bodyblock.cone{cone}.n32");
+        let [touching, apart] = at(&found, [&key, "two-solvers-change-of-j"])?;
         let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
-        let apart = at(&found, "two-solvers-change-of-j");
         let says = if cone == Cone::Nodal {
             "a block, two solvers: one solution (2.9)"
         } else {
@@ -78,7 +82,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         );
     }
     let found = falk::outcome(&falk::Options::default())?;
-    let [nodal, midpoint] = ["c-nodal-cone", "c-midpoint-cone"].map(|key| at(&found, key));
+    let [nodal, midpoint] = at(&found, ["c-nodal-cone", "c-midpoint-cone"])?;
     line(
         out,
         "2",
@@ -87,32 +91,34 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         &found,
     );
     let found = figure_3_2::outcome(&figure_3_2::Options::default())?;
-    let [first, second, carriers] =
-        ["first", "second", "carriers"].map(|key| at(&found, &format!("{key}.n32")));
+    let [first, second, carried_by] = at(&found, ["first.n32", "second.n32", "carried_by.n32"])?;
     line(
         out,
         "3",
         "each segment: case 1 or 2 (Figure 3.2)",
-        format!("{first} + {second} of 32; {carriers} has the term"),
+        format!("{first} + {second} of 32; {carried_by} has the term"),
         &found,
     );
     let found = figure_4_1::outcome(&figure_4_1::Options::default())?;
-    let [first, second] = ["first", "second"].map(|key| at(&found, &format!("{key}.n32")));
+    let [first, second] = at(&found, ["first.n32", "second.n32"])?;
     line(out, "", "  the same for means (Figure 4.1)", format!("{first} + {second} of 32"), &found);
     for (k, (nu, says)) in [("1/4", "C θ^(−1/4)"), ("1/2", "C ln(1/θ)"), ("3/4", "C")].into_iter().enumerate()
     {
         let order = Order::new([0.25, 0.5, 0.75][k])?;
         let found = lemma_5_2::outcome(&lemma_5_2::Options { nu: vec![order], ..Default::default() })?;
+        let key =
+            ["nu-0.25-exponent-of-theta", "slope-of-gamma-over-ln-1-theta", "gamma.nu0.75.theta1e-6"][k];
+        let [number] = at(&found, [key])?;
         let computed = match k {
-            0 => format!("θ^{:.3}", at(&found, "nu-0.25-exponent-of-theta")),
-            1 => format!("√({:.3} ln(1/θ))", at(&found, "slope-of-gamma-over-ln-1-theta")),
-            _ => format!("{:.4} at θ = 1e-6", at(&found, "gamma.nu0.75.theta1e-6")),
+            0 => format!("θ^{number:.3}"),
+            1 => format!("√({number:.3} ln(1/θ))"),
+            _ => format!("{number:.4} at θ = 1e-6"),
         };
         let step = if k == 0 { "4" } else { "" };
         line(out, step, format!("case 2: γ ≤ {says}, ν = {nu} (Lemma 5.2)"), computed, &found);
     }
     let found = lemma_6_1::outcome(&lemma_6_1::Options::default())?;
-    let [value, slope] = ["first-line", "second-line-seminorm"].map(|key| at(&found, key));
+    let [value, slope] = at(&found, ["first-line", "second-line-seminorm"])?;
     line(
         out,
         "5",
@@ -125,7 +131,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let found = theorem_3_1::outcome(&asked)?;
         let key = |name: &str| format!("{name}.tau{tau}");
         let [order, error, printed] =
-            [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
+            at(&found, [&key("order"), &(key("order") + ".error"), &key("printed")])?;
         let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
         let step = if tau == options.tau[0] { "6" } else { "" };
         line(out, step, format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 3.1)"), computed, &found);
@@ -133,8 +139,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let tau = options.tau.get(options.tau.len() / 2).copied().unwrap_or(1.75);
     let found = theorem_4_1::outcome(&theorem_4_1::Options { tau: vec![tau], ..Default::default() })?;
     let key = |name: &str| format!("{name}.tau{tau}");
-    let [order, error, printed] =
-        [key("order"), key("order") + ".error", key("printed")].map(|key| at(&found, &key));
+    let [order, error, printed] = at(&found, [&key("order"), &(key("order") + ".error"), &key("printed")])?;
     let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
     line(out, "7", format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 4.1)"), computed, &found);
     out.column("says", "the paper says", "");
