@@ -73,7 +73,8 @@ pub(crate) fn wait<T: Send + 'static>(
     job: impl FnOnce() -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
     let (send, receive) = channel();
-    std::thread::spawn(move || send.send(job()).ok());
+    // Attached once for the whole computation: a thread state made for each callback would cost 20 times the callback.
+    std::thread::spawn(move || Python::attach(|py| py.detach(|| send.send(job()).ok())));
     let receive = Mutex::new(receive); // shared with the closure that waits
     loop {
         match py.detach(|| receive.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE)) {

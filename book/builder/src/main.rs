@@ -7,13 +7,13 @@
 //! book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
-use book_builder::error::Result;
+use book_builder::error::{Error, Result};
 use book_builder::serve::{Laboratory, Limits, Server};
 use book_builder::{
     Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, stale, tables,
 };
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
@@ -94,6 +94,28 @@ fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
 fn check(layout: &Layout) -> Result<PathBuf> {
     let known = Data::read(&layout.generated())?;
     let output = check_pages(layout, &committed(layout)?)?;
+    check_sessions(layout)?;
     check_fresh(layout, &known, &examples::gather(&layout.repository, &known)?)?;
     Ok(output)
+}
+
+/// Python's sessions of a page are run and compared where the package is installed.
+fn check_sessions(layout: &Layout) -> Result<()> {
+    const PAGE: &str = "book/src/from_python.md";
+    let python = |arguments: &[&str]| {
+        Command::new("python3").args(arguments).current_dir(&layout.repository).output().ok()
+    };
+    let modules = "import fractional_sobolev, meshio, numpy, scipy";
+    if !python(&["-c", modules]).is_some_and(|found| found.status.success()) {
+        println!("{PAGE}: sessions skipped, no python3 with fractional_sobolev, meshio and scipy");
+        return Ok(());
+    }
+    match python(&["-m", "doctest", PAGE]) {
+        Some(done) if done.status.success() => Ok(()),
+        done => {
+            let message =
+                done.map_or(String::new(), |done| String::from_utf8_lossy(&done.stdout).into_owned());
+            Err(Error::Example { name: PAGE.to_owned(), message })
+        }
+    }
 }

@@ -265,7 +265,7 @@ def gram(nodes: ArrayLike, s: float, tol: float = 1e-10, *, zero_outside: bool =
     >>> round(float(x[999]), 3)
     1.0
     """
-    from scipy.sparse.linalg import LinearOperator
+    from scipy.sparse.linalg import LinearOperator  # type: ignore[import-untyped]
 
     matrix = _native.GramMatrix(_floats(nodes), s, tol, zero_outside)
     size = matrix.size()
@@ -375,6 +375,10 @@ class Constant(Estimate):
         Bounds, where they are known.
     """
 
+    lower: Estimate | None
+    upper: Estimate | None
+    _extremal: Any
+
     def __new__(cls, found) -> Constant:
         constant, lower, upper, extremal = found
         made = super().__new__(cls, float(constant), constant.error, constant.work)
@@ -385,9 +389,9 @@ class Constant(Estimate):
         """Values of a function for which the constant is attained, at points x, or x and y in the plane."""
         if self._extremal is None:
             raise SobolevError("no function is known for which this constant is attained")
-        points = np.broadcast_arrays(*map(_floats, points))
-        values = self._extremal.values(np.stack([p.ravel() for p in points], axis=1))
-        return np.asarray(values).reshape(points[0].shape)
+        places = np.broadcast_arrays(*map(_floats, points))
+        values = self._extremal.values(np.stack([p.ravel() for p in places], axis=1))
+        return np.asarray(values).reshape(places[0].shape)
 
 
 def poincare(
@@ -426,15 +430,15 @@ def poincare(
     >>> poincare(0.5, (0, 1e-6)) > poincare(0.5)
     True
     """
-    zones = [] if zone is None else [zone] if np.ndim(zone[0]) == 0 else list(zone)
+    zones: list[Any] = [] if zone is None else [zone] if np.ndim(zone[0]) == 0 else list(zone)
     by_length = start_and_length is not None
     if by_length:
         zones = [start_and_length]
-    zones = [(float(a), float(b)) for a, b in zones]
+    pairs = [(float(a), float(b)) for a, b in zones]
     if condition not in ("mean", "vanishing"):
         raise SobolevError(f"unknown condition '{condition}': expected mean or vanishing")
     condition = "point" if point is not None else condition
-    return Constant(_native.poincare(s, zones, by_length, condition, point, tol))
+    return Constant(_native.poincare(s, pairs, by_length, condition, point, tol))
 
 
 def interpolation_constant(
@@ -468,7 +472,7 @@ def interpolation_constant(
     """
     length, mesh, triangle = 1.0, None, None
     if np.ndim(domain) == 0:
-        length = float(domain)
+        length = float(np.asarray(domain))
     elif np.shape(domain) == (3, 2):
         triangle = _floats(domain)
     else:

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 from math import floor, isfinite, log10
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 __all__ = ["Estimate", "InfiniteNorm", "SobolevError", "ToleranceNotMet"]
 
@@ -26,8 +30,10 @@ class Estimate(float):
     """
 
     __slots__ = ("error", "work")
+    error: float
+    work: int
 
-    def __new__(cls, value: float, error: float = 0.0, work: int = 0) -> Estimate:
+    def __new__(cls, value: float, error: float = 0.0, work: int = 0) -> Self:
         made = super().__new__(cls, value)
         made.error = error
         made.work = work
