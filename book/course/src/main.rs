@@ -96,7 +96,10 @@ fn one(name: &str, text: String) -> Page {
 /// HTML of Markdown; each heading of the second level begins a section, which the slides show as one page.
 fn markdown(text: &str) -> String {
     let mut body = String::new();
-    let parser = Parser::new_ext(text, Options::ENABLE_TABLES);
+    // The pages of the book list the letters of a formula that the notation defines.
+    let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("*Letters:*")).collect();
+    let text = lines.join("\n");
+    let parser = Parser::new_ext(&text, Options::ENABLE_TABLES);
     pulldown_cmark::html::push_html(&mut body, parser);
     body.replace(".md\"", ".html\"").replace(".md#", ".html#").replace("<h2>", "</section><section><h2>")
 }
