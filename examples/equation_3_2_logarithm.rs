@@ -17,8 +17,8 @@
 //!
 //! Test problem: u harmonic on the unit square, 0 on top, ∂u/∂n = 0 on the sides, g ≤ 0 and the pressure λ chosen on the edge,
 //! g λ = 0. `transition`: contact for x < a, λ = ℓ(a − x)^(−α), g = −δ ℓ(δ)^(−α), δ = d (2 − 2a − d)/(2 − 2a), d = x − a > 0, and
-//! root mean squares over a = 5/12, 11/24. `transitions:11`: eleven equal gaps with such data at both ends. `cantor:0.25`: the
-//! gaps of a Cantor set of dimension 1/2, g = −δ^(5/4) ℓ(δ)^(−α), nodal cone only.
+//! root mean squares over a = 5/12, 11/24. `transitions:11`: eleven equal gaps at equal distances with such data at both ends. `cantor:0.25`:
+//! the gaps of the Cantor set that keeps a quarter at either end of an interval, g = −δ^(5/4) ℓ(δ)^(−α), nodal cone only.
 //!
 //! `cargo run --release --example equation_3_2_logarithm -- --problem transition --alpha 0,0.6,1.5 --finest 16`
 
@@ -38,6 +38,7 @@ example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1
 
 /// (h, ‖u − u^h‖), coarsest first. u is the discrete harmonic function with the values g on N = 16·2^finest cells, and
 /// u^h solves the problem with its load by iterating the active set, conjugate gradients and cosine transforms, to 1e-13.
+/// The load of u is the discrete normal derivative of u on N cells plus ∫ λ over the cells (exact), summed onto the n cells by hats.
 /// A function with coefficients c_k = Σ v_i cos kπi/n (end nodes by half) on the edge of n × n squares has the energy
 /// ‖v‖² = Σ S_k c_k², S_k = (2/n) sinh η coth nη (k = 0, n by half), cosh η = 2 − cos(kπ/n). Errors against u on N cells lack
 /// what u itself lacks: a square like h² − N^(−2) in place of h², which is made up for.
