@@ -14,6 +14,8 @@
 //! the distance: the ± of an error. |u|₂ is taken from second differences of u^h over h². Rows: n = 8, 16, .. N/4.
 //! Refuted if an error is above C h ‖f‖, if |u|₂ at n = N exceeds ‖f‖ or is 2 % below it, or if the fitted order of the error is off 1
 //! by 0.1.
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};

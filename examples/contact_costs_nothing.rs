@@ -26,6 +26,8 @@
 //!
 //! `cargo run --release --example contact_costs_nothing -- --finest 17`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;

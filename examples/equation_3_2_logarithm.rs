@@ -22,6 +22,9 @@
 //!
 //! `cargo run --release --example equation_3_2_logarithm -- --problem transition --alpha 0,0.6,1.5 --finest 16`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. Where `stronger` holds, the
+// statement is loose. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};

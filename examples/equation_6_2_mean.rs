@@ -14,6 +14,9 @@
 //!
 //! `cargo run --release --example equation_6_2_mean -- --cells 4096 --functions 20000`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
+// decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
 

@@ -9,6 +9,8 @@
 //!
 //! `cargo run --release --example extremes`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
+// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, closed_forms, gamma, law};
 use signorini::cone::Cone::Nodal;

@@ -19,6 +19,8 @@
 //!
 //! `cargo run --release --example falk_terms -- --problem fat-cantor --tau 1.6`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};

@@ -17,6 +17,9 @@
 //!
 //! `cargo run --release --example figure_3_1 -- --kind elastic --out out`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. Where `stronger` holds, the
+// statement is loose.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};

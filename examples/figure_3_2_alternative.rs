@@ -1,9 +1,9 @@
 //! Figure 3.2: the two cases, segment by segment, on a computed contact set.
-//!
 //! u_N ≤ 0, σ_N ≤ 0: normal displacement and stress on the contact edge, σ_N u_N = 0; 0 < θ < 1. A segment t of length h is
 //! in one case or both: (1) u_N has a zero nearer than θh to either end; (2) σ_N = 0 on a piece of length θh at one end. They
 //! bound ∫ σ_N I^h u_N ≥ 0 over t, I^h u_N linear with the values of u_N at the ends. Refuted if a segment is in neither case, or
 //! if more carry the integral than the contact set has ends. For u stands a solution on 8n × 8n squares, n finest (±: a cell).
+// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±; the worst call counts.
 use example_report::{figures::edge_trace, prelude::*};
 use signorini::edge::{EdgeTrace, Interval, nodal_term};
 use signorini::problems::NamedProblem;

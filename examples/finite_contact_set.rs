@@ -17,6 +17,9 @@
 //! form, contact on x < 3/10, F² = 9/4 (3/10 − x). Refuted if the zero on the coarsest mesh is h/8 off that of the finest one
 //! (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than window/4 (closed form: any pole is rounding
 //! of its fit), if |F|² is fitted within ten times of F², or if Im F² of the triangles at the edge falls slower than h^0.7.
+
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;

@@ -10,6 +10,9 @@
 //! and 2 − s on meshes with the nodes (2i/n)^β from each end, β = 2 (2 − s) (Acosta & Borthagaray 2017 for the first;
 //! the second is that of interpolation). Refuted if an order is off by 0.03 (0.08 on graded meshes, where both ends add a
 //! logarithm), if a solution takes more than 25 iterations, or if `by_definition` gives another energy by 1e-9.
+
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
 use nalgebra::{Cholesky, DVector};

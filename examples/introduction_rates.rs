@@ -22,6 +22,9 @@
 //!
 //! `cargo run --release --example introduction_rates -- --finest 15 --meshes 8 --out out`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
+// within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe` decides
+// nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;

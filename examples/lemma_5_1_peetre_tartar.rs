@@ -15,6 +15,8 @@
 //!
 //! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 
+// `at_least(x, b)` holds if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma};
 

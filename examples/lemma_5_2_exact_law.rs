@@ -21,6 +21,8 @@
 //!
 //! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, gamma, law};
 use std::f64::consts::PI;

@@ -20,6 +20,8 @@
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `not_sharp` holds, the statement is not sharp.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Extremal, Function, gamma};
 use std::cmp::Ordering::{Equal, Greater, Less};

@@ -1,5 +1,4 @@
 //! Lemma 5.2: the price of a short zone.
-//!
 //! For u in H^ν(0, 1), 0 < ν < 1, with mean zero on the zone (0, θ) let γ be the best constant in ‖u‖₀ ≤ γ |u|_ν, with
 //! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy over (0, 1)². With some C that depends on ν the paper bounds γ by
 //! (5.1) C θ^(ν−1/2) for ν < 1/2, (5.2) C ln(1/θ) for ν = 1/2, (5.3) C for ν > 1/2.
@@ -7,6 +6,7 @@
 //! Law as θ → 0 (Mellin transform on a half line): γ ~ B θ^(ν−1/2), γ² ~ 3/(2π²) ln(1/θ) at ν = 1/2, γ ~ γ₀. As θ → 1 γ
 //! tends to the γ₁ of mean zero on (0, 1), and (5.2) to 0. Refuted if between the last two zones the growth is off the law
 //! by 0.01 (or its next term), if γ passes √(γ₁² + N²), or if `by_definition` gives another γ by 0.5 %.
+// `at_most(x, b)` asks x + its ± ≤ b, `near(x, b, t)` |x − b| + its ± ≤ t; the worst call counts; `as_printed` may fail.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma, law};
 use std::f64::consts::PI;

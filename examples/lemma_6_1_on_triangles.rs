@@ -21,6 +21,8 @@
 //!
 //! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.9,0.3 --angle 15,90,150`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
+// within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain::Triangle, ErrorNorm, Function, Triangles, interpolation_constant};
 use nalgebra::{DMatrix, Matrix2, Vector2};

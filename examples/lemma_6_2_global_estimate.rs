@@ -16,6 +16,9 @@
 //!
 //! `cargo run --release --example lemma_6_2_global_estimate -- --nu 0.1,0.4`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the statement is false as
+// printed. Where `stronger` holds, the statement is loose.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, Gram, Mesh, gauss_legendre, interpolation_constant};
 use nalgebra::DMatrix;

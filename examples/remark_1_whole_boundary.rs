@@ -27,6 +27,8 @@
 //!
 //! `cargo run --release --example remark_1_whole_boundary -- --meshes 9`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};

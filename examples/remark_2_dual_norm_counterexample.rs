@@ -21,6 +21,8 @@
 //!
 //! `cargo run --release --example remark_2_dual_norm_counterexample -- --elements 5`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, gamma, gauss_legendre, interpolation_constant,

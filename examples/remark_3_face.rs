@@ -18,6 +18,8 @@
 //!
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Mesh, Triangles, gauss_legendre};
 

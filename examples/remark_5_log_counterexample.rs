@@ -16,6 +16,9 @@
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the
+// statement is false as printed.
 use example_report::prelude::*;
 use fractional_sobolev::closed_forms::log_power_seminorm_squared;
 use fractional_sobolev::{Constraint, Function, Mesh, gamma};

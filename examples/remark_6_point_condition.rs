@@ -14,6 +14,8 @@
 //!
 //! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
 use std::f64::consts::PI;

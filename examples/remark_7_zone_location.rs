@@ -23,6 +23,9 @@
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the
+// statement is false as printed. `observe` decides nothing.
 use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, Zones, gamma};

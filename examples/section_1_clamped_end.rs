@@ -21,6 +21,8 @@
 //!
 //! `cargo run --release --example section_1_clamped_end -- --angles 16 --poisson 0.1`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use signorini::cone::{Cone, ContactSet};

@@ -13,6 +13,8 @@
 //!
 //! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements 1000,10000,100000`
 
+// `near(x, b, t)` holds if |x − b| + its ± ≤ t; otherwise it fails, or is undecided within ±. Of several calls the
+// worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Mesh};
 use std::f64::consts::PI;

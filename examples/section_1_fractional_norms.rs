@@ -20,6 +20,8 @@
 //!
 //! `cargo run --release --example section_1_fractional_norms -- --power 0.3 --nu 0.7,0.79,0.8`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
+// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Error::InfiniteNorm, Function, closed_forms, gauss_legendre};
 

@@ -17,6 +17,8 @@
 //!
 //! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.9 --gap 0.3,1e-4 --corner 0.8`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
+// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Error as Refusal, Function, Triangles, closed_forms};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};

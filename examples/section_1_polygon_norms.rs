@@ -13,6 +13,8 @@
 //!
 //! `cargo run --release --example section_1_polygon_norms -- --nu 0.3`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Curve, Function, Mesh};
 use std::f64::consts::{LN_2, PI};

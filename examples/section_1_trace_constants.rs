@@ -16,6 +16,8 @@
 //!
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999 --angle 60`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, trace_constant, trace_quotient};
 use std::f64::consts::PI;

@@ -26,6 +26,8 @@
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --poisson 0.3 --out out`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `holds(yes)` if yes; otherwise it fails, or is undecided within ±. Of
+// several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};

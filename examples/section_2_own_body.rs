@@ -14,6 +14,8 @@
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --csv DIR`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
+// within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::{Expression, prelude::*};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};

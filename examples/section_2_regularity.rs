@@ -17,6 +17,8 @@
 //!
 //! `cargo run --release --example section_2_regularity -- --problem taper,raised --angle 100`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
+// within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;

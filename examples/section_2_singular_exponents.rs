@@ -20,6 +20,8 @@
 //!
 //! `cargo run --release --example section_2_singular_exponents -- --omega 360 --sides N-N,C-O`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts.
 use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use nalgebra::Complex;

@@ -20,6 +20,8 @@
 //!
 //! `cargo run --release --example section_2_speed_for_accuracy -- --n 16,64,256,1024 --cone midpoint`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
+// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};

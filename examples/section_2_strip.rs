@@ -20,6 +20,8 @@
 //!
 //! `cargo run --release --example section_2_strip -- --problem cantor:0.3,transitions:11 --tau 1.6 --finest 16`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
+// within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::StripData;

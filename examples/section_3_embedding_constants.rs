@@ -17,6 +17,8 @@
 //!
 //! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, Target, embedding_constant, gauss_legendre};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};

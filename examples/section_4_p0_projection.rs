@@ -16,6 +16,8 @@
 //! Refuted if S(N) h^−r or S(N) h^(−r−1/2) is above its constant, C* is above C(r) C(1/2), an order of S(N) with its ± is off
 //! r or r + 1/2 by 0.05, that of x^a off 1 by 0.02 + 4096^−q, or its error off h ‖φ'‖₀/√12 by the part h^min(q, 1).
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, Gram, Mesh, gauss_legendre, projection_constant};
 use nalgebra::DMatrix;

@@ -20,6 +20,9 @@
 //!
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
+// decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
 use nalgebra::DVector;

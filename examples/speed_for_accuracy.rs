@@ -13,6 +13,8 @@
 //!
 //! `cargo run --release --example speed_for_accuracy -- --case gamma`
 
+// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
+// counts.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Function, Gram, Mesh, Work, closed_forms, gamma, interpolation_constant,

@@ -11,6 +11,8 @@
 //! Expected: order τ − 1; periods of the set and smooth parts of u disturb it. Refuted if the order with what it may be off
 //! by (±) is below the printed exponent.
 
+// `at_least(x, b)` holds if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, Settings, Solver};

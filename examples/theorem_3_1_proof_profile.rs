@@ -24,6 +24,9 @@
 //!
 //! `cargo run --release --example theorem_3_1_proof_profile -- --tau 1.6`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
+// decides nothing.
 use example_report::prelude::*;
 use signorini::edge::{ContactPair, SegmentNorms, Traces};
 use signorini::problems::StripData;

@@ -6,6 +6,9 @@
 //! for s < τ only. Errors: root mean squares over a = 5/12 and 11/24, u replaced by its values on a grid 32 times finer than the last.
 //! Expected: order τ − 1, (τ − 3/2)(2 − τ) above the theorem's. Refuted if error/bound keeps growing (growth like h^(−δ) has
 //! increments that grow by 2^δ; here they are negative, or fall by 0.95) or if `by_definition` differs by one in a million.
+// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
+// otherwise it fails, or is undecided within ±. Of several calls the worst counts. Where `stronger` holds, the
+// statement is loose. `observe` decides nothing.
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::strip::{EdgeData, Reference, StripKind, StripProblem};

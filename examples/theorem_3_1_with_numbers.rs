@@ -21,6 +21,9 @@
 //!
 //! `cargo run --release --example theorem_3_1_with_numbers -- --lambda 20 --tau 1.75 --finest 7`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
+// decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
 use signorini::cone::Cone;

@@ -19,6 +19,8 @@
 //!
 //! `cargo run --release --example theorem_3_1_without_c -- --finest 8 --lambda 100`
 
+// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
+// counts. Where `stronger` holds, the statement is loose. `observe` decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Settings, Start};

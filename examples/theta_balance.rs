@@ -17,6 +17,9 @@
 //!
 //! `cargo run --release --example theta_balance -- --tau 1.6`
 
+// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
+// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
+// decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,

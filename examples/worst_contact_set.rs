@@ -17,6 +17,8 @@
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --sets 10000`
 
+// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
+// counts.
 use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
