@@ -17,6 +17,7 @@ use crate::numeric::scale::careful_dot;
 use crate::numeric::scale::largest;
 use crate::numeric::sum::compensated;
 use fractional_sobolev::Work;
+use rayon::prelude::*;
 
 /// Largest KKT residual of a converged solution.
 pub(super) const ACCEPTED: f64 = 1e-8;
@@ -176,12 +177,23 @@ pub(super) fn conclude(
     let gap = gap_of(problem, edge_cone, &normal_displacement);
     let free: Vec<f64> =
         (0..residual.len()).filter(|&i| !problem.prescribed[i]).map(|i| residual[i]).collect();
-    let sizes = sizes(problem, u);
-    let force_scale = largest_free(problem, &sizes);
-    let displacement_scale = displacement_scale(problem, u);
-    let energy = 0.5 * careful_dot(u, &stress_force) - careful_dot(u, &problem.load);
-    let energy_rounding = f64::EPSILON * u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
-    let force_rounding = f64::EPSILON * sizes.iter().copied().fold(0.0, f64::hypot);
+    // Sums over all unknowns in the same order on one thread each: digits do not depend on the number of threads.
+    let balance = || global_balance(problem, u, &residual, &edge_force);
+    let of_energy = || {
+        let energy = rayon::join(|| 0.5 * careful_dot(u, &stress_force), || careful_dot(u, &problem.load));
+        energy.0 - energy.1
+    };
+    let of_sizes = || {
+        let sizes = sizes(problem, u);
+        let energy_terms = || u.iter().zip(&sizes).map(|(u, size)| u * size).fold(0.0, f64::hypot);
+        let force_terms = || sizes.iter().copied().fold(0.0, f64::hypot);
+        let roundings = rayon::join(energy_terms, force_terms);
+        (largest_free(problem, &sizes), roundings)
+    };
+    let scales = || rayon::join(of_sizes, || displacement_scale(problem, u));
+    let ((reaction, balance), (energy, ((force_scale, roundings), displacement_scale))) =
+        rayon::join(balance, || rayon::join(of_energy, scales));
+    let [energy_rounding, force_rounding] = [roundings.0, roundings.1].map(|root| f64::EPSILON * root);
     require_values("energy J", &[energy, energy_rounding], 2)?;
     let terms = KktTerms {
         residual: &free,
@@ -192,7 +204,6 @@ pub(super) fn conclude(
     };
     let kkt = terms.residuals()?;
     let margins = free_margins(problem, edge_cone, &terms, &candidate.contact_set)?;
-    let (reaction, balance) = global_balance(problem, u, &residual, &edge_force);
     let status = match candidate.status {
         Status::Converged if kkt.worst() > candidate.accepted => Status::Stalled { residual: kkt.worst() },
         status => status,
@@ -297,9 +308,11 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
 /// Positive also where contact keeps u = 0, so that rounding of the gap has a scale.
 fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
+        .into_par_iter()
+        .with_min_len(1 << 14)
         .filter(|&i| !problem.prescribed[i] && problem.load[i] != 0.0)
         .map(|i| problem.load[i].abs() / problem.diagonal(i))
-        .fold(0.0, f64::max);
+        .reduce(|| 0.0, f64::max);
     largest(u).max(largest(&problem.gap)).max(alone)
 }
 
@@ -315,18 +328,24 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
         contact[unknown] = *force;
     }
     let absolute = |values: &[f64]| compensated(values.iter().map(|v| v.abs()));
-    let mut scale = (absolute(&problem.load) + absolute(&reactions)).max(absolute(&contact));
-    let (mut reaction, mut worst) = ([0.0; 2], 0.0_f64);
-    for axis in 0..c {
+    let along = |axis: usize| {
         let unit: Vec<f64> = (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
         let direction = problem.to_frame(&unit);
-        reaction[axis] = careful_dot(&direction, &reactions);
+        let reaction = careful_dot(&direction, &reactions);
         let inner = problem.multiply(&direction);
-        scale = scale.max(inner.iter().zip(u).map(|(k, u)| (k * u).abs()).sum());
-        let sum = careful_dot(&direction, &problem.load) + reaction[axis]
+        let size = inner.iter().zip(u).map(|(k, u)| (k * u).abs()).sum::<f64>();
+        let sum = careful_dot(&direction, &problem.load) + reaction
             - careful_dot(&direction, &contact)
             - careful_dot(&inner, u);
-        worst = worst.max(sum.abs());
+        (reaction, size, sum.abs())
+    };
+    let of_forces = || (absolute(&problem.load) + absolute(&reactions)).max(absolute(&contact));
+    let (found, forces) = rayon::join(|| (0..c).into_par_iter().map(along).collect::<Vec<_>>(), of_forces);
+    let (mut reaction, mut worst, mut scale) = ([0.0; 2], 0.0_f64, forces);
+    for (axis, (along, size, sum)) in found.into_iter().enumerate() {
+        reaction[axis] = along;
+        scale = scale.max(size);
+        worst = worst.max(sum);
     }
     let balance = if worst == 0.0 { 0.0 } else { worst / scale };
     (reaction, balance)

@@ -3,7 +3,7 @@
 
 use super::super::condensed;
 use super::super::problem::ContactProblem;
-use super::super::solution::{Candidate, ContactSolution, Seconds, conclude, sizes};
+use super::super::solution::{Candidate, ContactSolution, Seconds, conclude};
 use super::super::solver::Solver;
 use super::accuracy::{Accuracy, MultigridLevel, MultigridReport, Progress};
 use super::chain::Chain;
@@ -17,7 +17,7 @@ use super::sparse_level::SparseLevel;
 use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Stencils;
-use fractional_sobolev::{Estimate, Work};
+use fractional_sobolev::{Estimate, Tolerance, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
@@ -108,6 +108,10 @@ impl<'a> Job<'a> {
             let mut stage =
                 Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed))
                     .with(Guess::Signs(patience.unwrap_or(STEPS)));
+            let is_usual = |t: Tolerance| t.relative() >= Tolerance::reference().relative();
+            if k == last && matches!(self.accuracy, Accuracy::Relative(t) if is_usual(t)) {
+                stage.above(rounding(self.problems[k], &node_major(&levels[k], &x)));
+            }
             let mut here = stage.solve(&mut x, guess, goal, &mut report)?;
             if patience.is_some() && !here.status.is_converged() {
                 let direct = condensed::solve(self.problems[k], self.cone, here.set)?;
@@ -138,7 +142,7 @@ impl<'a> Job<'a> {
                 range: "[2, inf)",
             }));
         };
-        let unknowns = node_major(&levels[last], x);
+        let unknowns = node_major(&levels[last], &x);
         self.conclude(
             unknowns,
             outcome,
@@ -209,14 +213,18 @@ fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> V
 }
 
 /// Node-major values from the layout of the level.
-fn node_major<L: Level>(level: &L, x: Vec<f64>) -> Vec<f64> {
+fn node_major<L: Level>(level: &L, x: &[f64]) -> Vec<f64> {
     (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
 }
 
-/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal,
-/// with a logarithmic factor for the coarse functions.
+/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal, with a
+/// logarithmic factor for the coarse functions.
 fn rounding(problem: &ContactProblem, u: &[f64]) -> f64 {
     let stiff = (0..u.len()).step_by(7).map(|i| problem.diagonal(i)).fold(0.0, f64::max);
-    let rows = sizes(problem, u).into_iter().fold(0.0, f64::hypot);
-    f64::EPSILON * rows / stiff.sqrt()
+    let rows = problem.multiply_absolute(u);
+    let root = |(rows, load): (&[f64], &[f64])| {
+        rows.iter().zip(load).map(|(size, force)| size + force.abs()).fold(0.0, f64::hypot)
+    };
+    let pieces: Vec<f64> = rows.par_chunks(1 << 14).zip(problem.load.par_chunks(1 << 14)).map(root).collect();
+    f64::EPSILON * pieces.into_iter().fold(0.0, f64::hypot) / stiff.sqrt()
 }

@@ -56,6 +56,8 @@ pub(super) struct Stage<'s, 'c, L> {
     /// κ on coarser levels.
     least: f64,
     guess: Guess,
+    /// The dual norm of a residual that rounding leaves: no smaller one is asked for.
+    floor: f64,
 }
 
 /// The reliability of a guess of the set.
@@ -126,7 +128,13 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             prescribed,
             least,
             guess: Guess::Signs(STEPS),
+            floor: 0.0,
         }
+    }
+
+    /// Dual norms of the residual below this are not asked for.
+    pub(super) fn above(&mut self, floor: f64) {
+        self.floor = floor;
     }
 
     /// The stage with another reliability of the guess; the signs are used by default.
@@ -163,7 +171,8 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                 Goal::Absolute(error) => error,
                 Goal::Share(share) => share * first.max(SOLVED * sizes.norm),
                 Goal::Relative(relative) => relative * sizes.norm,
-            };
+            }
+            .max(self.floor / relied(self.least).sqrt()); // as `error_of` divides by it
             let (mut steps_here, mut before) = (0, error_of(&gradients));
             let (wrong, stuck) = loop {
                 let wanted = (decided * before).max(spare * goal);
