@@ -44,6 +44,8 @@ const UNSEEN: f64 = 2.0;
 const COARSER: f64 = 10.0;
 /// Largest number of cells for which the comparison is made: two sums over their pairs.
 const COMPARED: usize = 400;
+/// Largest accuracy for a best value.
+const COARSEST: f64 = 1e-3;
 /// Share of the goal for differences that are neglected.
 const BELOW: f64 = 0.01;
 
@@ -124,6 +126,15 @@ impl SingularFunction<'_> {
                     why = SPENT;
                     break;
                 }
+                Err(Error::ToleranceNotMet { why: TOO_MANY, .. }) => {
+                    // What fewer cells resolve is the best value.
+                    why = TOO_MANY;
+                    if best.is_some() || accuracy > COARSEST {
+                        break;
+                    }
+                    accuracy *= 100.0;
+                    continue;
+                }
                 other => other?,
             };
             // Of a value of zero the relative error is not known.
@@ -139,6 +150,9 @@ impl SingularFunction<'_> {
                 .min(0.1 * accuracy);
             if best.is_none_or(|best| found.value.error < best.error) {
                 best = Some(found.value);
+            }
+            if why == TOO_MANY {
+                break;
             }
             if !gained || accuracy < 0.1 * f64::EPSILON {
                 break;

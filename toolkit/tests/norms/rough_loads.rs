@@ -212,7 +212,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (Estimate, f64) {
         }
         let found = Function::load(&mesh, &load).unwrap().norm(-order(nu), tolerance(1e-11));
         let found = Estimate::or_best(found).unwrap();
-        assert!(found.relative_error() <= 1e-9, "{found}");
+        assert!(found.relative_error() <= 1e-8, "{found}"); // a tenth of what is compared
         found
     };
     let (coarse, fine) = (value(16, 0.5), value(32, 0.5f64.sqrt()));
