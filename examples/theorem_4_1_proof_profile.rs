@@ -12,7 +12,7 @@
 //!        ‖u'‖₀ ≤ γ_θ h^ν |u'|_ν:   (4.9) ≤ γ_θ γ₁ h^(1+2ν) |σ_N|_ν |u'|_ν/π;   at τ = 2 (4.13), above (4.14) with γ of one zero
 //! ```
 //!
-//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1, attained by v = 1; above by Beckner's inequality); γ_θ of Lemma 5.2, mean zero
+//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of Lemma 5.2, mean zero
 //! on (0, θ), to 1e-5, γ₁ mean zero on (0, 1); from Remark 6 γ of one zero. Refuted if on one segment left/right of a line exceeds 1 + 1e-8,
 //! the error of the seminorms added, or (4.9) is off by 1e-10; or if the exponents of h differ: of the integral from 2τ − 2 by 0.05, of the
 //! last bound, on the whole edge, from 2τ² − 5τ + 4 by 1e-8; or if that bound over h² ln(1/h) grows at τ = 2. The table adds the bounds up over the segments, each in its case: where
