@@ -270,7 +270,7 @@ fn counts_beyond_memory_are_refused_before_anything_is_allocated() {
         ("equation_3_2_logarithm", "--finest=19"),
         ("worst_contact_set", "--depth=25"),
         ("section_2_speed_for_accuracy", "--side=65536"),
-        ("introduction_rates", "--meshes=64"),
+        ("introduction_rates", "--finest=64"),
         ("remark_1_whole_boundary", "--meshes=18446744073709551615"),
         ("section_1_clamped_end", "--angles=18446744073709551615"),
         ("figure_3_2_alternative", "--n=18446744073709551615"),

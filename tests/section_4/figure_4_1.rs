@@ -26,7 +26,7 @@ fn first_cases_carry_no_pressure_far_from_the_contact_set() {
             assert_eq!(found.count(Alternative::Neither), 0, "{scene} tau {tau} n {n}");
             for theirs in found.segments() {
                 let case = theirs.alternative;
-                let (own, _) = figure_4_1_alternative::cases(&trace, theirs.segment, theta);
+                let own = figure_4_1_alternative::cases(&trace, theirs.segment, theta);
                 assert_eq!(own, [case.first(), case.second()], "{scene} n {n} {:?}", theirs.segment);
                 assert!(theirs.term >= 0.0, "{scene}: a consistency term is negative");
             }
