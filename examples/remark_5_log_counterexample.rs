@@ -11,8 +11,9 @@
 //! is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right. For α ≥ 1/2 u is not in H^(1/2), but w is; α = 1 gives a
 //! ramp in ln x, whose quotient² grows like 3/(2π²) L, as that of the best constant γ of the zone does.
 //!
-//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation), if a quotient exceeds γ, if γ grows like another
-//! power of L than 1/2 ± 0.02, or if the slope of quotient² for α = 1 is off by more than 0.001.
+//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation), if a quotient q exceeds γ, the best constant of the
+//! zone, or is off `by_definition` by 0.3 %, if for one α q does not grow between the last two L, if γ grows there like
+//! another power of L than 1/2 ± 0.02, or if the slope of q² over L for α = 1 is off 3/(2π²) by more than 0.001.
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 
@@ -75,7 +76,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("printed", "n‖w‖/‖u‖", "printed as at most 1");
     out.column("repaired", "n|w|/|u|", "at most 1");
     for &alpha in &options.alpha {
-        // In closed form: |u|² by Gamma functions, ‖u‖₀² = ∫ |ln x|^(2α) dx = Γ(1 + 2α).
+        // In closed form: |u|² = 2 ζ(1 + 2α) (Γ(1 + α)²/cos(πα) − Γ(1 + 2α)), ‖u‖₀² = ∫ |ln x|^(2α) dx = Γ(1 + 2α).
         let full = if alpha < 0.5 { Some(Measured::from(log_power_seminorm_squared(alpha)?)) } else { None };
         for (&log, &gamma) in logs.iter().zip(&constants) {
             let w = truncated(alpha, log)?;
@@ -97,6 +98,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
         if let [.., long, short] = logs.as_slice() {
+            // Exponent of L in q between the last two L, for this α; of all α the smallest is shown.
             let growth = out.exponent("log", "quotient");
             out.check("power of L in q, least α").at_least(growth, 0.0, "a bound as in (5.3)");
             if alpha == 1.0 {

@@ -48,7 +48,7 @@ fn by_definition(sides: &str, omega: f64, kappa: f64) -> Vec<Complex<f64>> {
         "C-C" => sine(z - 1.0) * sine(z + 1.0),
         "C-N" | "C-O" => sine(z * 2.0) + z * (2.0 * omega).sin(),
         "C-D" => sine(z * 2.0) * kappa - z * (2.0 * omega).sin(),
-        _ => sine(z).powi(2) - z * z * square,
+        _ => sine(z).powi(2) - z * z * square, // N-N
     };
     let mut zeros: Vec<Complex<f64>> = Vec::new();
     for (a, b) in (1..=60).flat_map(|a| (0..=10).map(move |b| (0.05 * f64::from(a), 0.1 * f64::from(b)))) {
@@ -93,6 +93,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let apart = near.map_or(f64::INFINITY, |z| (z - place).norm());
             out.check("|λ listed − λ by Newton|").at_most(apart, 1e-6, "equations above");
         }
+        // Every λ of the list has one of Newton's beside it: if there are as many, none of those is missing.
         let missing = (newton.len() as f64 - listed.len() as f64).abs();
         out.check("zeros by Newton not in a list").at_most(missing, 0.0, "none is lost");
     }
@@ -107,7 +108,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let count = wedge.count(0.5 * first, LARGEST - 0.02 * (LARGEST - last))?;
             let lost = count as f64 - spectrum.zeros() as f64;
             out.check("144 wedges: zeros not in a list").at_most(lost.abs(), 0.0, "argument principle");
-            // Eigenvalues on the arc; of zeros nearer than 0.05 the means are compared.
+            // u = r^λ U(φ) in the weak equations: (A₀ + λ A₁ + λ² A₂) U = 0, U by Legendre polynomials on the arc, up to degree
+            // 24 + 4ω; eigenvalues of the linearised problem. Of zeros nearer than 0.05 the means are compared.
             let inside = |z: &(f64, f64)| z.0 > 1e-3 && z.0 < LARGEST - 1e-3;
             let listed: Vec<_> = spectrum.places().into_iter().filter(inside).collect();
             let height = 0.5 + listed.iter().map(|z| z.1).fold(0.0, f64::max);

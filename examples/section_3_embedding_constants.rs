@@ -10,7 +10,8 @@
 //!
 //! From below, functions: the limit of their C(q)/√q is (3/(4π²e))^(1/2) = 0.1672, that of logarithms cut off at x = e^(−q/2).
 //! From above, the even reflection of u on the circle, with c_k its Fourier coefficients: ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's
-//! inequality ‖u‖²_Lq ≤ Σ m_k c_k², so C(q)² ≤ max m_k / w_k. `circle` has both for ν = 1/2.
+//! inequality ‖u‖²_Lq ≤ Σ m_k c_k², so C(q)² ≤ max m_k / w_k; at ν = 1/2 w_0 = m_0 = 1, w_k = π² k + 3 − π²/2 and
+//! m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q) for k ≥ 1 (`circle`).
 //!
 //! Refuted if a function passes an upper bound, if these quotients leave their interval for one q, if the constant function
 //! does not attain a bound of 1, or if `ascent` and `circle` are off the library's bounds by 1e-3.
@@ -74,7 +75,7 @@ fn ascent(mesh: &Mesh, form: &DMatrix<f64>, factor: &Cholesky<f64, Dyn>, q: f64)
     Ok(best)
 }
 
-/// C(q) from above at ν = 1/2: the root of max m_k / w_k, m_0 = w_0 = 1, m_k = m_(k−1) (k − 1/q) / (k − 1 + 1/q), w_k = π² k + 3 − π²/2.
+/// C(q) from above at ν = 1/2: the root of max m_k / w_k over k < 100 000.
 fn circle(q: f64) -> f64 {
     let (mut m, mut largest) = (1.0, 1.0f64);
     for k in (1..100_000).map(f64::from) {
@@ -102,7 +103,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             let (mut hoelder, mut trial) = (None, None);
             if nu == Order::HALF {
-                // The norm of u ↦ u(θ) − u(0), one solve, for all nodes θ.
+                // C(α) from below: the largest |u(θ) − u(0)| / (θ^α ‖u‖_(3/2)) is (bᵀ B⁻¹ b)^(1/2)/θ^α, u' piecewise linear, B the
+                // matrix of ‖u‖²_(3/2) and b that of ∫ u' over (0, θ); the largest over the nodes θ.
                 let found =
                     Measured::from(embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower);
                 let value = ascent(&mesh, &form, &factor, q)?;

@@ -12,8 +12,8 @@
 //! gap N = (e, 1), −u_N(1) = ‖w‖_L1, it is ∫ x σ · ‖w‖_L1 in both. For K an interval at an end is the worst E: sorting |σ| and |w| raises neither seminorm.
 //!
 //! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B, A,
-//! D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials,
-//! K ≤ c = ν / (2 (4^ν − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
+//! D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
+//! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
 //!
 //! Refuted if κ ≤ κ̄ ≤ K ≤ c fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
 //! products of `moment_on_mesh` at the same e by more than 1 %.
@@ -50,7 +50,7 @@ fn moment_on_mesh(nu: Order, e: f64, m: impl Fn(f64) -> f64) -> Result<f64> {
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &nu in &options.nu {
         // Moments: functions whose slopes are polynomials on graded cells, a linear system; error from two such spaces.
-        // The maximum over e by golden section.
+        // The maximum over e in (0, 1) by golden section, at `found.contact`.
         let found = [product_constant(nu, 1e-9)?, consistency_constant(nu, 1e-9)?, midpoint_bound(nu, 1e-9)?];
         let [product, kappa, midpoint] = found.map(|found| Measured::from(found.value));
         let (c, e, one) = (product_bound(nu), found.map(|found| found.contact), |_: f64| 1.0);
@@ -61,8 +61,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ];
         for (found, definition) in found.iter().zip(definition) {
             let value = Measured::from(found.value);
-            // Strong form: A v = m with the integral operator A of the seminorm and its potential k of the zone. For every v,
-            // with r = m − A v, ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ½ ∫ r²/k, M the moment; v by least squares of r.
+            // Strong form: (A v, w) = (v, w)_ν, and for every v, with r = m − A v, the moment M has
+            // ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ½ ∫ r²/k; v, a polynomial on each graded cell, by least squares of r.
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
@@ -73,6 +73,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
         out.check("K over c").at_most(product / c, 1.0, "potentials");
         out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
+        // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (product * (24.0 / left) - 1.0) / left;
         out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
