@@ -9,9 +9,13 @@
 //! α = inf |u|_ν / ‖u‖_X = (1 + γ²)^(−1/2).
 //! ```
 //!
-//! Refuted if this α is below the positive bound (1 + γ₁² + N²)^(−1/2), which needs no eigenvalue of the zone, if it
-//! differs by more than 0.5 % from the infimum over piecewise linear functions, if the extremal function of (5.4) has
-//! another quotient |u|_ν / ‖u‖_X, by more than 0.1 %, or if a function in X has a smaller one.
+//! γ₁ is γ for θ = 1, N the largest (mean of u on (0, 1)) − (mean on (0, θ)) with |u|_ν = 1. With m the mean on (0, 1),
+//! ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν.
+//!
+//! Refuted if this α is below the positive bound (1 + γ₁² + N²)^(−1/2), which needs no eigenvalue of the zone (by more than
+//! 1e-9), if it differs by more than 0.5 % from the infimum over piecewise linear functions (`by_definition`), if the extremal
+//! function of (5.4) has another quotient |u|_ν / ‖u‖_X, by more than 0.1 %, or if one of the extremal functions of the other
+//! orders, which lie in X, has a smaller one, by more than 0.1 %.
 //!
 //! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 
@@ -55,8 +59,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     orders.push(Order::new(0.9)?);
     for (k, &nu) in options.nu.iter().enumerate() {
         for &theta in &options.theta {
-            // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials with mean zero on the zone, on elements that
-            // shrink geometrically to 0, θ and 1; its error is the change to a space of another shape.
+            // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions with mean zero on the zone whose slopes are
+            // polynomials of degree 3 to 11 in ln r, r the distance to the nearest of 0, θ and 1, on elements that grow
+            // geometrically away from there; its error is the change to a space of fewer elements and lower degrees.
             let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
             let gamma_of = Measured::from(found.constant);
             let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
@@ -70,7 +75,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 over.push(quotient(&u.interpolate(2, 6, &[theta])?, nu)? / alpha);
             }
             let attained = over.remove(k);
-            let others = Measured::from(smallest(over));
+            let others = Measured::from(smallest(over)); // the one with the least value less its ±
             out.row(cells! { nu, theta => gamma: gamma_of.value, alpha, definition, attained: attained.value, others: others.value });
             let over = alpha / positive;
             out.check("α > 0: α over (1 + γ₁² + N²)^(−1/2)").at_least(over, 1.0 - 1e-9, "no eigenvalue");

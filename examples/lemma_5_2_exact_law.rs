@@ -72,8 +72,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let Some([a, c, d, e]) = end.expansion.map(|all| all.map(Measured::from)) else {
         return Err(Error::Option("no expansion at one half".to_owned()));
     };
-    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials on elements that shrink geometrically to the ends of the
-    // zone and of the interval; hat functions on halved elements give 0.2 % less. Error: change to another such space.
+    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on functions with mean zero on the zone whose slopes are polynomials in ln r
+    // (degree up to 11), r the distance to the nearest of 0, θ, 1, on elements that grow geometrically away from there; hat
+    // functions on halved elements give 0.2 % less. Error: change to a space of fewer elements and lower degrees.
     let best = |zone: Constraint| -> Result<Measured> { Ok(gamma(half, zone, 1e-10)?.constant.into()) };
     let whole = best(Constraint::mean_zero())?.value;
     out.column("log", "L", "ln(1/θ)");

@@ -37,8 +37,9 @@ example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1
 }
 
 /// γ and the function that attains it: γ² is the largest eigenvalue λ of M u = λ A u, M and A the matrices of ‖·‖₀² and
-/// |·|²_ν on polynomials with mean zero on the zone, on elements that shrink geometrically to 0, θ and 1. Hat functions
-/// on elements halved towards these points give 0.2 % less. The error is the change to a space of another shape.
+/// |·|²_ν on functions with mean zero on the zone whose slopes are polynomials in ln r (degree up to 11), r the distance to
+/// the nearest of 0, θ and 1, on elements that grow geometrically away from there. Hat functions on elements halved towards
+/// these points give 0.2 % less. The error is the change to a space of fewer elements and lower degrees.
 fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
     let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
     Ok((found.constant.into(), found.extremal()))

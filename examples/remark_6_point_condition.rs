@@ -10,7 +10,8 @@
 //!
 //! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions, whose value is a lower
 //! bound, if the zone (0, 1e-12) has a larger constant or is off by more than its correction, if the point inside has a
-//! larger constant than the end, or if (2ν − 1) γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1.
+//! larger constant than the end, or if (2ν − 1) γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1. (4e-8: the tolerance 1e-8
+//! of both constants, twice.)
 //!
 //! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 
@@ -47,8 +48,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("inside", "inside", "u = 0 at the point given");
     out.column("over_end", "/γ₀", "inside over the end");
     for &nu in &options.nu {
-        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials that satisfy the condition, on elements that
-        // shrink geometrically to the point or zone and to 0 and 1; the error is the change to a space of another shape.
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions that satisfy the condition and whose slopes are polynomials
+        // in ln r (degree up to 11), r the distance to the nearest end of interval or zone or to the point, on elements that grow
+        // geometrically away from there; the error is the change to a space of fewer elements and lower degrees.
         let best = |condition| gamma(nu, condition, 1e-8).map(|found| Measured::from(found.constant));
         let end = best(Constraint::vanishing_at(0.0)?)?;
         let inside = best(Constraint::vanishing_at(options.point)?)?;

@@ -100,8 +100,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("over_end", "γ/end", "over γ of (0, θ)");
     out.column("repair", "repair", "√(γ₁² + N²)");
     for &nu in &options.nu {
-        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on polynomials with mean zero on the zone, on elements that
-        // shrink geometrically to the ends of zone and interval; its error is the change to a space of another shape.
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions with mean zero on the zone whose slopes are polynomials in
+        // ln r (degree up to 11), r the distance to the nearest end of zone or interval, on elements that grow geometrically
+        // away from there; its error is the change to a space of fewer elements and lower degrees.
         let end = Measured::from(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant);
         for &at in &options.at {
             let a = at * (1.0 - theta);

@@ -132,7 +132,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let key = |name: &str| format!("{name}.tau{tau}");
         let [order, error, printed] =
             at(&found, [&key("order"), &(key("order") + ".error"), &key("printed")])?;
-        let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
+        let computed = format!("{order:.4} ± {error:.0e}, optimal {:.2}", tau - 1.0);
         let step = if tau == options.tau[0] { "6" } else { "" };
         line(out, step, format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 3.1)"), computed, &found);
     }
@@ -140,7 +140,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let found = theorem_4_1::outcome(&theorem_4_1::Options { tau: vec![tau], ..Default::default() })?;
     let key = |name: &str| format!("{name}.tau{tau}");
     let [order, error, printed] = at(&found, [&key("order"), &(key("order") + ".error"), &key("printed")])?;
-    let computed = format!("{order:.3} ± {error:.3}, optimal {:.2}", tau - 1.0);
+    let computed = format!("{order:.4} ± {error:.0e}, optimal {:.2}", tau - 1.0);
     line(out, "7", format!("τ = {tau}: error ≤ C h^{printed:.3} (Theorem 4.1)"), computed, &found);
     out.column("says", "the paper says", "");
     out.column("computed", "computed here", "");
