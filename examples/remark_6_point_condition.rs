@@ -5,8 +5,8 @@
 //! continuous functions. It is the limit, from below, of the constant γ(θ) for mean zero on (0, θ) as θ → 0, with a
 //! difference of the order θ^(2ν−1).
 //!
-//! As ν → 1/2 it cannot stay bounded, because a point then fixes nothing: (2ν − 1) γ₀² → A = 3/(2π²) for a = 0, the factor
-//! of Lemma 5.2 at ν = 1/2. The end of the interval is the worst place for the point.
+//! As ν → 1/2 it cannot stay bounded, because a point then fixes nothing: (2ν − 1) γ₀² → A = 3/(2π²) for a = 0 (proof on the
+//! page `lemma_5_2`), the factor of Lemma 5.2 at ν = 1/2. The end of the interval is the worst place for the point.
 //!
 //! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions, whose value is a lower
 //! bound, if the zone (0, 1e-12) has a larger constant or is off by more than its correction, if the point inside has a

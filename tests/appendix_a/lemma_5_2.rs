@@ -3,7 +3,7 @@
 
 use fractional_sobolev::closed_forms::hat_seminorm_squared;
 use fractional_sobolev::{
-    Constraint, Error, Function, Given, Mesh, Order, Result, Tolerance, Zones, gamma, law,
+    Constraint, Error, Function, Given, Mesh, Order, Result, Tolerance, Zones, gamma, gauss_legendre, law,
 };
 use std::f64::consts::PI;
 
@@ -102,6 +102,61 @@ fn gamma_approaches_its_limits_below_one_half() {
         let scaled = constant(nu, 0.0..theta, 1e-10) * theta.powf(0.5 - nu);
         let limit = law(order(nu), 0.0, 1e-11).unwrap().factor().unwrap().value;
         assert!((scaled / limit - 1.0).abs() < 1e-10, "nu {nu}: {scaled} against {limit}");
+    }
+}
+
+/// 4 ∫₀^∞ (cosh(pr/2) − cos(tr)) (2 sinh(r/2))^(−1−2ν) dr, p = 1 − 2ν: the symbol of |·|_ν on (0, ∞) in ln x, from the
+/// seminorm, without Gamma functions. Gauss's rule on pieces that halve towards 0.
+fn symbol(nu: f64, t: f64) -> f64 {
+    let rule = gauss_legendre(24).unwrap();
+    let half = |x: f64| (0.5 * x).sin().powi(2);
+    let integrand = |r: f64| {
+        // cosh a − cos b = 2 sinh²(a/2) + 2 sin²(b/2)
+        let difference = 2.0 * (0.25 * (1.0 - 2.0 * nu) * r).sinh().powi(2) + 2.0 * half(t * r);
+        4.0 * difference * (2.0 * (0.5 * r).sinh()).powf(-1.0 - 2.0 * nu)
+    };
+    // To 1e-18 of the whole: the rest is of the order r^(2−2ν) at 0 and e^(−2νr) at infinity.
+    let mut nodes: Vec<f64> = (0..60).rev().map(|k| 0.5f64.powi(k)).collect();
+    let step = (2.0 / t.max(1e-300)).min(1.0);
+    let last = 20.0 / nu;
+    nodes.extend((1..=((last - 1.0) / step).ceil() as usize).map(|k| 1.0 + k as f64 * step));
+    nodes
+        .windows(2)
+        .map(|piece| {
+            let length = piece[1] - piece[0];
+            rule.iter().map(|(x, w)| w * length * integrand(piece[0] + length * x)).sum::<f64>()
+        })
+        .sum()
+}
+
+#[test]
+fn the_limit_below_one_half_is_the_integral_over_the_symbol() {
+    const LAST: f64 = 50.0;
+    let rule = gauss_legendre(8).unwrap();
+    for nu in [0.1, 0.25, 0.4, 0.49] {
+        let integrand = |t: f64| 1.0 / (PI * ((nu + 0.5f64).powi(2) + t * t) * symbol(nu, t));
+        // Pieces that halve towards 0; beyond the last one σ is a t^(2ν) − b.
+        let piece = |k: i32| {
+            let length = LAST * 0.5f64.powi(k);
+            rule.iter().map(|(x, w)| w * length * integrand(length * (1.0 + x))).sum::<f64>()
+        };
+        let [near, far] = [0.5 * LAST, LAST].map(|t| symbol(nu, t));
+        let a = (far - near) / (LAST.powf(2.0 * nu) - (0.5 * LAST).powf(2.0 * nu));
+        let beyond = |t: f64| far + a * (t.powf(2.0 * nu) - LAST.powf(2.0 * nu));
+        let tail_of = |k: i32| {
+            let length = LAST * 2f64.powi(k);
+            let at = |t: f64| 1.0 / (PI * ((nu + 0.5f64).powi(2) + t * t) * beyond(t));
+            rule.iter().map(|(x, w)| w * length * at(length * (1.0 + x))).sum::<f64>()
+        };
+        let tail = (0..40).map(tail_of).sum::<f64>();
+        let square = (1..=20).map(piece).sum::<f64>() + tail + LAST * 0.5f64.powi(20) * integrand(0.0);
+        let limit = law(order(nu), 0.0, 1e-9).unwrap().factor().unwrap().value;
+        assert!((square.sqrt() / limit - 1.0).abs() < 1e-7, "{nu}: {square} {limit}");
+    }
+    // (1 − 2ν) B² → 3/(2π²), with a correction of the order of 1 − 2ν.
+    for p in [1e-2, 1e-3, 1e-4] {
+        let limit = law(order(0.5 - 0.5 * p), 0.0, 1e-8).unwrap().factor().unwrap().value;
+        assert!((p * limit * limit / END_SLOPE - 1.0).abs() < 0.2 * p, "{p}: {limit}");
     }
 }
 
