@@ -1,4 +1,4 @@
-//! Theorems 3.1 and 4.1 with a number for every constant: what C in (3.1) and (4.2) is.
+//! A bound of the error in which every constant is a number; Theorems 3.1 and 4.1 have an unknown C and a smaller power of h.
 //!
 //! Let u in H^τ, 3/2 < τ ≤ 2, s = τ − 1, ν = τ − 3/2, and squares of side h, each cut into two triangles. For every contact
 //! set, in the energy norm ‖·‖ of the Laplacian or of an elastic body with Lamé's constants λ, μ,
@@ -34,7 +34,7 @@ use signorini::proof::{TheoremConstants, half_plane_korn};
 use signorini::rates::Bound;
 use std::f64::consts::PI;
 
-example! { seconds "Theorems 3.1, 4.1 with numbers", "‖u − u^h‖ ≤ E h^(τ² − 5τ/2 + 2), τ = 2: E h √|ln h|;  E a number";
+example! { seconds "A bound in numbers", "‖u − u^h‖ ≤ E h^(τ² − 5τ/2 + 2), τ = 2: E h √|ln h|;  E a number";
     /// regularities τ for which E is computed
     tau: Vec<f64> = "1.6,1.75,2" in "(1.5, 2]" slider "1.55 to 1.95",
     /// the solution is r^p at its transition, p = τ − 1 and this

@@ -1,7 +1,7 @@
-//! Theorems 3.1 and 4.1 with numbers: the bound of the library is above errors by adaptive quadrature; norms by other
+//! A bound in which every constant is a number: the bound of the library is above errors by adaptive quadrature; norms by other
 //! methods.
 
-use fractional_sobolev::{Function, Order, Tolerance, closed_forms};
+use fractional_sobolev::{Function, Order, Tolerance, Triangles, closed_forms};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::fem::Lame;
@@ -11,6 +11,21 @@ use std::f64::consts::PI;
 
 fn order(s: f64) -> Order {
     Order::new(s).unwrap()
+}
+
+/// u = xy on the triangle with legs 1: I u = 0, ‖∇u‖² = 1/6, |∇u|²_s = 2 |x|²_s, at s = 1 ‖D²u‖ = 1. Its quotient is a lower
+/// bound of C(s), within a third of it: half or twice the constant would be seen.
+#[test]
+fn the_constant_of_the_triangle_is_that_of_a_quadratic_function_within_a_third() {
+    let mesh = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
+    let x = Function::on_triangles(&mesh, 1, &[0.0, 1.0, 0.0]).unwrap();
+    for tau in [1.55, 1.6, 1.75, 1.9, 1.99, 2.0] {
+        let found = TheoremConstants::new(tau).unwrap().interpolation;
+        let seminorm =
+            if tau == 2.0 { 1.0 } else { 2f64.sqrt() * x.seminorm(tau - 1.0, 1e-8).unwrap().value };
+        let quotient = (1.0 / 6f64).sqrt() / seminorm;
+        assert!(quotient <= found && found <= 1.5 * quotient, "{tau}: {quotient} {found}");
+    }
 }
 
 #[test]
