@@ -136,3 +136,21 @@ fn bad_triangles_orders_and_tolerances_are_errors() {
     assert!((best.value - of(RIGHT, 1.0, 1e-5).unwrap().constant.value).abs() < 1e-6, "{best}");
     assert!(interpolation_constant(Domain::Triangle(RIGHT), ErrorNorm::Dual, 0.5, 1e-3).is_err());
 }
+
+/// u = x₁²/2 on the triangle (0, 0), (1, ±δ/2): ‖∇(u − I u)‖² = ∫ (x₁ − 1/2)² = δ/24, and |∇u|_s = |x₁|_s. The quotient, a
+/// lower bound of the constant, grows like δ^(−min(1/2, 1 − s)).
+#[test]
+fn thin_triangles_raise_the_constant_by_a_power_below_one() {
+    let quotient = |s: f64, delta: f64| {
+        let corners = vec![[0.0, 0.0], [1.0, -0.5 * delta], [1.0, 0.5 * delta]];
+        let mesh = Triangles::new(corners, vec![[0, 1, 2]]).unwrap();
+        let x = Function::on_triangles(&mesh, 1, &[0.0, 1.0, 1.0]).unwrap();
+        (delta / 24.0).sqrt() / x.seminorm(s, 1e-7).unwrap().value
+    };
+    for s in [0.1, 0.25, 0.75, 0.9] {
+        let exponent = |delta: f64| (quotient(s, 0.1 * delta) / quotient(s, delta)).log10();
+        let (near, far, expected) = (exponent(1e-4), exponent(1e-2), 0.5f64.min(1.0 - s));
+        assert!((near - expected).abs() < 0.01, "{s}: {near} {expected}");
+        assert!((near - expected).abs() <= (far - expected).abs() + 1e-6, "{s}: {far} {near} {expected}");
+    }
+}
