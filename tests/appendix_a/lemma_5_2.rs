@@ -214,7 +214,7 @@ fn orders_without_digits_of_their_own_are_continued() {
             gamma(order(nu), Constraint::mean_zero(), Tolerance::new(1e-10).unwrap()).unwrap().constant;
         assert!((found.value - 0.5).abs() <= found.error.max(1e-14), "nu {nu:e}: {found}");
     }
-    // At ν = 1e-6 either road can be taken; tolerances decide which.
+    // At ν = 1e-6 either formula can be used; tolerances decide which.
     for theta in [0.1, 1e-20] {
         let [direct, continued] = [2e-9, 1e-10].map(|tolerance| constant(1e-6, 0.0..theta, tolerance));
         assert!((direct / continued - 1.0).abs() < 2e-9, "theta {theta:e}: {direct} and {continued}");
@@ -229,7 +229,7 @@ fn orders_without_digits_of_their_own_are_continued() {
         assert!(found.upper <= simple * (1.0 + 1e-8), "nu {nu:e}: {found:?}");
     }
     // The dual norm and the extremal function are had where γ is; a function with mean zero on its zone whose
-    // quotient is the constant, on another road.
+    // quotient is the constant, by another computation.
     for (nu, theta) in [(1e-9, 0.3), (1e-12, 1e-3)] {
         let (zone, asked) = (0.0..theta, Tolerance::new(1e-8).unwrap());
         let value = gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked).unwrap().constant;

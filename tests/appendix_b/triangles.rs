@@ -1,4 +1,4 @@
-//! Lemma 6.1 on triangles: invariances, a second road to the seminorm, both bounds, and planted faults.
+//! Lemma 6.1 on triangles: invariances, a second computation of the seminorm, both bounds, and planted faults.
 
 use fractional_sobolev::{
     BestConstant, Domain, Error, ErrorNorm, Function, Tolerance, Triangles, interpolation_constant,

@@ -1,4 +1,4 @@
-//! r^a sin(bφ) on polygons seen from a corner, in polar coordinates: a road apart from triangles and Duffy.
+//! r^a sin(bφ) on polygons seen from a corner, in polar coordinates: a computation apart from triangles and Duffy.
 //!
 //! With r = R(φ)ρ, r' = R(φ')ρ', v = ln(ρ/ρ') > 0 and κ = e^{-v} R(φ')/R(φ) one radius integrates to
 //! R(φ)^{2a+2−2s}/(2a+2−2s); left are φ, φ' = φ ± ψ and v, on cells that shrink towards v = ψ = 0.

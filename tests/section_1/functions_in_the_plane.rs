@@ -6,7 +6,7 @@ use crate::plane_polar::Star;
 use fractional_sobolev::{Error, Estimate, Function, Order, PlanePosition, Tolerance, Triangles};
 use std::f64::consts::PI;
 
-/// Two roads.
+/// Two computations.
 const TWO_ROADS: f64 = 1e-8;
 
 type Points = Vec<[f64; 2]>;
@@ -68,7 +68,7 @@ fn two_computations_agree_up_to_the_limit_of_finiteness() {
     let w = Function::from_plane_positions(&Triangles::star(points).unwrap(), &[(0, 0.4)], power(0.4, 2.0))
         .unwrap();
     let wrong = off(seminorm(&w, 0.6, 1e-8).unwrap(), star.squared(0.4, 2.0 + 2e-6, 0.6).sqrt());
-    println!("two roads: {worst:.1e}, a wrong frequency: {wrong:.1e}");
+    println!("two computations: {worst:.1e}, a wrong frequency: {wrong:.1e}");
     assert!(wrong > 10.0 * TWO_ROADS);
 }
 

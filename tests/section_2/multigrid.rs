@@ -13,7 +13,7 @@ use signorini::fem::{Field, Form, Lame};
 use signorini::mesh::{BoundaryEdge, Hierarchy, Part, SideParts, Triangulation, mapped_grid, unit_square};
 use signorini::problems::{Parameters, TestProblem};
 
-/// J of two roads at the tolerance 1e-12: it differs by the square of the error, and by rounding.
+/// J of two computations at the tolerance 1e-12: it differs by the square of the error, and by rounding.
 const ENERGIES: f64 = 1e-11;
 /// Forces at the tolerance 1e-12: the edge norm of the error grows at most like n.
 const FORCES: f64 = 1e-8;
@@ -218,7 +218,7 @@ fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
         let found = coarse.solve(Cone::Nodal, settings(None, SHARE)).unwrap();
         let (error, expected) = (report(&found).error.unwrap().error, report(&found).discretisation.unwrap());
         assert!(error <= 0.03 * expected, "{scene}: {error:e}, {expected:e}");
-        // Another road to the error of discretisation: the energy of the mesh four times as fine.
+        // Another estimate of the error of discretisation: the energy of the mesh four times as fine.
         let seen = (2.0 * (found.energy - direct(&fine, Cone::Nodal).energy)).sqrt();
         assert!((0.5..2.0).contains(&(expected / seen)), "{scene}: {expected:e}, {seen:e}");
     }

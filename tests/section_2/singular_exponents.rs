@@ -1,4 +1,4 @@
-//! Where τ comes from: singular exponents by two roads, none lost.
+//! Where τ comes from: singular exponents by two computations, none lost.
 
 #[allow(dead_code)]
 #[path = "../../examples/section_2_regularity.rs"]
@@ -19,7 +19,7 @@ const THINNEST: f64 = 0.03;
 /// Zeros nearer than this are compared by their mean: the nearer they are, the fewer digits their own
 /// eigenvalues keep.
 const NEAR: f64 = 0.05;
-/// Near 0 and 3 one road may see what the other counts as outside.
+/// Near 0 and 3 one computation may see what the other counts as outside.
 const MARGIN: f64 = 1e-3;
 
 /// Openings: thin, straight, with the sign of the sine changed, cracks, and tan ω = ω, where λ = 1 is double

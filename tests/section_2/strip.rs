@@ -7,7 +7,7 @@ use signorini::fem::Lame;
 use signorini::strip::{EdgeSolution, Strip};
 use std::f64::consts::PI;
 
-/// The reference holds 14 digits; both roads round at a few units of 1e-16 times the condition of small
+/// The reference holds 14 digits; both computations round at a few units of 1e-16 times the condition of small
 /// problems.
 const REFERENCE: f64 = 1e-12;
 /// KKT figures are backward errors: rounding times the logarithm of the transform lengths.

@@ -14,7 +14,7 @@ use signorini::problems::TestProblem;
 use signorini::strip::Strip;
 use std::f64::consts::PI;
 
-/// J of both roads: rounding times the condition n² of the mesh matrices (n = 128), with a margin.
+/// J of both computations: rounding times the condition n² of the mesh matrices (n = 128), with a margin.
 const ENERGY: f64 = 1e-11;
 /// Balance of forces, sign and complementarity, relative: the same.
 const KKT: f64 = 1e-11;

@@ -17,7 +17,7 @@ mod example;
 const KKT: f64 = 1e-10;
 /// Relative residual asked of the contact iteration.
 const SOLVED: f64 = 1e-13;
-/// J by two roads: second order in the residual, so rounding times the condition of a few hundred unknowns.
+/// J by two computations: second order in the residual, so rounding times the condition of a few hundred unknowns.
 const ENERGY: f64 = 1e-10;
 
 fn dense(operator: &EdgeOperator) -> Mat<f64> {
