@@ -1,19 +1,21 @@
 //! A bound from the data alone: the error of Signorini's problem below C h ‖f‖, C a number.
 //!
 //! −Δu = f on the unit square, u = 0 on three sides, u ≤ 0, ∂u/∂n ≤ 0, u ∂u/∂n = 0 on the bottom; u^h by linear elements on
-//! n × n squares cut from lower left to upper right, h = 1/n, u^h ≤ 0 at the nodes of the bottom. For every f in L² and every contact set
+//! n × n squares cut from lower left to upper right, h = 1/n, u^h ≤ 0 at the nodes of the bottom. For every f in L² and
+//! every contact set
 //!
 //! ```text
 //! ‖∇(u − u^h)‖ ≤ C h ‖f‖,     C² = A² + (π/2) coth π,   A = 0.4929..: 1/A + tan(1/A) = 0,   C = 1.349
 //! ```
 //!
-//! since |u|₂² = Σ ‖∂ᵢ∂ⱼ u‖² ≤ ‖f‖² and ‖∇(u − u^h)‖² ≤ ‖∇(u − I u)‖² + 2 ∫ σ_N I u ≤ A² h² |u|₂² + 2 (1/4) h² |σ_N|_½ |u'|_½ on
-//! segments, and |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x, u_y on the square of side h above each segment. No number of the right side is unknown.
+//! since |u|₂² = Σ ‖∂ᵢ∂ⱼ u‖² ≤ ‖f‖² and ‖∇(u − u^h)‖² ≤ ‖∇(u − I u)‖² + 2 ∫ σ_N I u ≤ A² h² |u|₂² + 2 (1/4) h² |σ_N|_½
+//! |u'|_½ on segments, and |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x, u_y on the square of side h above each segment. No number
+//! of the right side is unknown.
 //!
-//! Here f = 6 (1 − 2x), ‖f‖ = √12. u is replaced by the solution on N = 512 squares, and its error, of order h, by the share n/N of
-//! the distance: the ± of an error. |u|₂ is taken from second differences of u^h over h². Rows: n = 8, 16, .. N/4.
-//! Refuted if an error is above C h ‖f‖, if |u|₂ at n = N exceeds ‖f‖ or is 2 % below it, or if the fitted order of the error is off 1
-//! by 0.1.
+//! Here f = 6 (1 − 2x), ‖f‖ = √12. u is replaced by the solution on N = 512 squares, and its error, of order h, by the
+//! share n/N of the distance: the ± of an error. |u|₂ is taken from second differences of u^h over h². Rows: n = 8, 16, ..
+//! N/4. Refuted if an error is above C h ‖f‖, if |u|₂ at n = N exceeds ‖f‖ or is 2 % below it, or if the fitted order of
+//! the error is off 1 by 0.1.
 // `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
 // otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;

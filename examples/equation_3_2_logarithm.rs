@@ -12,10 +12,11 @@
 //! q is measured: increments of (e/h)² over two halvings of h are like ℓ^(q−1). Refuted if for one α > 1/2 e/(h |ln h|^(1/2)) is
 //! larger on the finest mesh than on the middle one; the paper is loose if also q ≤ 0 for every α > 1/2, no logarithm.
 //!
-//! Test problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n = 0 at the
-//! sides; u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p ℓ(δ)^(−α), δ = (x − a)(b − x)/(b − a); else
-//! λ = ℓ(r)^(−α), r the distance to the next gap. N = 16·2^finest cells carry these data: g at the nodes; the force of a cell in contact is
-//! λ at its middle times 1/N, half to each node; if a lies in a cell, λ (at its middle) times what is in contact goes to the node left of a.
+//! Test problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n
+//! = 0 at the sides; u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p ℓ(δ)^(−α), δ = (x − a)(b −
+//! x)/(b − a); else λ = ℓ(r)^(−α), r the distance to the next gap. N = 16·2^finest cells carry these data: g at the nodes;
+//! the force of a cell in contact is λ at its middle times 1/N, half to each node; if a lies in a cell, λ (at its middle)
+//! times what is in contact goes to the node left of a.
 //!
 //! ```text
 //! transition       one gap, b = 2 − a (a mirror at x = 1), p = 1; e² is the mean over a = 5/12 and a = 11/24
@@ -39,12 +40,12 @@ example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1
     finest: u32 = "14" in "[9, 18]",
 }
 
-/// (h, e), h = 1/8, .. 2^−finest. n × n squares cut into triangles: v·A_n v is the energy of the discrete harmonic function with edge
-/// values v, A_n = Σ S_k w_k w_kᵀ over the waves w_k = (cos kπi/n)_i, end nodes by half, k = 0, .. n, S_k = (2/n) sinh η coth nη (k = 0
-/// and n by half; S_0 = 1/n²), cosh η = 2 − cos(kπ/n). P interpolates from n to N cells. u^h has the edge values v that
-/// minimise ½ v·A_n v − (A_N g + λ)·P v in the cone (active set, conjugate gradients to 1e-13, A by cosine transforms), and
-/// e² = g·A_N g − 2 (A_N g)·P v + v·A_n v against the discrete u on N cells, whose own error, like 1/N, is missing in it: e² ~ h² − 1/N² in
-/// place of h². So e² is divided by 1 − (n/N)².
+/// (h, e), h = 1/8, .. 2^−finest. n × n squares cut into triangles: v·A_n v is the energy of the discrete harmonic function
+/// with edge values v, A_n = Σ S_k w_k w_kᵀ over the waves w_k = (cos kπi/n)_i, end nodes by half, k = 0, .. n, S_k = (2/n)
+/// sinh η coth nη (k = 0 and n by half; S_0 = 1/n²), cosh η = 2 − cos(kπ/n). P interpolates from n to N cells. u^h has the
+/// edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone (active set, conjugate gradients to 1e-13, A by
+/// cosine transforms), and e² = g·A_N g − 2 (A_N g)·P v + v·A_n v against the discrete u on N cells, whose own error, like
+/// 1/N, is missing in it: e² ~ h² − 1/N² in place of h². So e² is divided by 1 − (n/N)².
 fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, f64)>> {
     let mut points: Vec<(f64, f64)> = (3..=finest).map(|level| (0.5f64.powi(level as i32), 0.0)).collect();
     for edge in edges {

@@ -7,12 +7,14 @@
 //! (E3) h^(3/4), τ = 2; finitely many: up to h      (E4) h, τ > 2       (N1) h^(τ²−5τ/2+2)       (N2) h |ln h|^(1/2), τ = 2
 //! ```
 //!
-//! Refuted if a measured order with its ± is below a printed exponent; (N1) is loose if for one transition, τ = 7/4, the order is above
-//! 11/16 by more than ±. Expected: min(τ − 1, 1), both cones (nodal: u^h ≤ 0 at the nodes; midpoint: means of u^h over the cells ≤ 0).
+//! Refuted if a measured order with its ± is below a printed exponent; (N1) is loose if for one transition, τ = 7/4, the
+//! order is above 11/16 by more than ±. Expected: min(τ − 1, 1), both cones (nodal: u^h ≤ 0 at the nodes; midpoint: means
+//! of u^h over the cells ≤ 0).
 //!
-//! Problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n = 0 at the sides,
-//! u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p, δ = (x − a)(b − x)/(b − a); else λ = r^(τ−2), r the distance to
-//! the next gap. N = 32·2^finest cells: g at the nodes; ∫ λ over a cell half to each node (if a lies in a cell, all to the node left of a).
+//! Problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n = 0
+//! at the sides, u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p, δ = (x − a)(b − x)/(b − a); else
+//! λ = r^(τ−2), r the distance to the next gap. N = 32·2^finest cells: g at the nodes; ∫ λ over a cell half to each node
+//! (if a lies in a cell, all to the node left of a).
 //!
 //! ```text
 //! transition       one gap, b = 2 − a (a mirror at x = 1), p = τ − 1; e² is the mean over a = 5/12 and a = 11/24
@@ -22,10 +24,11 @@
 //!                  ends rounded, as long as it has an inner node and the pieces a cell; p = 1, λ = 1
 //! ```
 //!
-//! Squared error e²: v·A_n v is the energy of the discrete harmonic function on n × n squares cut into triangles, edge values v; A_n = Σ S_k
-//! w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 − cos(kπ/n). With P from n
-//! to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v.
-//! Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², at most 1.
+//! Squared error e²: v·A_n v is the energy of the discrete harmonic function on n × n squares cut into triangles, edge
+//! values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by
+//! half, cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P
+//! v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p
+//! is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², at most 1.
 // x.at_most(b), x.at_least(b): with its error. Of several calls the worst counts.
 // stronger: if it holds, the bound is loose. observe: shown, decides nothing.
 use example_report::prelude::*;

@@ -4,9 +4,9 @@
 //! `section_2_singular_exponents`): a corner of the body, a change of conditions, or an end of contact. Which conditions
 //! meet at an end of the contact edge, contact closed C or open O, is taken from the contact set on a mesh cut toward it.
 //!
-//! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is nearer to it than 2^(−k)/4 are cut, for
-//! k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has the same mesh but for scale, 4 (then 8) elements along its radius,
-//! and
+//! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is nearer to it than 2^(−k)/4
+//! are cut, for k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has the same mesh but for scale, 4 (then 8) elements
+//! along its radius, and
 //!
 //! ```text
 //! W_k = ∫ |σ(u^h)|² over shell k  ≈  c 4^(−λ_h k),      λ_h = log₂(W_k/W_(k+2))/4 → λ,   |λ_h − λ| = O(elements^(−2)).

@@ -43,8 +43,8 @@ fn space(n: usize) -> Result<(Mesh, DMatrix<f64>)> {
     Ok((mesh, form))
 }
 
-/// C(q) from below at ν = 1/2: u ← B⁻¹ b, bᵢ = ∫ |u|^(q−2) u φᵢ, until ‖u‖_Lq / ‖u‖_(1/2), which rises, has ten digits. From two functions
-/// with a peak at 0 and from u = 1; twelve Gauss points on each element.
+/// C(q) from below at ν = 1/2: u ← B⁻¹ b, bᵢ = ∫ |u|^(q−2) u φᵢ, until ‖u‖_Lq / ‖u‖_(1/2), which rises, has ten digits.
+/// From two functions with a peak at 0 and from u = 1; twelve Gauss points on each element.
 fn ascent(mesh: &Mesh, form: &DMatrix<f64>, factor: &Cholesky<f64, Dyn>, q: f64) -> Result<f64> {
     let (x, rule) = (mesh.from_left(), gauss_legendre(12)?);
     let mut best = 1.0f64; // of u = 1

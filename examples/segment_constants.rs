@@ -9,11 +9,13 @@
 //! ```
 //!
 //! The term is ∫ σ (I^h u_N) of (3.11), and −∫ (σ − π^h σ) u_N of (4.9) in the midpoint cone, π^h the mean over T. For the
-//! gap N = (e, 1), −u_N(1) = ‖w‖_L1, it is ∫ x σ · ‖w‖_L1 in both. For K an interval at an end is the worst E: sorting |σ| and |w| raises neither seminorm.
+//! gap N = (e, 1), −u_N(1) = ‖w‖_L1, it is ∫ x σ · ‖w‖_L1 in both. For K an interval at an end is the worst E: sorting |σ|
+//! and |w| raises neither seminorm.
 //!
-//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B, A,
-//! D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
-//! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
+//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B,
+//! A, D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
+//! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν
+//! − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
 //!
 //! Refuted if κ ≤ κ̄ ≤ K ≤ c fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
 //! products of `moment_on_mesh` at the same e by more than 1 %.

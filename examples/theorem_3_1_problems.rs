@@ -3,22 +3,24 @@
 //! ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2) for u in H^τ, 3/2 < τ < 2, in the energy norm, u^h linear on triangles of size h with
 //! values ≤ 0 at the nodes of the contact edge (nodal cone), or means ≤ 0 over its segments (midpoint cone).
 //!
-//! Contact sets, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n = 0 at the
-//! sides, u_N = u, σ_N = −λ. `fat-cantor`: a gap L s^k in the middle of each of the 2^(k−1) pieces that remain, k = 1, .. 15, s = 2^(−1/d),
-//! d = 4 − 2τ the dimension of the boundary, all gaps 1/2 long, ends rounded to the N = 32·2^finest cells, as long as a gap has an inner node
-//! and the pieces a cell; in a gap (a, b) g = −(x − a)(b − x)/(b − a), else λ = 1: half of 1/N from each cell in contact to its nodes. The set
-//! repeats itself where h falls by a factor 2^(1/d). Bodies: `corner`, the angle 90°/(τ − 1) between a Dirichlet side and the contact
-//! edge, u ~ r^(τ−1), load −1, no contact; `block`, plane strain, fixed on top. They are solved by multigrid to 1e-10; for u stands the
-//! solution on a mesh of half the size.
+//! Contact sets, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n
+//! = 0 at the sides, u_N = u, σ_N = −λ. `fat-cantor`: a gap L s^k in the middle of each of the 2^(k−1) pieces that remain,
+//! k = 1, .. 15, s = 2^(−1/d), d = 4 − 2τ the dimension of the boundary, all gaps 1/2 long, ends rounded to the N =
+//! 32·2^finest cells, as long as a gap has an inner node and the pieces a cell; in a gap (a, b) g = −(x − a)(b − x)/(b −
+//! a), else λ = 1: half of 1/N from each cell in contact to its nodes. The set repeats itself where h falls by a factor
+//! 2^(1/d). Bodies: `corner`, the angle 90°/(τ − 1) between a Dirichlet side and the contact edge, u ~ r^(τ−1), load −1, no
+//! contact; `block`, plane strain, fixed on top. They are solved by multigrid to 1e-10; for u stands the solution on a mesh
+//! of half the size.
 //!
-//! Squared error on the edge, n = 8, .. 2^finest, h = 1/n: v·A_n v is the energy of the discrete harmonic function on n × n squares cut into
-//! triangles, edge values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half,
-//! cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone,
-//! e² = g·A_N g − 2 (A_N g)·P v + v·A_n v.
+//! Squared error on the edge, n = 8, .. 2^finest, h = 1/n: v·A_n v is the energy of the discrete harmonic function on n × n
+//! squares cut into triangles, edge values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh
+//! η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that
+//! minimise ½ v·A_n v − (A_N g + λ)·P v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v.
 //!
-//! Order: e² ≈ A h^(2p) + Σ c_j h^(q_j), q_j = 2, 3, 2p + 1, .., c_j normal with mean 0 and 0.3 to 1.5 of A h^(2p−q_j) on the coarsest mesh, and a
-//! relative scatter from 1e-7 to 1: the mean of p over its likelihood; within ± of it lie 96 %. Expected: τ − 1; periods of the set
-//! and smooth parts of u disturb it. Refuted if the order with its ± is below the printed exponent.
+//! Order: e² ≈ A h^(2p) + Σ c_j h^(q_j), q_j = 2, 3, 2p + 1, .., c_j normal with mean 0 and 0.3 to 1.5 of A h^(2p−q_j) on
+//! the coarsest mesh, and a relative scatter from 1e-7 to 1: the mean of p over its likelihood; within ± of it lie 96 %.
+//! Expected: τ − 1; periods of the set and smooth parts of u disturb it. Refuted if the order with its ± is below the
+//! printed exponent.
 // x.at_least(b): x ≥ b; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts. observe: decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;

@@ -1,8 +1,9 @@
 //! Theorem 3.1, its proof line by line, with explicit constants.
 //!
-//! On a segment T of length h: ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν) over T × T, ‖v‖²_ν = ‖v‖₀² + |v|²_ν, u' = u_N', I u
-//! linear with the values of u_N at the ends a₁, a₂, q = 1/(2 − τ), θ = h^(2τ−3); at τ = 2 q = 2, θ = h². First case: zeros of u_N
-//! nearer than θh to both ends; second case: σ_N = 0 on a piece of length ≥ θh at one end. The lines are
+//! On a segment T of length h: ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν) over T × T, ‖v‖²_ν = ‖v‖₀² + |v|²_ν,
+//! u' = u_N', I u linear with the values of u_N at the ends a₁, a₂, q = 1/(2 − τ), θ = h^(2τ−3); at τ = 2 q = 2, θ = h².
+//! First case: zeros of u_N nearer than θh to both ends; second case: σ_N = 0 on a piece of length ≥ θh at one end. The
+//! lines are
 //!
 //! ```text
 //! (3.3)  ∫ σ_N I u ≤ ‖σ_N‖₀ ‖I u‖₀ ≤ ‖σ_N‖₀ h^(1/2) max |u_N(aᵢ)|       (3.4)  |u_N(aᵢ)| = |∫ u'| up to the nearest zero
@@ -13,15 +14,18 @@
 //! (3.13) ‖I u − u_N‖₀ ≤ C_I h^(1+ν) |u'|_ν       (3.14) ∫ σ_N I u ≤ γ_θ C_I h^(1+2ν) |σ_N|_ν |u'|_ν, and Young's; at τ = 2 (3.15)
 //! ```
 //!
-//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of Lemma 5.2, mean zero
-//! on (0, θ), to 1e-5; C_I of Lemma 6.1. Refuted if on one segment left/right of a line exceeds 1 + 1e-8, the error of the seminorms
-//! added, or an equality is off by 1e-10; or if the exponents of h differ: of the integral from 2τ − 2 by 0.05, of the last bound, on the
-//! whole edge, from 2τ² − 5τ + 4 by 1e-8; or if that bound over h² ln(1/h) grows at τ = 2. The table adds the bounds up over the segments, each in its case: where does the exponent fall?
-//! "zone of the segment": with its own free length (rounded down to a power of 1/2 in γ; first case: distance to the zero) in place of θh.
+//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of
+//! Lemma 5.2, mean zero on (0, θ), to 1e-5; C_I of Lemma 6.1. Refuted if on one segment left/right of a line exceeds 1 +
+//! 1e-8, the error of the seminorms added, or an equality is off by 1e-10; or if the exponents of h differ: of the integral
+//! from 2τ − 2 by 0.05, of the last bound, on the whole edge, from 2τ² − 5τ + 4 by 1e-8; or if that bound over h² ln(1/h)
+//! grows at τ = 2. The table adds the bounds up over the segments, each in its case: where does the exponent fall? "zone of
+//! the segment": with its own free length (rounded down to a power of 1/2 in γ; first case: distance to the zero) in place
+//! of θh.
 //!
-//! Pair: u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell left of the last node b ≤ a:
-//! ∫ (b − x)^(τ−2), half to each node; there spread evenly over the one or two cells beside the node in contact: −σ_N, constant on cells.
-//! At τ = 2 both are smoothed: u' and σ_N linear and continuous. Sums are means over a = 5/12 and 11/24. σ_N u_N = 0 at every point.
+//! Pair: u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell left of the last
+//! node b ≤ a: ∫ (b − x)^(τ−2), half to each node; there spread evenly over the one or two cells beside the node in
+//! contact: −σ_N, constant on cells. At τ = 2 both are smoothed: u' and σ_N linear and continuous. Sums are means over a =
+//! 5/12 and 11/24. σ_N u_N = 0 at every point.
 // x.at_most(b), at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the theorem is loose. observe: shown, decides nothing.
 use example_report::prelude::*;

@@ -1,6 +1,7 @@
 //! Theorem 4.1, its proof line by line, with explicit constants.
 //!
-//! On a segment T of length h: π is the mean over T, ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν) over T × T, ‖v‖²_ν = ‖v‖₀² +
+//! On a segment T of length h: π is the mean over T, ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν) over T × T,
+//! ‖v‖²_ν = ‖v‖₀² +
 //! |v|²_ν, u' = u_N', q = 1/(2 − τ), θ = h^(2τ−3); from τ = 2 on q = 2, θ = h². First case: the contact set {u_N = 0} of T has diameter
 //! at most θh; second case: at least θh; above τ = 2: any contact. The lines are
 //!
@@ -12,15 +13,18 @@
 //!        ‖u'‖₀ ≤ γ_θ h^ν |u'|_ν:   (4.9) ≤ γ_θ γ₁ h^(1+2ν) |σ_N|_ν |u'|_ν/π;   at τ = 2 (4.13), above (4.14) with γ of one zero
 //! ```
 //!
-//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of Lemma 5.2, mean zero
-//! on (0, θ), to 1e-5, γ₁ mean zero on (0, 1); from Remark 6 γ of one zero. Refuted if on one segment left/right of a line exceeds 1 + 1e-8,
-//! the error of the seminorms added, or (4.9) is off by 1e-10; or if the exponents of h differ: of the integral from 2τ − 2 by 0.05, of the
-//! last bound, on the whole edge, from 2τ² − 5τ + 4 by 1e-8; or if that bound over h² ln(1/h) grows at τ = 2. The table adds the bounds up over the segments, each in its case: where
-//! does the exponent fall? "zone of the segment": with the diameter of its contact set (in γ rounded down to a power of 1/2) in place of θh.
+//! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of
+//! Lemma 5.2, mean zero on (0, θ), to 1e-5, γ₁ mean zero on (0, 1); from Remark 6 γ of one zero. Refuted if on one segment
+//! left/right of a line exceeds 1 + 1e-8, the error of the seminorms added, or (4.9) is off by 1e-10; or if the exponents
+//! of h differ: of the integral from 2τ − 2 by 0.05, of the last bound, on the whole edge, from 2τ² − 5τ + 4 by 1e-8; or if
+//! that bound over h² ln(1/h) grows at τ = 2. The table adds the bounds up over the segments, each in its case: where does
+//! the exponent fall? "zone of the segment": with the diameter of its contact set (in γ rounded down to a power of 1/2) in
+//! place of θh.
 //!
-//! Pair: u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell left of the last node b ≤ a:
-//! ∫ (b − x)^(τ−2), half to each node; there spread evenly over the one or two cells beside the node in contact: −σ_N, constant on cells.
-//! From τ = 2 on u' and σ_N are linear and continuous. Sums are means over a = 5/12 and 11/24. σ_N u_N = 0 at every point.
+//! Pair: u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell left of the last
+//! node b ≤ a: ∫ (b − x)^(τ−2), half to each node; there spread evenly over the one or two cells beside the node in
+//! contact: −σ_N, constant on cells. From τ = 2 on u' and σ_N are linear and continuous. Sums are means over a = 5/12 and
+//! 11/24. σ_N u_N = 0 at every point.
 // x.at_most(b), at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the theorem is loose. observe: shown, decides nothing.
 

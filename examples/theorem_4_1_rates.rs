@@ -2,16 +2,17 @@
 //!
 //! ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2) for 3/2 < τ < 2 (4.2),     C h for τ > 2 (4.4);     τ = 2: (4.3).
 //!
-//! Test problem: on the edge y = 0 of the unit square g ≤ 0 and a pressure λ ≥ 0, g λ = 0; u is harmonic, g on the edge, 0 at y = 1,
-//! without flux at the sides; ‖v‖² = ∫ |∇v|². For x < a contact, λ = (a − x)^(τ−2); for x > a g = −δ^(τ−1), δ = d (2 − 2a − d)/(2 − 2a),
-//! d = x − a: u in H^s for s < τ only. On N cells: g at the nodes, ∫ λ over a cell half to each node (from the last node below a up to a:
-//! all to it). u^h: linear on n × n squares cut into triangles, h = 1/n; its mean over each cell of the edge is ≤ 0, it may penetrate.
+//! Test problem: on the edge y = 0 of the unit square g ≤ 0 and a pressure λ ≥ 0, g λ = 0; u is harmonic, g on the edge, 0
+//! at y = 1, without flux at the sides; ‖v‖² = ∫ |∇v|². For x < a contact, λ = (a − x)^(τ−2); for x > a g = −δ^(τ−1), δ = d
+//! (2 − 2a − d)/(2 − 2a), d = x − a: u in H^s for s < τ only. On N cells: g at the nodes, ∫ λ over a cell half to each node
+//! (from the last node below a up to a: all to it). u^h: linear on n × n squares cut into triangles, h = 1/n; its mean over
+//! each cell of the edge is ≤ 0, it may penetrate.
 //!
-//! e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells. As e² ≈ A h^(2p) + B h² + const, const from N, the order p is
-//! that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over the last two halvings, 1 if larger; ±: largest change since the three meshes
-//! before. Expected: min(τ − 1, 1). Refuted if e/bound keeps growing: if its last increment over the one before exceeds 0.95 (growth like
-//! h^(−δ) has increments that grow by 2^δ, those that fall by 0.95 add up to a bound), or if `by_definition` differs by 1e-6. Loose for
-//! τ < 2 if p > τ² − 5τ/2 + 2.
+//! e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells. As e² ≈ A h^(2p) + B h² + const, const from N, the
+//! order p is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over the last two halvings, 1 if larger; ±: largest change
+//! since the three meshes before. Expected: min(τ − 1, 1). Refuted if e/bound keeps growing: if its last increment over the
+//! one before exceeds 0.95 (growth like h^(−δ) has increments that grow by 2^δ, those that fall by 0.95 add up to a bound),
+//! or if `by_definition` differs by 1e-6. Loose for τ < 2 if p > τ² − 5τ/2 + 2.
 // x.at_most(b), x.at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the theorem is loose. observe: shown, decides nothing.
 use example_report::prelude::*;
@@ -27,8 +28,9 @@ example! { seconds "Theorem 4.1", "midpoint cone:  ‖u − u^h‖ ≤ C h^(τ²
     finest: u32 = "12" in "[9, 17]" slider "9 to 13",
 }
 
-/// ‖u − u^h‖ for one a. v·A_n v: energy of the discrete harmonic function with edge values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ,
-/// end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 − cos(kπ/n). The load on the edge is A_N g + λ.
+/// ‖u − u^h‖ for one a. v·A_n v: energy of the discrete harmonic function with edge values v; A_n = Σ S_k w_k w_kᵀ, w_k =
+/// (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 − cos(kπ/n). The load
+/// on the edge is A_N g + λ.
 fn by_definition(edge: &EdgeData, n: usize) -> Result<f64> {
     let (g, lambda) = (DVector::from_column_slice(edge.values()), DVector::from_column_slice(edge.forces()));
     let hat = |j, i| (1.0 - (j as f64 * n as f64 / edge.cells() as f64 - i as f64).abs()).max(0.0);

@@ -1,25 +1,30 @@
 //! Section 3, "Globally": θ = h^(2τ−3), at τ = 2 θ = h², balances the bounds of the two cases.
 //!
-//! On a segment of length h let ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν), ‖v‖²_ν = ‖v‖₀² + |v|²_ν. Bounds of ∫ σ_N I^h u_N:
+//! On a segment of length h let ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν), ‖v‖²_ν = ‖v‖₀² + |v|²_ν. Bounds of ∫
+//! σ_N I^h u_N:
 //!
 //! ```text
 //! first case    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,    q = 1/(2 − τ), at τ = 2 q = 2                    (3.9), (3.10)
 //! second case   C_I h^(2τ−2) C_P θ^(τ−2) |σ_N|_ν |u_N'|_ν,    at τ = 2 C_P ln(1/θ)                    (3.14), (3.15)
 //! ```
 //!
-//! Constants, best ones on (0, 1) or bounds of them: C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4 and at τ = 2, attained by v = 1; else an
-//! upper bound, Beckner's inequality). C_I of ‖v − I v‖₀ ≤ C_I |v'|_ν, I v linear, equal to v at 0 and 1 (Lemma 6.1; to 1e-8). γ_θ of ‖v‖₀
-//! ≤ γ_θ |v|_ν if ∫ v = 0 over (0, θ) (Lemma 5.2; to 1e-5, its error added). C_P: the largest γ_θ/θ^(τ−2), γ_θ/ln(1/θ) for θ = 2^−1, .. 2^−16.
+//! Constants, best ones on (0, 1) or bounds of them: C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4 and at τ = 2, attained by
+//! v = 1; else an upper bound, Beckner's inequality). C_I of ‖v − I v‖₀ ≤ C_I |v'|_ν, I v linear, equal to v at 0 and 1
+//! (Lemma 6.1; to 1e-8). γ_θ of ‖v‖₀ ≤ γ_θ |v|_ν if ∫ v = 0 over (0, θ) (Lemma 5.2; to 1e-5, its error added). C_P: the
+//! largest γ_θ/θ^(τ−2), γ_θ/ln(1/θ) for θ = 2^−1, .. 2^−16.
 //!
-//! One bound rises with θ, the other falls. Expected: they are equal at a constant times h^(2τ−3), of order h^(2τ²−5τ+4) there. Refuted if
-//! the quotient of both at the printed θ depends on h (1e-9; at τ = 2 but for ln(1/h)), if for τ < 2 the exponent of θ where they are equal
-//! or of the bound, there or at the printed θ, differs by 1e-9 between the finest two h; or if a bound where both are equal is below the true
-//! supremum κ h^(2τ−2) of the integral over |σ_N|_ν |u_N'|_ν, κ = max W(a) (`by_definition`, to 0.005), W(2^−1), .. W(2^−10) ≤ κ.
+//! One bound rises with θ, the other falls. Expected: they are equal at a constant times h^(2τ−3), of order h^(2τ²−5τ+4)
+//! there. Refuted if the quotient of both at the printed θ depends on h (1e-9; at τ = 2 but for ln(1/h)), if for τ < 2 the
+//! exponent of θ where they are equal or of the bound, there or at the printed θ, differs by 1e-9 between the finest two h;
+//! or if a bound where both are equal is below the true supremum κ h^(2τ−2) of the integral over |σ_N|_ν |u_N'|_ν, κ = max
+//! W(a) (`by_definition`, to 0.005), W(2^−1), .. W(2^−10) ≤ κ.
 //!
-//! The truth is better, and so is another bound: `sharp`. u_N' has mean zero between its two zeros, so that for θ ≤ 1/4 the first case has
-//! C_q h^(1+ν) θ^(1−1/q) (1 + γ²)^(1/2) |u_N'|_ν, γ = γ_(1/2), if that is less, and half of the loss is regained.
+//! The truth is better, and so is another bound: `sharp`. u_N' has mean zero between its two zeros, so that for θ ≤ 1/4 the
+//! first case has C_q h^(1+ν) θ^(1−1/q) (1 + γ²)^(1/2) |u_N'|_ν, γ = γ_(1/2), if that is less, and half of the loss is
+//! regained.
 // x.at_most(b): x plus its error ≤ b; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
-// stronger: if it holds, the paper is loose. observe: shown, decides nothing. exponent("h", y): slope of ln y over ln h, last two rows.
+// stronger: if it holds, the paper is loose. observe: shown, decides nothing. exponent("h", y): slope of ln y over ln h,
+// last two rows.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,
@@ -37,9 +42,9 @@ example! { quick "Section 3, Globally", "θ = h^(2τ−3), at τ = 2 θ = h², b
 }
 
 /// W(a), the supremum of ∫ σ_N I^h u_N / (|σ_N|_ν |u_N'|_ν) on (0, 1) where u_N = 0 on [a, 1] and σ_N = 0 on [0, a]: the
-/// integral is ∫ σ_N (1 − x) times u_N(0) = −∫ u_N', so W² is b·A⁻¹b of the one functional times that of the other, for
-/// hat functions on (a, 1) and on (0, a); A holds their products in |·|_ν, in closed form, b the integrals of hat functions times 1 − x and 1.
-/// Elements of (0, a) and (a, 1) are halved towards both ends, 10 − log₂ a times.
+/// integral is ∫ σ_N (1 − x) times u_N(0) = −∫ u_N', so W² is b·A⁻¹b of the one functional times that of the other, for hat
+/// functions on (a, 1) and on (0, a); A holds their products in |·|_ν, in closed form, b the integrals of hat functions
+/// times 1 − x and 1. Elements of (0, a) and (a, 1) are halved towards both ends, 10 − log₂ a times.
 fn by_definition(nu: Order, a: f64) -> Result<f64> {
     let mesh = Mesh::graded(&[0.0, a, 1.0], 10 + (-a.log2()) as usize, 0.5)?;
     let (x, n) = (DVector::from(mesh.nodes()), mesh.len()); // x[n/2] = a
