@@ -30,6 +30,9 @@ const AT_FIRST: f64 = 0.02;
 /// signs in this many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
 const ELIMINATED: [(usize, usize); 2] = [(10_000, 2), (140_000, 6)];
 
+/// Factor between the largest residual that an error explains and the one that is accepted.
+const SPARE: f64 = 10.0;
+
 /// The observer of every step.
 pub(super) type Observer<'o> = dyn FnMut(&Progress) -> Result<()> + Send + 'o;
 
@@ -167,7 +170,11 @@ impl<'a> Job<'a> {
         let problem = self.problems[self.problems.len() - 1];
         let iterations = levels.iter().map(|level| level.gradient_steps as u64).sum();
         let work = Work { iterations, factorizations: 1, ..Work::default() };
-        let rounding = rounding(problem, &unknowns);
+        let error = outcome.error + rounding(problem, &unknowns);
+        // (K e)_i² ≤ K_ii |e|_a² and |u|_a² ≤ N max|u| max(|K||u| + |F|): an error of this size leaves a residual below √N times
+        // its share. A larger one says that the cycle is no preconditioner.
+        let share = if outcome.norm > 0.0 { error / outcome.norm } else { 0.0 };
+        let accepted = SPARE * (unknowns.len() as f64).sqrt() * share.max(f64::EPSILON);
         let solution = conclude(
             problem,
             self.cone,
@@ -180,10 +187,10 @@ impl<'a> Job<'a> {
                 history: outcome.history,
                 work,
                 seconds,
-                accepted: f64::INFINITY,
+                accepted,
             },
         )?;
-        let error = Estimate::new(outcome.norm, outcome.error + rounding, work)?;
+        let error = Estimate::new(outcome.norm, error, work)?;
         let discretisation = levels.last().and_then(|level| level.discretisation);
         let report =
             MultigridReport { error: Some(error), discretisation, coarsest_steps, levels, fallback: None };
