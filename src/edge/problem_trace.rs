@@ -19,10 +19,6 @@ use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProble
 /// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
 /// segment.
 const MESH_FACTOR: usize = 8;
-/// Largest number of segments on a mesh: a reference with 2048 squares along each side.
-const MESH_LARGEST: usize = 256;
-/// Largest number of segments on a strip: a reference of 2^20 cells.
-const STRIP_LARGEST: usize = 1 << 14;
 /// Relative residual of the contact solution on a strip.
 const SOLVED: f64 = 1e-13;
 /// Fewest cells of the manufactured edge: studies of up to 1024 segments use the same one.
@@ -34,14 +30,6 @@ const STRIP_FACTOR: usize = 64;
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
-    /// The largest number of segments for which a fine reference of the test problem is made.
-    pub fn largest_segments(test_problem: &NamedProblem) -> usize {
-        match test_problem {
-            NamedProblem::Mesh(_) => MESH_LARGEST,
-            NamedProblem::Strip(_) => STRIP_LARGEST,
-        }
-    }
-
     /// The manufactured pair of a strip on its fine edge; a periodic edge is cut at 0, where the force is
     /// halved.
     ///

@@ -97,12 +97,6 @@ impl FalkTerms {
         self.approximation + self.consistency + second
     }
 
-    /// The bracket with the infimum replaced by the two parts of (4.8).
-    pub fn split_bracket(&self, cone: Cone) -> f64 {
-        let second = if cone == Cone::Midpoint { self.first_part + self.second_part } else { 0.0 };
-        self.approximation + self.consistency + second
-    }
-
     /// |u−u_h|² over the bracket: the measured constant, at most 2.
     pub fn constant(&self, cone: Cone) -> f64 {
         self.error / self.bracket(cone)
@@ -111,22 +105,6 @@ impl FalkTerms {
     /// inf over the discrete cone of |u−v_h|² + 2∫σ_N(v_h−u)_N = |u−u_h|² + 2∫σ_N u_{h,N}.
     pub fn first_infimum(&self) -> f64 {
         self.error - 2.0 * self.second_infimum
-    }
-
-    /// The first infimum over its bound |u−I^hu|² + 2∫σ_N(I^h u)_N: at most 1, since u_h minimises over a
-    /// cone that contains I^h u.
-    pub fn interpolant_share(&self) -> f64 {
-        self.first_infimum() / (self.approximation + 2.0 * self.consistency)
-    }
-
-    /// The second infimum over |u−u_h|² + |u−I^hu|²: at most 0 in K^h.
-    pub fn second_share(&self) -> f64 {
-        self.second_infimum / (self.error + self.approximation)
-    }
-
-    /// Left less right side of (4.8), over |u−u_h|² + |u−I^hu|².
-    pub fn split_excess(&self) -> f64 {
-        (self.second_infimum - self.first_part - self.second_part) / (self.error + self.approximation)
     }
 }
 
