@@ -62,6 +62,9 @@ impl MeshFunctional {
     }
 }
 
+/// Units of rounding of an entry of the matrix.
+const ENTRY: f64 = 4.0;
+
 /// bᵀ (M + A)⁻¹ b by Cholesky.
 fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate> {
     let gram = gram_linears(partition, order);
@@ -88,8 +91,11 @@ fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate>
     let value: f64 = (0..n).map(|i| rhs[(i, 0)] * x[(i, 0)]).sum();
     let absolute: f64 = (0..n).map(|i| (rhs[(i, 0)] * x[(i, 0)]).abs()).sum();
     let left: f64 = (0..n).map(|i| (residual[(i, 0)] * x[(i, 0)]).abs()).sum();
+    // Entries are rounded, and for a function near a constant they cancel.
+    let size = |i: usize, j: usize| (matrix[(i, j)] * x[(i, 0)] * x[(j, 0)]).abs();
+    let entries: f64 = (0..n).map(|i| (0..n).map(|j| size(i, j)).sum::<f64>()).sum();
     let work = Work { factorizations: 1, ..Work::default() };
-    Estimate::new(value, 16.0 * f64::EPSILON * absolute + left, work)
+    Estimate::new(value, f64::EPSILON * (16.0 * absolute + ENTRY * entries) + left, work)
 }
 
 /// M + A, A a fast operator, with the diagonal as preconditioner.
