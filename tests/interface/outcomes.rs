@@ -74,7 +74,7 @@ fn column(name: &str, column: &str) -> Vec<(String, f64)> {
 
 /// (E1)-(E4), (N1), (N2): log-periodic Cantor sets, and logarithms at τ = 2, on few levels.
 #[test]
-fn every_rate_of_the_introduction_is_reached_and_the_optimal_one_is_not_passed() {
+fn no_rate_of_the_introduction_is_violated_and_the_optimal_one_is_not_passed() {
     const ORDER: f64 = 0.06;
     let optimal = column("introduction_rates", "optimal");
     assert!(optimal.len() > 8, "{}", optimal.len());
