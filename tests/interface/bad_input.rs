@@ -63,7 +63,7 @@ fn studies_refuse_what_cannot_be_classified_or_refined() {
     for arguments in [["--finest", "1"], ["--tau", "1.5"], ["--tau", "2.6"], ["--problem", "drum"]] {
         is_refused("theorem_3_1_rates", &arguments);
         is_refused("theorem_4_1_rates", &arguments);
-        is_refused("theorem_3_1_problems", &arguments);
+        is_refused("theorem_3_1_bodies", &arguments);
     }
     is_refused("tour", &["--out", "Cargo.toml"]);
     is_refused("lemma_6_1_local_estimate", &["--nu", "1"]);
