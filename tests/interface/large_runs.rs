@@ -13,8 +13,7 @@ fn kept(run: &str) -> Value {
 #[test]
 fn orders_of_corners_are_those_that_were_kept() {
     let kept = kept("theorem_3_1_rates_corners");
-    let (_, computed) =
-        outcome("theorem_3_1_bodies", &["--problem=corner", "--tau=1.6,1.75,1.9"]);
+    let (_, computed) = outcome("theorem_3_1_bodies", &["--problem=corner", "--tau=1.6,1.75,1.9"]);
     for tau in ["1.6", "1.75", "1.9"] {
         let key = format!("order.problemcorner.tau{tau}");
         let [[kept, error], [found, wide]] = [&kept, &computed]
