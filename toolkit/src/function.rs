@@ -1,6 +1,6 @@
 //! Functions on intervals, polygons and triangulations, and their norms of order −1 < s < 2.
 
-use super::boundary::{BoundaryFunction, Curve};
+use super::boundary::{BoundaryFunction, Curve, CurveFormula};
 use super::dual::{DualOf, MeshFunctional};
 use super::fields::FieldError;
 use super::functions::{Position, SingularFunction};
@@ -27,6 +27,7 @@ use std::ops::Range;
 /// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions) |
 /// | a corner singularity on a sector | [`sector_power`](Self::sector_power), [`elastic_corner`](Self::elastic_corner) |
 /// | values on a polygonal curve | [`on_curve`](Self::on_curve) |
+/// | a formula on the boundary of a polygon | [`on_polygon`](Self::on_polygon) |
 ///
 /// # Method
 ///
@@ -43,6 +44,7 @@ use std::ops::Range;
 /// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules beside them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
+/// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded to the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
 /// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
 /// The error of an estimate is that of comparing two accuracies, plus rounding; infinite norms are detected
@@ -82,6 +84,7 @@ enum Kind<'a> {
     Sector(SectorPower),
     Elastic(ElasticCorner),
     Curve(BoundaryFunction),
+    CurveFormula(CurveFormula<'a>),
 }
 
 impl<'a> Function<'a> {
@@ -359,6 +362,32 @@ impl<'a> Function<'a> {
         Ok(Self::of(Kind::Curve(u)))
     }
 
+    /// The function f of the point on the boundary of the polygon with these vertices, smooth on every side; at a vertex it may
+    /// be singular, or jump.
+    ///
+    /// Its norms are those of f; those of [`Function::on_curve`] are exact for the values, and miss f by the error of
+    /// interpolation. At a singular vertex other than the origin the distance is that of rounded coordinates.
+    ///
+    /// ```
+    /// use fractional_sobolev::Function;
+    /// // r^{2/3} sin(2θ/3) on the boundary of an L
+    /// let corner = |[x, y]: [f64; 2]| {
+    ///     let angle = y.atan2(x).rem_euclid(std::f64::consts::TAU);
+    ///     x.hypot(y).powf(2.0 / 3.0) * (2.0 * angle / 3.0).sin()
+    /// };
+    /// let l = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, -1.0]];
+    /// let found = Function::on_polygon(&l, corner)?.seminorm(0.5, 1e-6)?;
+    /// assert!(found.relative_error() <= 1e-6);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`Curve::closed`].
+    #[doc(alias("trace", "polygon", "corner singularity"))]
+    pub fn on_polygon(vertices: &[[f64; 2]], f: impl Fn([f64; 2]) -> f64 + Sync + 'a) -> Result<Self> {
+        CurveFormula::new(vertices, f).map(Kind::CurveFormula).map(Self::of)
+    }
+
     /// The function together with its partial derivatives (one on an interval, two in the plane), which are
     /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials need none.
     ///
@@ -405,6 +434,7 @@ impl<'a> Function<'a> {
                 Kind::Plane(u) => u.norm(order, tolerance),
                 Kind::PlaneFormula(u) => u.norm(order, tolerance),
                 Kind::Curve(u) => u.norm(order, tolerance),
+                Kind::CurveFormula(u) => u.norm(order, tolerance),
                 Kind::Load(_) | Kind::Sector(_) | Kind::Elastic(_) => {
                     Err(self.refused("norm of positive order"))
                 }
@@ -462,6 +492,7 @@ impl<'a> Function<'a> {
             Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
             Kind::Sector(u) => u.seminorm(order, tolerance),
             Kind::Curve(u) => u.seminorm(order, tolerance),
+            Kind::CurveFormula(u) => u.seminorm(order, tolerance),
             Kind::Load(_) | Kind::Elastic(_) => Err(self.refused("seminorm of order below 1")),
         }
     }
@@ -487,6 +518,7 @@ impl<'a> Function<'a> {
             Kind::Difference(u) => u.lq_norm(q, tolerance),
             Kind::Curve(u) if square => u.l2_norm(),
             Kind::Curve(u) => u.lq_norm(q, tolerance),
+            Kind::CurveFormula(u) if square => u.l2_norm(tolerance),
             Kind::Plane(u) if square => u.l2_norm(),
             Kind::PlaneFormula(u) if square => u.l2_norm(tolerance),
             _ => Err(self.refused("norm in L^q")),
@@ -725,6 +757,7 @@ impl<'a> Function<'a> {
             Kind::Sector(_) => "a power on a sector",
             Kind::Elastic(_) => "an elastic displacement at a corner",
             Kind::Curve(_) => "values on a polygonal curve",
+            Kind::CurveFormula(_) => "a formula on the boundary of a polygon",
         }
     }
 
@@ -744,6 +777,7 @@ impl<'a> Function<'a> {
             Kind::Sector(_) => "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic",
             Kind::Elastic(_) => "seminorms of order in (1, 2)",
             Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
         };
         Error::Incompatible { what: "the", given: quantity.to_owned(), with: self.describe(), expected }
     }

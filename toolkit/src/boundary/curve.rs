@@ -226,6 +226,16 @@ impl Curve {
         Place { side, from_start: mesh.from_left()[cell] + t, to_end: mesh.from_right()[cell + 1] + rest }
     }
 
+    /// The coordinates of a place, counted from the nearer end of its side.
+    pub(super) fn point(&self, place: Place) -> [f64; 2] {
+        let side = &self.sides[place.side];
+        if place.from_start <= place.to_end {
+            return side.at(place.from_start);
+        }
+        let end = self.vertices[(place.side + 1) % self.vertices.len()];
+        [0, 1].map(|k| end[k] - place.to_end * side.direction[k])
+    }
+
     /// The relative position of the sides of two elements.
     pub(super) fn relation_of(&self, e: usize, f: usize) -> Relation {
         self.relation(self.elements[e].0, self.elements[f].0)

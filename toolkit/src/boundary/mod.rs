@@ -3,8 +3,10 @@
 mod along;
 mod curve;
 mod dual;
+mod formula;
 mod function;
 mod pairs;
 
 pub use curve::Curve;
+pub(crate) use formula::CurveFormula;
 pub(crate) use function::BoundaryFunction;

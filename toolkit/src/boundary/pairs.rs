@@ -113,7 +113,7 @@ impl<'a> CurvePairs<'a> {
         let sine = (bend * (1.0 - 0.25 * bend)).max(0.0).sqrt();
         for (fixed, moving, is_first) in [(p, q, true), (q, p, false)] {
             let singular = [fixed * cosine, fixed * sine];
-            self.cut(0.0, moving, singular, &mut |start, length| {
+            cut(0.0, moving, singular, &mut |start, length| {
                 let nearest = singular[0].clamp(start, start + length);
                 let rule = self.rule(length / (singular[0] - nearest).hypot(singular[1]));
                 for (x, w) in rule.iter() {
@@ -125,18 +125,6 @@ impl<'a> CurvePairs<'a> {
                     if is_first { visit(weight, 0.0, share) } else { visit(weight, 1.0 - share, 1.0) }
                 }
             });
-        }
-    }
-
-    /// Pieces no longer than their distance to a point of the plane.
-    fn cut(&self, start: f64, length: f64, singular: [f64; 2], with: &mut impl FnMut(f64, f64)) {
-        let nearest = singular[0].clamp(start, start + length);
-        if length <= (singular[0] - nearest).hypot(singular[1]) {
-            with(start, length);
-        } else {
-            let half = 0.5 * length;
-            self.cut(start, half, singular, with);
-            self.cut(start + half, half, singular, with);
         }
     }
 
@@ -188,5 +176,17 @@ impl<'a> CurvePairs<'a> {
         let rho = z + z.hypot(1.0);
         let points = (self.digits / (2.0 * rho.log10())).ceil() as usize + 1;
         &self.rules[points.min(MOST_POINTS) - 1]
+    }
+}
+
+/// Pieces no longer than their distance to a point of the plane.
+pub(super) fn cut(start: f64, length: f64, singular: [f64; 2], with: &mut impl FnMut(f64, f64)) {
+    let nearest = singular[0].clamp(start, start + length);
+    if length <= (singular[0] - nearest).hypot(singular[1]) {
+        with(start, length);
+    } else {
+        let half = 0.5 * length;
+        cut(start, half, singular, with);
+        cut(start + half, half, singular, with);
     }
 }

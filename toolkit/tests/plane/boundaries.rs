@@ -267,3 +267,56 @@ fn faults_are_refused() {
     assert_eq!(zero.seminorm(order(0.7), Tolerance::fast()).unwrap().value, 0.0);
     assert_eq!(zero.norm(-order(0.7), Tolerance::fast()).unwrap().value, 0.0);
 }
+
+/// r^{2/3} sin(2θ/3) on the boundary of an L: its seminorm of order 1/2 to ten digits, that of its interpolants tends to it
+/// from above, and lengths of 1e±200 leave the digits.
+#[test]
+fn a_corner_function_on_an_l_has_ten_digits() {
+    let l = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, -1.0]];
+    let corner = |[x, y]: [f64; 2]| {
+        let angle = y.atan2(x).rem_euclid(TAU);
+        x.hypot(y).powf(2.0 / 3.0) * (2.0 * angle / 3.0).sin()
+    };
+    let found = Function::on_polygon(&l, corner).unwrap().seminorm(0.5, 1e-10).unwrap();
+    assert!((found.value - 3.577_137_929_2).abs() < 1e-10 && found.relative_error() < 1e-10, "{found}");
+    let at = |n: usize| interpolate(Curve::algebraic(&l, n, 4.0).unwrap(), corner).unwrap();
+    let off = [32, 64, 128].map(|n| at(n).seminorm(0.5, 1e-9).unwrap().value / found.value - 1.0);
+    assert!(off[2].abs() < 1e-4 && off[0] / off[1] > 2.5 && off[1] / off[2] > 2.5, "{off:?}");
+    for unit in [1e-200, 1e200] {
+        let far = l.map(|vertex| vertex.map(|x| unit * x));
+        let u = Function::on_polygon(&far, |[x, y]| corner([x / unit, y / unit])).unwrap();
+        assert!((u.seminorm(0.5, 1e-10).unwrap().value / found.value - 1.0).abs() < 1e-10);
+        assert!((u.norm(0.0, 1e-10).unwrap().value / unit.sqrt() / 1.901_276_617_695_32 - 1.0).abs() < 1e-9);
+    }
+}
+
+/// x on any polygon with the symmetry of the diagonal: |x|² = L²/2 at order 1/2; constants have no seminorm; a jump at a vertex
+/// is refused at order 1/2 with its best value, a kink inside a side too.
+#[test]
+fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
+    let x = Function::on_polygon(&SQUARE, |[x, _]| x).unwrap();
+    assert!((x.seminorm(0.5, 1e-12).unwrap().value.powi(2) / 8.0 - 1.0).abs() < 1e-12);
+    let hat = Function::on_polygon(&SQUARE, |[x, y]| (1.0 - x - y).max(0.0)).unwrap();
+    let linears = Curve::closed(&SQUARE, &vec![uniform(1); 4]).unwrap();
+    let same = Function::on_curve(&linears, 1, &[1.0, 0.0, 0.0, 0.0]).unwrap();
+    for nu in [0.1, 0.5, 0.9] {
+        let [a, b] = [&hat, &same].map(|u| u.norm(nu, 1e-10).unwrap());
+        assert!((a.value - b.value).abs() <= a.error + b.error, "{nu}: {a} {b}");
+    }
+    let one = Function::on_polygon(&SQUARE, |_| 3.0).unwrap();
+    assert!(
+        one.seminorm(0.5, 1e-8).unwrap().value == 0.0
+            && (one.norm(0.5, 1e-8).unwrap().value - 6.0).abs() < 1e-12
+    );
+    let jump = |[x, y]: [f64; 2]| f64::from(y == 0.0 && x > 0.0 && x < 1.0);
+    let kink = |[x, y]: [f64; 2]| (x - 0.3).abs() + y;
+    for refused in [
+        Function::on_polygon(&SQUARE, jump).unwrap().seminorm(0.5, 1e-6),
+        Function::on_polygon(&SQUARE, kink)
+            .unwrap()
+            .seminorm(0.5, Tolerance::new(1e-8).unwrap().with_work(1 << 22)),
+    ] {
+        assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
+    }
+    assert!(Function::on_polygon(&SQUARE, |[x, _]| 1.0 / (x - x)).unwrap().norm(0.5, 1e-6).is_err());
+}
