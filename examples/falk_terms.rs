@@ -67,7 +67,7 @@ fn linear(v: &[f64], j: usize, cells: usize) -> f64 {
 
 /// ‖u − u^h‖², ‖u − I^h u‖², ∫ σ_N (I^h u − u), − ∫ σ_N u^h and the two parts of (4.8), on n cells; −σ_N is a force λ_j at
 /// every node of the fine edge.
-fn terms(edge: &EdgeData, problem: &StripProblem, n: usize, u: &EdgeSolution) -> Result<[f64; 6]> {
+pub fn terms(edge: &EdgeData, problem: &StripProblem, n: usize, u: &EdgeSolution) -> Result<[f64; 6]> {
     let (g, force, cells) = (edge.values(), edge.forces(), edge.cells() / n);
     let nodal: Vec<f64> = g.iter().copied().step_by(cells).collect(); // I^h u
     let work = |v: &[f64]| force.iter().enumerate().map(|(j, f)| f * linear(v, j, cells)).sum::<f64>();

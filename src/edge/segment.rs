@@ -149,11 +149,6 @@ impl SegmentNorms {
         self.displacement.powi(2) + self.slope.norm_squared()
     }
 
-    /// Rounding of u_N at a point: cell by cell its values come from sums of that size.
-    pub(crate) fn rounding(&self) -> f64 {
-        64.0 * f64::EPSILON * self.depth
-    }
-
     /// diam C_T, `None` without contact.
     ///
     /// h_e less the distances from both vertices to the nearest zeros of u_N; 0 for a single contact point.

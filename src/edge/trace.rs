@@ -23,12 +23,6 @@ impl Interval {
     pub fn length(&self) -> f64 {
         self.end - self.start
     }
-
-    /// The common part, if there is one; it may be a point.
-    fn intersection(&self, other: &Interval) -> Option<Interval> {
-        let (start, end) = (self.start.max(other.start), self.end.min(other.end));
-        (start <= end).then_some(Interval { start, end })
-    }
 }
 
 /// Nodes of a fine mesh of the contact edge with normal displacements and contact forces.
@@ -137,17 +131,6 @@ impl EdgeTrace {
         &self.pressed
     }
 
-    /// The parts of the contact set in a segment, in order; touching a vertex counts. Cost: logarithmic, and
-    /// those parts.
-    pub(crate) fn contact_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
-        parts_in(&self.contact, segment)
-    }
-
-    /// The parts of the support of σ_N in a segment.
-    pub(crate) fn pressed_in(&self, segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
-        parts_in(&self.pressed, segment)
-    }
-
     /// u_N at any point of the edge (linear between nodes, constant beyond the ends).
     pub fn displacement_at(&self, x: f64) -> f64 {
         let right = self.nodes.partition_point(|&node| node < x);
@@ -161,13 +144,6 @@ impl EdgeTrace {
         let s = (x - a) / (b - a);
         (1.0 - s) * self.displacement[right - 1] + s * self.displacement[right]
     }
-}
-
-/// The intersections of sorted disjoint intervals with a segment.
-fn parts_in(intervals: &[Interval], segment: Interval) -> impl DoubleEndedIterator<Item = Interval> + '_ {
-    let from = intervals.partition_point(|i| i.end < segment.start);
-    let to = intervals.partition_point(|i| i.start <= segment.end);
-    intervals[from..to.max(from)].iter().filter_map(move |i| i.intersection(&segment))
 }
 
 /// Maximal ranges of consecutive nodes with a property, as closed intervals.

@@ -4,9 +4,8 @@
 ///
 /// ```
 /// use signorini::proof::TwoLaws;
-/// let mut sum = TwoLaws { printed: 4.0, corrected: 2.0 };
-/// sum.add(TwoLaws::same(1.0), 0.5);
-/// assert_eq!(sum, TwoLaws { printed: 4.5, corrected: 2.5 });
+/// let twice = TwoLaws { printed: 4.0, corrected: 2.0 }.map(|bound| 2.0 * bound);
+/// assert_eq!(twice, TwoLaws { printed: 8.0, corrected: 4.0 });
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwoLaws {
@@ -25,11 +24,5 @@ impl TwoLaws {
     /// The function of both.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self { printed: f(self.printed), corrected: f(self.corrected) }
-    }
-
-    /// Adds the part `share` of another bound.
-    pub fn add(&mut self, other: Self, share: f64) {
-        self.printed += share * other.printed;
-        self.corrected += share * other.corrected;
     }
 }
