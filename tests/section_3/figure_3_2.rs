@@ -122,11 +122,14 @@ fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
     }
 }
 
+/// A name, the contact set of the edge, the expected cases.
+type Expected<'a> = (&'a str, &'a [[usize; 2]], [bool; 2]);
+
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [(&str, &[[usize; 2]], [bool; 2]); 10] = [
+    let cases: [Expected; 10] = [
         ("full contact", &[[0, 64]], FIRST),
         ("no contact", &[], SECOND),
         ("contact elsewhere only", &[[0, 12], [52, 64]], SECOND),

@@ -51,6 +51,9 @@ fn every_segment_of_a_strip_problem_is_in_a_case() {
     }
 }
 
+/// A name, the contact set of the edge, the expected cases.
+type Expected<'a> = (&'a str, &'a [[f64; 2]], [bool; 2]);
+
 #[test]
 fn degenerate_segments_have_the_expected_class() {
     const FIRST: [bool; 2] = [true, false];
@@ -58,7 +61,7 @@ fn degenerate_segments_have_the_expected_class() {
     let nodes: Vec<f64> = (0..=64).map(|i| f64::from(i) / 64.0).collect();
     // the segment [1/4, 3/4], theta = 1/4: h_e theta = 1/8
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [(&str, &[[f64; 2]], [bool; 2]); 9] = [
+    let cases: [Expected; 9] = [
         ("full contact", &[[0.0, 1.0]], SECOND),
         ("no contact", &[], FIRST),
         ("one contact point", &[[0.5, 0.5]], FIRST),
