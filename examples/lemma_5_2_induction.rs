@@ -1,27 +1,30 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, every step beside its bound.
 //!
 //! γ(θ) is the best constant in ‖u‖₀ ≤ γ |u|_ν for u with mean zero on (0, θ), as in Lemma 5.2; 0 < ν < 1. The proof
-//! stretches (0, 1) by 1/θ to I, so that a zone of length θ² becomes one of length θ. With c the mean of the stretched u
-//! over (0, 1) it uses
+//! stretches (0, 1) by 1/θ to I = (0, 1/θ), so that a zone of length θ² becomes one of length θ: ũ on (0, 1), u(x) = ũ(θx) on I.
+//! With |u|²_ν = ∬ (u(x) − u(y))²/|x − y|^(1+2ν) and c the mean of u over (0, 1) it uses
 //!
 //! ```text
-//! ‖u‖₀ on I = θ^(−1/2) ‖u‖₀ on (0, 1),   |u|_ν on I = θ^(ν−1/2) |u|_ν on (0, 1)                    (5.5)
+//! ‖u‖₀ on I = θ^(−1/2) ‖ũ‖₀ on (0, 1),   |u|_ν on I = θ^(ν−1/2) |ũ|_ν on (0, 1)                    (5.5)
 //! ‖u‖₀ on I ≤ θ^(−1/2) |c| + θ^(−ν) γ(θ) |u|_ν on I                                              (5.6)
 //! |c| ≤ ‖u‖₀ on (0, 1) ≤ γ(θ) |u|_ν on (0, 1) ≤ γ(θ) |u|_ν on I                                  (5.7)
 //! γ(θ²) ≤ γ(θ) (1 + θ^(ν−1/2))                                                                   (5.8)
 //! γ(t^(2ⁿ)) ≤ γ(t) ∏ (1 + t^(2^i (ν−1/2))) over i < n, t the first zone                          (5.9)
 //! ```
 //!
-//! Here t = 1/2 is squared five times; (5.6) and (5.7) are evaluated for the extremal function of the zone θ². The last
-//! lines of the proof bound the product by C θ^(ν−1/2), 2 ln θ/ln t, C with C an exponential of a series.
+//! Here t = 1/2 is squared five times; (5.6) and the middle of (5.7) are evaluated for ũ the extremal function of the zone θ²:
+//! one function a step. The first ≤ of (5.7) is Cauchy and Schwarz, the last (0, 1) ⊂ I: no number decides them. The last lines
+//! of the proof bound the product by C θ^(ν−1/2), 2 ln θ/ln t, C with C an exponential of a series.
 //!
-//! Refuted if one side over the other exceeds 1 by more than its error in any of these lines. At ν = 1/2 the product
-//! doubles in each step where γ grows by √2 only: the reason why (5.2) has ln(1/θ) and not its root.
+//! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient of (5.5) is off 1 by 1e-6.
+//! Not sharp if at ν = 1/2 the last step gives away √2 to 0.02: γ grows like (ln(1/θ))^(1/2) (page `lemma_5_2_exact_law`), by √2 in
+//! a step, where the product doubles; ± is the change since the step before. So (5.2) has ln(1/θ) and not its root.
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 
 // `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts. Where `not_sharp` holds, the statement is not sharp.
+// undecided within ±. Of several calls the worst counts. Where `not_sharp` holds, the statement is not sharp. `proof`: true
+// by the proof on that page of the book. ± of sums, products and quotients: those of the parts, to first order, added.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Extremal, Function, gamma};
 use std::cmp::Ordering::{Equal, Greater, Less};
@@ -38,8 +41,8 @@ example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1
 
 /// γ and the function that attains it: γ² is the largest eigenvalue λ of M u = λ A u, M and A the matrices of ‖·‖₀² and
 /// |·|²_ν on functions with mean zero on the zone whose slopes are polynomials in ln r (degree up to 11), r the distance to
-/// the nearest of 0, θ and 1, on elements that grow geometrically away from there. Hat functions on elements halved towards
-/// these points give 0.2 % less. The error is the change to a space of fewer elements and lower degrees.
+/// the nearest of 0, θ and 1, on elements that grow geometrically away from there. Hat functions, eight
+/// elements to a halving of the distance, give up to 0.2 % less. ±: the change to a space of fewer elements and lower degrees.
 fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
     let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
     Ok((found.constant.into(), found.extremal()))

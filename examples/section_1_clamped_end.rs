@@ -79,8 +79,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let epsilon = body.map(|nu| (3.0 - 4.0 * nu).ln() / (2.0 * PI));
         let (mut found, mut powers, mut oscillates) = (Vec::new(), Vec::new(), 0);
         for angles in [options.angles, 2 * options.angles] {
-            // Rings of n sectors, radii falling by e^(−π/n): on all of them linear elements have the same stiffness
-            // matrix, so that the innermost ring is as exact as the outermost.
+            // Rings of n sectors, radii e^(−kπ/n), cells cut by the diagonal from the outer node nearer to the vertical axis:
+            // on all rings linear elements have the same stiffness matrix, so the innermost is as exact as the outermost.
             let (step, outline) = (PI / angles as f64, Outline::HalfDisc);
             let (smallest, poisson, direction) = (options.smallest, body, alpha);
             let body = DirichletEnd { outline, angles, step, smallest, poisson, direction };

@@ -15,9 +15,11 @@
 //! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B,
 //! A, D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
 //! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν
-//! − 1)). (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
+//! − 1)). Where σ(x) ≠ 0, I^h u_N(x) = x ∫ w over (x, 1) − (1 − x) ∫ w over (0, x); only pairs with σ(y) = w(x) = 0 count, so for every
+//! E and either cone term ≤ c₂ |σ|_ν |w|_ν, c₂ = ½ max x^(1+2ν) (1 − x) = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) (page `segment_constants`).
+//! (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
 //!
-//! Refuted if κ ≤ κ̄ ≤ K ≤ c fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
+//! Refuted if κ ≤ κ̄ ≤ K ≤ c or κ̄ ≤ c₂ fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
 //! products of `moment_on_mesh` at the same e by more than 1 %.
 //!
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
@@ -56,6 +58,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let found = [product_constant(nu, 1e-9)?, consistency_constant(nu, 1e-9)?, midpoint_bound(nu, 1e-9)?];
         let [product, kappa, midpoint] = found.map(|found| Measured::from(found.value));
         let (c, e, one) = (product_bound(nu), found.map(|found| found.contact), |_: f64| 1.0);
+        let power = 1.0 + 2.0 * nu.value();
+        let pairs = 0.5 * power.powf(power) / (1.0 + power).powf(1.0 + power);
         let definition = [
             moment_on_mesh(nu, e[0], one)? * moment_on_mesh(nu, 1.0 - e[0], one)?,
             moment_on_mesh(nu, e[1], |x| x)? * moment_on_mesh(nu, 1.0 - e[1], one)?,
@@ -74,16 +78,18 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
         out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
         out.check("K over c").at_most(product / c, 1.0, "potentials");
+        out.check("κ̄ over c₂").at_most(midpoint / pairs, 1.0, "pairs");
         out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
         // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (product * (24.0 / left) - 1.0) / left;
         out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
-        out.row(cells! { nu => c, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
+        out.row(cells! { nu => c, pairs, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
     }
     out.proof("c in place of 1/2, for every E", "segment_constants");
     for (name, title, meaning) in [
         ("c", "c", "by potentials"),
+        ("pairs", "c₂", "by pairs"),
         ("product", "K", "product of L1 norms, every E"),
         ("by_definition", "on a mesh", "K by `moment_on_mesh`"),
         ("kappa", "κ", "term, one gap"),
@@ -97,6 +103,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.plot("segment_constants", "Bounds of the term of one segment", axes)
         .dashed_line("1/2", half)
         .curve("nu", "c")
+        .curve("nu", "pairs")
         .curve("nu", "product")
         .curve("nu", "midpoint")
         .curve("nu", "kappa");

@@ -15,17 +15,19 @@
 //! ```
 //!
 //! Constants, on (0, 1): C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4, q = 2: v = 1; else Beckner's upper bound); γ_θ of
-//! Lemma 5.2, mean zero on (0, θ), to 1e-5; C_I of Lemma 6.1. Refuted if on one segment left/right of a line exceeds 1 +
-//! 1e-8, the error of the seminorms added, or an equality is off by 1e-10; or if the exponents of h differ: of the integral
-//! from 2τ − 2 by 0.05, of the last bound, on the whole edge, from 2τ² − 5τ + 4 by 1e-8; or if that bound over h² ln(1/h)
-//! grows at τ = 2. The table adds the bounds up over the segments, each in its case: where does the exponent fall? "zone of
-//! the segment": with its own free length (rounded down to a power of 1/2 in γ; first case: distance to the zero) in place
-//! of θh.
+//! Lemma 5.2, mean zero on (0, θ), to 1e-5; C_I the best one of Lemma 6.1, ‖v − I v‖₀ ≤ C_I |v'|_ν. Refuted if on one segment
+//! left/right of a line exceeds 1 + 1e-8, the error of the seminorms added, or an equality is off by 1e-10. The table adds the
+//! bounds up over the segments, each in its case: where does the exponent fall? "zone of the segment": with its own free
+//! length (rounded down to a power of 1/2 in γ; first case: distance to the zero) in place of θh. "whole edge": the larger
+//! of (3.9), (3.14) with C θ^(τ−2) for γ_θ (τ = 2: C ln(1/θ)), C its largest quotient over θ = 2^−1, .. 2^−16 and those of
+//! the meshes. The theorem is loose if the exponent of the integral is 2τ − 2 to 0.05. That of the last bound, 2τ² − 5τ + 4,
+//! and its h² ln(1/h) at τ = 2 are arithmetic of the choice of θ: these two checks test this file, not the paper.
 //!
-//! Pair: u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell left of the last
-//! node b ≤ a: ∫ (b − x)^(τ−2), half to each node; there spread evenly over the one or two cells beside the node in
-//! contact: −σ_N, constant on cells. At τ = 2 both are smoothed: u' and σ_N linear and continuous. Sums are means over a =
-//! 5/12 and 11/24. σ_N u_N = 0 at every point.
+//! Pair, on the edge (0, 1): u_N = −(x − a)^(τ−1) at the nodes of 128 cells a segment, x > a, linear between; force of a cell
+//! left of the last node b ≤ a: ∫ (b − x)^(τ−2), half to each node; from a node spread evenly over those of its two cells
+//! that lie left of b: −σ_N, constant on cells. At τ = 2 u' and σ_N are linear and continuous: values at nodes, the mean of
+//! the two cells, 0 where either is. Sums are means over a = 5/12 and 11/24. σ_N u_N = 0 at every point. Without the mesh
+//! the pair is in H^s for s < ν only, so that ‖σ_N‖_ν on the whole edge has no limit as `finest` grows.
 // x.at_most(b), at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the theorem is loose. observe: shown, decides nothing.
 use example_report::prelude::*;
@@ -50,6 +52,8 @@ pub type Lines = (Vec<Line>, Option<[f64; 4]>);
 
 /// Section 3 on one segment: the lines of the second case, of the first one.
 pub fn lines(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> {
+    // t: force ‖σ_N‖_(L¹), depth max |u_N|, vertices u_N(aᵢ), free_length the longer end piece with σ_N = 0, zero_distance from
+    // the aᵢ to the nearest zeros of u_N, increments |∫ u'| up to them; seminorms of piecewise constants or linears: closed forms
     let (h, nu, q, two) = (t.length, c.order().value(), c.q(), c.tau() == 2.0);
     let (sigma, slope) = (t.stress.l2, t.slope.norm_squared().sqrt()); // ‖σ_N‖₀, ‖u'‖_ν
     let (sigma_nu, slope_nu) = (t.stress.seminorm(), t.slope.seminorm()); // |σ_N|_ν, |u'|_ν
@@ -98,7 +102,7 @@ fn slope(points: &[(f64, f64)]) -> Measured {
     let between = |a: (f64, f64), b: (f64, f64)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
     let (first, middle, last) =
         (points[points.len() / 2], points[3 * points.len() / 4], points[points.len() - 1]);
-    Measured::new(between(first, last), between(first, middle) - between(middle, last))
+    Measured::new(between(first, last), (between(first, middle) - between(middle, last)).abs())
 }
 
 /// The two pairs on so many cells.
@@ -113,6 +117,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mut compared = Vec::new();
     for tau in [options.tau, 2.0] {
         let theta = |n: usize| (1.0 / n as f64).powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
+        // 2: the exponent q at τ = 2
         let c = ProofConstants::new(tau, 2.0, &meshes.iter().map(|&n| theta(n)).collect::<Vec<f64>>())?;
         // Half of ‖σ_N‖²_ν + ‖u_N‖₀² + ‖u'‖²_ν on the whole edge, on the finest mesh, mean over the pairs.
         let mut whole = 0.0;

@@ -17,7 +17,7 @@ fn the_bound_is_above_the_error_on_every_mesh() {
             let whole = known.second_seminorm(1, 1e-2).unwrap();
             let whole = whole.value + whole.error;
             for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [4, 8, 16, 32].map(|n| (cone, n))) {
-                let c = if cone == Cone::Nodal { 0.25 } else { 0.125 };
+                let c = if cone == Cone::Nodal { 2.0 / 27.0 } else { 0.125 };
                 let korn = lame.map_or(1.0, half_plane_korn);
                 let bound = ExplicitBound::new(&known.form(), cone, shape, c, korn).unwrap();
                 let near = known.second_seminorm(n, 1e-2).unwrap();
