@@ -9,11 +9,9 @@ mod common;
 #[path = "../hard/mod.rs"]
 mod hard;
 
-mod functions;
+mod constants;
 mod numbers;
-mod rests;
 mod scales;
-mod table;
 
 /// The part of the random cases that is run by default; `attacks` runs more.
 const SHARE: f64 = 0.1;

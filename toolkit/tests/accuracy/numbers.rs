@@ -1,30 +1,27 @@
-//! Norms and constants in one dimension on inputs near every limit. Every answer lies within its own error of a
-//! formula of the test (`hard/references.rs`), or there is a reason why there is none.
+//! Norms in one dimension on inputs near every limit, beside formulas of the test (`hard/references.rs`), closed
+//! forms, and other computations.
 
 use crate::common::SplitMix;
-use crate::hard::references;
-use crate::hard::{Count, cases, seeded};
+use crate::hard::{Case, Family, cases, decades, judge, references, seeded};
 use fractional_sobolev::{
-    Constraint, Error, Function, Mesh, Order, Rule, Tolerance, closed_forms, gamma, gauss_legendre,
+    DualOf, Error, Estimate, Function, Mesh, Order, Position, Rule, Tolerance, Work, closed_forms,
+    gauss_legendre,
 };
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// Rounding of the references: sums of some thousand positive terms.
 const ROUNDING: f64 = 1e-14;
-
 /// Of trapezoidal sums in two variables.
 const REFERENCE: f64 = 1e-10;
-
 /// Of cos kπx where kπx is rounded.
 const ARGUMENT: f64 = 1e-11;
 
-/// Evenly in the exponent.
-fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
-    10f64.powf(random.between(low, high))
-}
+static GAUSS_12: LazyLock<Rule> = LazyLock::new(|| gauss_legendre(12).unwrap());
+static GAUSS_16: LazyLock<Rule> = LazyLock::new(|| gauss_legendre(16).unwrap());
 
 /// Orders everywhere in (0, 1), and at the ends and the middle as close as they can be given.
-fn order(random: &mut SplitMix) -> Order {
+pub fn order(random: &mut SplitMix) -> Order {
     match random.below(10) {
         0 => Order::new(1e-300),
         1 => Order::new(1e-16),
@@ -58,34 +55,32 @@ fn exponent(random: &mut SplitMix, order: Order) -> f64 {
     }
 }
 
-#[test]
-fn closed_forms_of_powers_and_logarithms() {
-    let (mut random, mut count) = (seeded(1), Count::default());
-    for _ in 0..cases(5000) {
-        let order = order(&mut random);
-        let a = exponent(&mut random, order);
-        let exact = references::power(a, order);
-        count.judge(
-            || format!("|x^{a:e}|², {order:?}"),
-            &closed_forms::power_seminorm_squared(a, order),
-            exact,
-            ROUNDING,
-        );
+fn tolerance(random: &mut SplitMix, low: f64, high: f64) -> Tolerance {
+    Tolerance::new(decades(random, low, high)).unwrap()
+}
+
+fn closed_power(random: &mut SplitMix) -> Case {
+    let order = order(random);
+    let a = exponent(random, order);
+    let asked = Tolerance::reference();
+    let exact = (references::power(a, order), ROUNDING);
+    let found = |_| closed_forms::power_seminorm_squared(a, order);
+    Case { asked: None, ..Case::new(format!("|x^{a:e}|², {order:?}"), asked, exact, found) }
+}
+
+/// An exponent of the logarithm near 1/2, or near 0.
+fn log_exponent(random: &mut SplitMix, least: f64) -> f64 {
+    match random.below(2) {
+        0 => 0.5 - decades(random, -7.0, -0.31),
+        _ => decades(random, least, -0.31),
     }
-    count.close("closed forms of powers", cases(5000), 0.0);
-    let mut count = Count::default();
-    for i in 0..cases(4500) {
-        let distance = decades(&mut random, -7.0, -0.31);
-        let alpha = if i % 2 == 0 { 0.5 - distance } else { decades(&mut random, -10.0, -0.31) };
-        let exact = references::log_power(alpha);
-        count.judge(
-            || format!("||ln x|^{alpha:e}|²"),
-            &closed_forms::log_power_seminorm_squared(alpha),
-            exact,
-            ROUNDING,
-        );
-    }
-    count.close("closed forms of powers of the logarithm", cases(4500), 0.0);
+}
+
+fn closed_log_power(random: &mut SplitMix) -> Case {
+    let alpha = log_exponent(random, -10.0);
+    let exact = (references::log_power(alpha), ROUNDING);
+    let found = |_| closed_forms::log_power_seminorm_squared(alpha);
+    Case { asked: None, ..Case::new(format!("||ln x|^{alpha:e}|²"), Tolerance::reference(), exact, found) }
 }
 
 /// Up to five elements: of lengths 1e-300 ... 1, tiny ones beside long ones, or all of one size.
@@ -117,11 +112,6 @@ fn values(random: &mut SplitMix, count: usize) -> Vec<f64> {
     (0..count).map(|_| value(random)).collect()
 }
 
-/// From 5e-14: on 300 decades the rounding of exponents leaves 2e-14.
-fn tolerance(random: &mut SplitMix) -> Tolerance {
-    Tolerance::new(decades(random, -13.3, -3.0)).unwrap()
-}
-
 /// |u|_ν by the reference: of u over a power of two near its differences.
 fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Rule) -> f64 {
     let all = || ends.iter().flatten();
@@ -134,88 +124,48 @@ fn root_of_reference(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Ru
     unit * longer.powf(order.offset()) * references::linears(&lengths, &scaled, order, rule).sqrt()
 }
 
-#[test]
-fn piecewise_linears_on_lengths_of_300_decades() {
-    let (mut random, rule) = (seeded(2), gauss_legendre(12).unwrap());
-    let mut linears = Count::default();
-    for _ in 0..cases(4000) {
-        let (order, lengths, tolerance) = (order(&mut random), lengths(&mut random), tolerance(&mut random));
-        let values = values(&mut random, lengths.len() + 1);
-        let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-        let partition = Mesh::from_lengths(lengths.clone()).unwrap();
-        let u = Function::linears(&partition, &values).unwrap();
-        let exact = root_of_reference(&lengths, &ends, order, &rule);
-        let case = || format!("linears {values:?} on {lengths:?}, {order:?}, {tolerance}");
-        linears.judge(case, &u.seminorm(order, tolerance), exact, ROUNDING);
-    }
-    linears.close("piecewise linears", cases(4000), 0.01);
+/// From 5e-14: on 300 decades the rounding of exponents leaves 2e-14.
+fn linears(random: &mut SplitMix) -> Case {
+    let (order, lengths, asked) = (order(random), lengths(random), tolerance(random, -13.3, -3.0));
+    let values = values(random, lengths.len() + 1);
+    let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let u = Function::linears(&Mesh::from_lengths(lengths.clone()).unwrap(), &values).unwrap();
+    let exact = (root_of_reference(&lengths, &ends, order, &GAUSS_12), ROUNDING);
+    let what = format!("linears {values:?} on {lengths:?}, {order:?}");
+    Case::new(what, asked, exact, |asked| u.seminorm(order, asked))
 }
 
-#[test]
-fn piecewise_constants_on_lengths_of_300_decades() {
-    let (mut random, rule) = (seeded(6), gauss_legendre(12).unwrap());
-    let mut constants = Count::default();
-    for _ in 0..cases(2000) {
-        let order = order_below_half(&mut random);
-        let (lengths, tolerance) = (lengths(&mut random), tolerance(&mut random));
-        let values = values(&mut random, lengths.len());
-        let ends: Vec<[f64; 2]> = values.iter().map(|&value| [value; 2]).collect();
-        let partition = Mesh::from_lengths(lengths.clone()).unwrap();
-        let u = Function::piecewise(&partition, 0, &values).unwrap();
-        let exact = root_of_reference(&lengths, &ends, order, &rule);
-        let case = || format!("constants {values:?} on {lengths:?}, {order:?}, {tolerance}");
-        constants.judge(case, &u.seminorm(order, tolerance), exact, ROUNDING);
-    }
-    constants.close("piecewise constants", cases(2000), 0.01);
+fn constants(random: &mut SplitMix) -> Case {
+    let order = order_below_half(random);
+    let (lengths, asked) = (lengths(random), tolerance(random, -13.3, -3.0));
+    let values = values(random, lengths.len());
+    let ends: Vec<[f64; 2]> = values.iter().map(|&value| [value; 2]).collect();
+    let u = Function::piecewise(&Mesh::from_lengths(lengths.clone()).unwrap(), 0, &values).unwrap();
+    let exact = (root_of_reference(&lengths, &ends, order, &GAUSS_12), ROUNDING);
+    let what = format!("constants {values:?} on {lengths:?}, {order:?}");
+    Case::new(what, asked, exact, |asked| u.seminorm(order, asked))
 }
 
-#[test]
-fn closures_of_powers() {
-    let mut random = seeded(3);
-    let mut count = Count::default();
-    for _ in 0..cases(600) {
-        let order = order(&mut random);
-        let a = exponent(&mut random, order);
-        let tolerance = Tolerance::new(decades(&mut random, -6.0, -2.0)).unwrap();
-        let u = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
-            0 => at.offset().powf(a),
-            _ => (a * at.offset().ln_1p()).exp(),
-        })
-        .unwrap();
-        let exact = references::power(a, order).sqrt();
-        count.judge(
-            || format!("x^{a:e}, {order:?}, {tolerance}"),
-            &u.seminorm(order, tolerance),
-            exact,
-            ROUNDING,
-        );
-    }
-    count.close("closures of powers", cases(600), 0.7);
+fn power(random: &mut SplitMix) -> Case {
+    let order = order(random);
+    let (a, asked) = (exponent(random, order), tolerance(random, -6.0, -2.0));
+    let u = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
+        0 => at.offset().powf(a),
+        _ => (a * at.offset().ln_1p()).exp(),
+    });
+    let exact = (references::power(a, order).sqrt(), ROUNDING);
+    Case::new(format!("x^{a:e}, {order:?}"), asked, exact, |asked| u?.seminorm(order, asked))
 }
 
-#[test]
-fn closures_of_powers_of_the_logarithm() {
-    let (mut random, mut count) = (seeded(7), Count::default());
-    for i in 0..cases(100) {
-        let distance = decades(&mut random, -7.0, -0.31);
-        let alpha = if i % 2 == 0 { 0.5 - distance } else { decades(&mut random, -5.0, -0.31) };
-        let tolerance = Tolerance::new(decades(&mut random, -3.0, -1.5)).unwrap();
-        let u = Function::from_log_distances(&[0.0, 1.0], |at| match at.anchor() {
-            0 => (-at.log_distance()).powf(alpha),
-            // Below 1e-20 the distance to 1 is −ln x, whose power may still be far from 0 below 1e-300.
-            _ if at.log_distance() < -46.0 => (alpha * at.log_distance()).exp(),
-            _ => (-at.offset().ln_1p()).powf(alpha),
-        })
-        .unwrap();
-        let exact = references::log_power(alpha).sqrt();
-        let found = u.seminorm(Order::HALF, tolerance);
-        count.judge(|| format!("|ln x|^{alpha:e}, {tolerance}"), &found, exact, ROUNDING);
-    }
-    count.close("closures of powers of the logarithm", cases(100), 0.9);
+fn log_power(random: &mut SplitMix) -> Case {
+    let (alpha, asked) = (log_exponent(random, -5.0), tolerance(random, -3.0, -1.5));
+    let u = power_of_logarithm(alpha, 0.0);
+    let exact = (references::log_power(alpha).sqrt(), ROUNDING);
+    Case::new(format!("|ln x|^{alpha:e}"), asked, exact, |asked| u.seminorm(Order::HALF, asked))
 }
 
 /// |ln x|^α over e^{unit}, right below 1e-300.
-fn log_power(alpha: f64, unit: f64) -> Function<'static> {
+fn power_of_logarithm(alpha: f64, unit: f64) -> Function<'static> {
     Function::from_log_distances(&[0.0, 1.0], move |at| {
         let log = match at.anchor() {
             0 => (-at.log_distance()).ln(),
@@ -227,26 +177,255 @@ fn log_power(alpha: f64, unit: f64) -> Function<'static> {
     .unwrap()
 }
 
-#[test]
-fn powers_of_the_logarithm_up_to_200_at_orders_below_one_half() {
-    let (mut random, mut count) = (seeded(9), Count::default());
-    for _ in 0..cases(80) {
-        let alpha = decades(&mut random, -7.0, 2.301);
+/// α up to 200.
+fn log_power_below_half(random: &mut SplitMix) -> Case {
+    loop {
+        let alpha = decades(random, -7.0, 2.301);
         let order = match random.below(3) {
-            0 => Order::half_plus(-decades(&mut random, -6.0, -0.4)),
-            1 => Order::new(decades(&mut random, -3.0, -0.5)),
+            0 => Order::half_plus(-decades(random, -6.0, -0.4)),
+            1 => Order::new(decades(random, -3.0, -0.5)),
             _ => Order::new(random.between(0.05, 0.49)),
         }
         .unwrap();
-        let tolerance = Tolerance::new(decades(&mut random, -5.0, -1.5)).unwrap();
-        if 2.0 * alpha + (-2.0 * order.offset()) < references::LEAST {
-            continue;
+        let asked = tolerance(random, -5.0, -1.5);
+        if 2.0 * alpha + (-2.0 * order.offset()) >= references::LEAST {
+            let exact = (references::log_power_below_half(alpha, order).sqrt(), REFERENCE);
+            let u = power_of_logarithm(alpha, references::log_unit(alpha, order));
+            let what = format!("|ln x|^{alpha:e}, {order:?}");
+            return Case::new(what, asked, exact, |asked| u.seminorm(order, asked));
         }
-        let exact = references::log_power_below_half(alpha, order).sqrt();
-        let found = log_power(alpha, references::log_unit(alpha, order)).seminorm(order, tolerance);
-        count.judge(|| format!("|ln x|^{alpha:e}, {order:?}, {tolerance}"), &found, exact, REFERENCE);
     }
-    count.close("powers of the logarithm below one half", cases(8), 0.25);
+}
+
+/// Up to ten thousand half waves.
+fn cosine(random: &mut SplitMix) -> Case {
+    let k = decades(random, 0.0, 4.0) as u32;
+    let (order, asked, parts) = (order(random), tolerance(random, -4.0, -1.5), 1 + random.below(4));
+    let breaks: Vec<f64> = (0..=parts).map(|i| i as f64 / parts as f64).collect();
+    let omega = PI * f64::from(k);
+    let u = Function::from_fn(&breaks, |x: f64| (omega * x).cos()).unwrap();
+    let exact = (references::cosine(k, order, &GAUSS_16).sqrt(), ARGUMENT);
+    Case::new(format!("cos {k}πx on {parts} parts, {order:?}"), asked, exact, |asked| {
+        u.seminorm(order, asked)
+    })
+}
+
+fn cosine_in_pieces(random: &mut SplitMix) -> Case {
+    let (k, order, asked) = (1 + random.below(6) as u32, order(random), tolerance(random, -13.3, -3.0));
+    let omega = PI * f64::from(k);
+    // The rest of Lagrange's form at degree 10 and kh = 1/4: below (π/4)^11 / 11! / 4^11.
+    let mesh = Mesh::uniform(4 * k as usize, 1.0).unwrap();
+    let u = Function::interpolate(&mesh, 10, |x| (omega * x).cos()).unwrap();
+    let exact = (references::cosine(k, order, &GAUSS_16).sqrt(), ARGUMENT);
+    Case::new(format!("cos {k}πx of degree 10, {order:?}"), asked, exact, |asked| u.seminorm(order, asked))
+}
+
+fn plain_order(random: &mut SplitMix, high: f64) -> Order {
+    if high > 0.5 && random.below(4) == 0 {
+        return Order::HALF;
+    }
+    Order::new(random.between(0.02, high)).unwrap()
+}
+
+/// Lengths of equal, unequal, graded elements.
+fn partition(random: &mut SplitMix, count: usize) -> Mesh {
+    match random.below(4) {
+        0 => Mesh::uniform(count, 1.0).unwrap(),
+        1 => Mesh::algebraic(count, random.between(1.5, 4.0), 1.0).unwrap(),
+        2 => {
+            let half = Mesh::algebraic(count.div_ceil(2), random.between(1.5, 3.0), 0.5).unwrap();
+            let both = half.lengths().iter().chain(half.lengths().iter().rev());
+            Mesh::from_lengths(both.copied().collect()).unwrap()
+        }
+        _ => Mesh::from_lengths((0..count).map(|_| random.between(0.1, 1.0)).collect()).unwrap(),
+    }
+}
+
+/// Up to 10^{2...5} elements, evenly in the exponent; the largest only when many cases are asked for.
+fn count(random: &mut SplitMix, decades: f64) -> usize {
+    let most = if cases(10) > 10 { decades } else { decades.min(3.5) };
+    10f64.powf(random.between(0.5, most)) as usize
+}
+
+/// ∥x^a |ln x|^α∥_q = (Γ(αq + 1)/(aq + 1)^{αq+1})^{1/q} for αq whole; q = 1, 2, 4.
+fn lebesgue(random: &mut SplitMix) -> Case {
+    let q = [1.0, 2.0, 4.0][random.below(3)];
+    let whole = random.below(7);
+    let (alpha, asked) = (whole as f64 / q, tolerance(random, -12.0, -2.0));
+    let a = (10f64.powf(random.between(-1.9, 0.5)) - 1.0) / q;
+    let factorial: f64 = (1..=whole).map(|k| k as f64).product();
+    let exact = (factorial / (a * q + 1.0).powi(whole as i32 + 1)).powf(1.0 / q);
+    let by_log = random.below(2) == 0;
+    let f = move |at: Position| match at.anchor() {
+        0 => (a * at.log_distance()).exp() * (-at.log_distance()).powf(alpha),
+        _ => (1.0 + at.offset()).powf(a) * (-at.offset().ln_1p()).powf(alpha),
+    };
+    let u = if by_log {
+        Function::from_log_distances(&[0.0, 1.0], f).unwrap()
+    } else {
+        Function::from_positions(&[0.0, 1.0], f).unwrap()
+    };
+    let what = format!("x^{a} |ln x|^{alpha} in L^{q}, {by_log}");
+    let is_deep = a * q < -0.9;
+    Case { is_deep, ..Case::new(what, asked, (exact, 1e-12), |asked| u.lp(q, asked)) }
+}
+
+/// Powers at both sides of random breaks, a logarithm, a smooth part; against the norm of u − 0, which cuts
+/// the interval into cells and patches.
+fn closure(random: &mut SplitMix) -> Case {
+    let (order, asked) = (plain_order(random, 0.9), tolerance(random, -12.0, -2.0));
+    let count = 1 + random.below(3);
+    let mut breaks: Vec<f64> = vec![0.0, 1.0];
+    breaks.extend((0..count).map(|k| (k as f64 + random.between(0.2, 0.8)) / count as f64));
+    breaks.sort_by(f64::total_cmp);
+    let logs = random.below(3) == 0 && order.value() < 0.45;
+    let terms: Vec<[f64; 3]> = (0..breaks.len())
+        .map(|_| {
+            let a = order.offset().max(0.0) + random.between(0.05, 1.5);
+            [random.between(-1.0, 1.0), a, if logs { random.between(-1.0, 1.0) } else { 0.0 }]
+        })
+        .collect();
+    let [wave, slope] = [random.between(0.0, 6.0), random.between(-1.0, 1.0)];
+    let f = |at: Position| {
+        let parts = terms.iter().enumerate().map(|(k, [c, a, log])| {
+            let logarithm = if *log == 0.0 { 0.0 } else { log * at.log_distance_to(k) };
+            c * at.distance_to(k).powf(*a) + logarithm
+        });
+        parts.sum::<f64>() + slope * (wave * at.x()).sin()
+    };
+    let u = Function::from_positions(&breaks, f).unwrap();
+    let zero = Function::piecewise(&Mesh::uniform(17, 1.0).unwrap(), 0, &[0.0; 17]).unwrap();
+    // This method is slower: at weak singularities its work is limited.
+    let second = |norm: bool| {
+        let tight = Tolerance::new((0.1 * asked.relative()).max(1e-9)).unwrap().with_work(1 << 22);
+        let found = if norm {
+            u.minus(&zero).unwrap().norm(order, tight)
+        } else {
+            u.minus(&zero).unwrap().seminorm(order, tight)
+        };
+        Estimate::or_best(found).ok()
+    };
+    let norm = random.below(2) == 0;
+    let what = format!("closure with breaks {breaks:?}, terms {terms:?}, sin {wave}, {order}, norm {norm}");
+    // Where there is no second value only the work is judged.
+    let unknown = Estimate { value: 0.0, error: f64::MAX, work: Work::default() };
+    Case::beside(what, asked, second(norm).unwrap_or(unknown), |asked| {
+        if norm { u.norm(order, asked) } else { u.seminorm(order, asked) }
+    })
+}
+
+/// Random values at nodes; against the same function on halved elements.
+fn many_linears(random: &mut SplitMix) -> Case {
+    let (order, asked) = (plain_order(random, 0.97), tolerance(random, -12.0, -2.0));
+    let cells = count(random, 5.0);
+    let mesh = partition(random, cells);
+    let values: Vec<f64> = (0..=mesh.len()).map(|_| random.between(-1.0, 1.0)).collect();
+    let u = Function::linears(&mesh, &values).unwrap();
+    let halves = halved(&u);
+    let second = Estimate::or_best(halves.seminorm(order, Tolerance::new(1e-11).unwrap())).unwrap();
+    let what = format!("linears on {} elements, {order}", u.mesh().unwrap().len());
+    Case::beside(what, asked, second, |asked| u.seminorm(order, asked))
+}
+
+/// Every element cut in two.
+fn halved(u: &Function<'_>) -> Function<'static> {
+    let lengths = u.mesh().unwrap().lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
+    let at = |k: usize, t: f64| u.value(k, t).unwrap();
+    let ends: Vec<[f64; 2]> = (0..u.mesh().unwrap().len())
+        .flat_map(|k| [[at(k, 0.0), at(k, 0.5)], [at(k, 0.5), at(k, 1.0)]])
+        .collect();
+    Function::piecewise(&Mesh::from_lengths(lengths).unwrap(), 1, ends.as_flattened()).unwrap()
+}
+
+/// L^q of random linears: ∫ |l|^q on an element is (r |r|^q − l |l|^q)/((q + 1)(r − l)) h.
+fn lebesgue_of_linears(random: &mut SplitMix) -> Case {
+    let asked = tolerance(random, -12.0, -2.0);
+    let cells = count(random, 5.0);
+    let mesh = partition(random, cells);
+    let q = [1.0, 1.5, 2.0, 3.0, 7.0][random.below(5)];
+    let values: Vec<f64> = (0..=mesh.len()).map(|_| random.between(-1.0, 1.0)).collect();
+    let power = |v: f64| v * v.abs().powf(q);
+    let share = |(w, h): (&[f64], &f64)| {
+        if (w[1] - w[0]).abs() < 1e-4 {
+            h * (0.5 * (w[0] + w[1])).abs().powf(q)
+        } else {
+            h * (power(w[1]) - power(w[0])) / ((q + 1.0) * (w[1] - w[0]))
+        }
+    };
+    let exact = values.windows(2).zip(mesh.lengths()).map(share).sum::<f64>().powf(1.0 / q);
+    let cells = mesh.len();
+    let u = Function::linears(&mesh, &values).unwrap();
+    let what = format!("linears on {cells} in L^{q}");
+    Case { is_deep: false, ..Case::new(what, asked, (exact, 1e-9), |asked| u.lp(q, asked)) }
+}
+
+/// Waves as a load: cos kπx has the norm (1 + k²π²)^{-ν/2}/√2 in the dual of interpolation.
+fn wave_load(random: &mut SplitMix) -> Case {
+    let (order, asked) = (plain_order(random, 0.97), tolerance(random, -12.0, -2.0));
+    let frequency = (1 + random.below(12)) as f64 * PI;
+    let u = Function::from_fn(&[0.0, 1.0], |x: f64| (frequency * x).cos()).unwrap();
+    let exact = ((1.0 + frequency * frequency).powf(-0.5 * order.value()) / 2f64.sqrt(), 1e-13);
+    let found = |asked| u.dual_norm(DualOf::Interpolation, order, asked);
+    Case { is_deep: false, ..Case::new(format!("cos {frequency} x as a load, {order}"), asked, exact, found) }
+}
+
+/// ∫₀¹ x^a |ln x|^p.
+fn moment(a: f64, p: usize) -> f64 {
+    (1..=p).map(|k| k as f64).product::<f64>() / (a + 1.0).powi(p as i32 + 1)
+}
+
+/// In L¹ and L²: towards the break a slow power with a small coefficient hides behind a fast one.
+fn slow_behind_fast(random: &mut SplitMix) -> Case {
+    let (fast, slow) = (random.between(0.0, 3.0), random.between(-0.4, 0.0));
+    let (p, r, q) = (random.below(3), random.below(2), 1 + random.below(2));
+    let (small, asked) = (decades(random, -6.0, 0.0), tolerance(random, -11.0, -2.0));
+    let u = Function::from_fn(&[0.0, 1.0], |x: f64| {
+        let log = -x.ln();
+        x.powf(fast) * log.powi(p as i32) + small * x.powf(slow) * log.powi(r as i32)
+    });
+    let square = moment(2.0 * fast, 2 * p)
+        + 2.0 * small * moment(fast + slow, p + r)
+        + small * small * moment(2.0 * slow, 2 * r);
+    let exact = if q == 1 { moment(fast, p) + small * moment(slow, r) } else { square.sqrt() };
+    let what = format!("x^{fast} log^{p} + {small} x^{slow} log^{r} in L^{q}");
+    Case { is_deep: false, ..Case::new(what, asked, (exact, 1e-13), |asked| u?.lp(q as f64, asked)) }
+}
+
+/// x² + ε x^b in H^ν, where the bilinear form of two powers is no closed form; a tighter rule is.
+fn slow_seminorm(random: &mut SplitMix) -> Case {
+    let order = Order::new(random.between(0.05, 0.9)).unwrap();
+    let slow = order.offset() + random.between(0.05, 0.5);
+    let (small, asked) = (decades(random, -5.0, -1.0), tolerance(random, -8.0, -2.0));
+    let u = Function::from_fn(&[0.0, 1.0], |x: f64| x * x + small * x.powf(slow)).unwrap();
+    let exact = Estimate::or_best(u.seminorm(order, 1e-11)).unwrap();
+    let alone = closed_forms::power_seminorm(2.0, order).unwrap().value;
+    assert!(exact.value > 0.5 * alone);
+    Case::beside(format!("x² + {small} x^{slow}, {order}"), asked, exact, |asked| u.seminorm(order, asked))
+}
+
+/// Cases, and the share of refusals that is allowed.
+const FAMILIES: [Family; 16] = [
+    ("closed forms of powers", 5000, 0.0, closed_power),
+    ("closed forms of powers of the logarithm", 4500, 0.0, closed_log_power),
+    ("piecewise linears on lengths of 300 decades", 4000, 0.01, linears),
+    ("piecewise constants on lengths of 300 decades", 2000, 0.01, constants),
+    ("powers", 600, 0.05, power),
+    ("powers of the logarithm", 100, 0.1, log_power),
+    ("powers of the logarithm below one half", 80, 0.25, log_power_below_half),
+    ("cosines", 60, 0.2, cosine),
+    ("cosines in pieces", 600, 0.02, cosine_in_pieces),
+    ("L^q of powers and logarithms", 40, 0.33, lebesgue),
+    ("closures with breaks", 20, 0.5, closure),
+    ("many linears", 20, 0.33, many_linears),
+    ("L^q of linears", 20, 0.33, lebesgue_of_linears),
+    ("waves as loads", 20, 0.6, wave_load),
+    ("slow powers behind fast ones", 4000, 0.01, slow_behind_fast),
+    ("slow powers of the seminorm", 100, 0.1, slow_seminorm),
+];
+
+#[test]
+fn every_answer_is_within_its_error_or_refused_with_a_value_that_is() {
+    judge(1, &FAMILIES);
 }
 
 #[test]
@@ -259,7 +438,7 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
             let above = decades(&mut random, -16.0, -0.31);
             (decades(&mut random, -7.0, 2.301), Order::half_plus(above).unwrap())
         };
-        match log_power(alpha, 0.0).seminorm(order, Tolerance::fast()) {
+        match power_of_logarithm(alpha, 0.0).seminorm(order, Tolerance::fast()) {
             Err(Error::InfiniteNorm { .. }) => infinite += 1,
             Err(_) => refused += 1,
             Ok(found) => panic!("|ln x|^{alpha:e}, {order:?} is not in H^nu, and has the norm {found}"),
@@ -270,66 +449,23 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
 }
 
 #[test]
-fn cosines_up_to_ten_thousand_half_waves() {
-    let (mut random, rule) = (seeded(4), gauss_legendre(16).unwrap());
-    let mut closures = Count::default();
-    for _ in 0..cases(60) {
-        let k = decades(&mut random, 0.0, 4.0) as u32;
-        let order = order(&mut random);
-        let tolerance = Tolerance::new(decades(&mut random, -4.0, -1.5)).unwrap();
-        let omega = PI * f64::from(k);
-        let parts = 1 + random.below(4);
-        let breaks: Vec<f64> = (0..=parts).map(|i| i as f64 / parts as f64).collect();
-        let u = Function::from_fn(&breaks, |x: f64| (omega * x).cos()).unwrap();
-        let exact = references::cosine(k, order, &rule).sqrt();
-        let case = || format!("cos {k}πx on {parts} parts, {order:?}, {tolerance}");
-        closures.judge(case, &u.seminorm(order, tolerance), exact, ARGUMENT);
+fn wrong_answers_are_found() {
+    let made = |value: f64, error: f64, points: u64, found: bool| {
+        let estimate = Estimate { value, error, work: Work { points, ..Work::default() } };
+        let (asked, reached, best) = (1e-6, estimate.relative_error(), Some(estimate));
+        let refusal = Err(Error::ToleranceNotMet { what: "norm", asked, reached, best, why: "made" });
+        let tolerance = Tolerance::new(1e-6).unwrap();
+        let found = if found { Ok(estimate) } else { refusal };
+        let exact = Estimate { value: 1.0, error: 1e-13, work: Work::default() };
+        Case::beside("made".to_owned(), tolerance, exact, |_| found).fault()
+    };
+    assert!(made(1.0 + 1e-8, 1e-7, 1, true).is_none() && made(1.0, 1e-3, 1, false).is_none());
+    for (value, error, points, found, what) in [
+        (1.0 + 1e-6, 1e-7, 1, true, "an error above its estimate"),
+        (1.0, 1e-3, 1, true, "an answer beside its tolerance"),
+        (1.0, 1e-7, 4 * Tolerance::WORK + 1, true, "an answer beside its limit of work"),
+        (1.1, 1e-3, 1, false, "a refusal that does not enclose"),
+    ] {
+        assert!(made(value, error, points, found).is_some(), "{what}");
     }
-    closures.close("closures of cosines", cases(60), 0.8);
-}
-
-#[test]
-fn cosines_in_pieces() {
-    let (mut random, rule) = (seeded(8), gauss_legendre(16).unwrap());
-    let mut pieces = Count::default();
-    for _ in 0..cases(600) {
-        let (k, order, tolerance) = (1 + random.below(6) as u32, order(&mut random), tolerance(&mut random));
-        let omega = PI * f64::from(k);
-        let partition = Mesh::uniform(4 * k as usize, 1.0).unwrap();
-        // The rest of Lagrange's form at degree 10 and kh = 1/4: below (π/4)^11 / 11! / 4^11.
-        let u = Function::interpolate(&partition, 10, |x| (omega * x).cos()).unwrap();
-        let exact = references::cosine(k, order, &rule).sqrt();
-        let case = || format!("cos {k}πx of degree 10, {order:?}, {tolerance}");
-        pieces.judge(case, &u.seminorm(order, tolerance), exact, ARGUMENT);
-    }
-    pieces.close("cosines in pieces", cases(600), 0.3);
-}
-
-#[test]
-fn poincare_constants_between_bounds_known_by_hand() {
-    let (mut random, mut answered, mut refused) = (seeded(5), 0, 0);
-    for _ in 0..cases(100) {
-        let order = order(&mut random);
-        let theta = decades(&mut random, -4.0, 0.0);
-        match gamma(order, Constraint::mean_zero_on(0.0..theta), Tolerance::fast())
-            .map(|found| found.constant)
-        {
-            Ok(found) => {
-                answered += 1;
-                let [low, high] = [found.value - found.error, found.value + found.error];
-                // u = x − θ/2 from below; |x−y| ≤ 1 and u = w − (mean of w over the zone) from above
-                let c = 0.5 * theta;
-                let complement = 1.0 - order.value();
-                let seminorm = 1.0 / (complement * (1.0 + 2.0 * complement));
-                let line = ((1.0 / 3.0 - c + c * c) / seminorm).sqrt();
-                let crude = (0.5 * (1.0 + 1.0 / theta)).sqrt();
-                let case = format!("zone {theta:e}, {order:?}: {found}, {line:e} to {crude:e}");
-                assert!(high >= line * (1.0 - ROUNDING) && low <= crude, "{case}");
-            }
-            Err(Error::ToleranceNotMet { .. } | Error::OutOfRange { .. }) => refused += 1,
-            Err(other) => panic!("zone {theta:e}, {order:?}: {other}"),
-        }
-    }
-    println!("Poincaré constants: {} tried, {answered} answered, {refused} refused", answered + refused);
-    assert!(10 * answered >= 9 * cases(100), "{answered} answered, {refused} refused");
 }

@@ -8,16 +8,14 @@ mod common;
 #[path = "../hard/mod.rs"]
 mod hard;
 
+#[path = "../accuracy/constants.rs"]
+mod constants;
 #[path = "../plane/duffy.rs"]
 mod duffy;
 #[path = "../norms/errors_of_fields.rs"]
 mod errors_of_fields;
-#[path = "../accuracy/functions.rs"]
-mod functions;
 #[path = "../accuracy/numbers.rs"]
 mod numbers;
-#[path = "../accuracy/rests.rs"]
-mod rests;
 #[path = "../norms/rough_loads.rs"]
 mod rough_loads;
 #[path = "../accuracy/scales.rs"]

@@ -1,9 +1,9 @@
-//! What the attacks share: how many cases, and what became of them.
+//! One assertion for every random case with a known answer, and how many cases are taken.
 
 pub mod references;
 
 use crate::common::SplitMix;
-use fractional_sobolev::{Error, Estimate, Result};
+use fractional_sobolev::{Error, Estimate, Result, Tolerance, Work};
 
 /// The share of the target; `SIGNORINI_ATTACK=10` takes ten times as many cases.
 pub fn cases(default: usize) -> usize {
@@ -20,66 +20,107 @@ pub fn seeded(family: u64) -> SplitMix {
     SplitMix::new(family + 1000 * seed)
 }
 
-/// What became of the cases of one family.
-#[derive(Debug, Default)]
-pub struct Count {
-    answered: usize,
-    refused: usize,
-    worst: f64,
-    violations: Vec<String>,
+/// 10^u, u uniform.
+pub fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
+    10f64.powf(random.between(low, high))
 }
 
-impl Count {
-    /// An answer is right to its own error beside `rounding` of the exact value; a refusal gives a reason.
-    /// That a finite norm is infinite, or no number, is no reason, it is a wrong answer.
-    pub fn judge(
-        &mut self,
-        case: impl FnOnce() -> String,
-        found: &Result<Estimate>,
-        exact: f64,
-        rounding: f64,
-    ) {
-        assert!(exact.is_finite() && exact >= 0.0, "reference of {}: {exact:e}", case());
-        match found {
-            Ok(found) => {
-                self.answered += 1;
-                let share = (found.value - exact).abs() / (found.error + rounding * exact);
-                let share = if share.is_nan() { f64::from(u8::from(found.value != exact)) } else { share };
-                self.worst = self.worst.max(share);
-                if share > 1.0 {
-                    let relative = found.value / exact - 1.0;
-                    self.violation(format!("{}: {found}, exact {exact:.15e}, off by {relative:.1e}", case()));
+/// What was asked of what, what came out, and the known answer with its own error.
+pub struct Case {
+    pub what: String,
+    /// `None` for a closed form, which takes no tolerance.
+    pub asked: Option<Tolerance>,
+    pub found: Result<Estimate>,
+    pub exact: Estimate,
+    /// A refusal may carry no value: the largest part of the norm lies below the smallest number.
+    pub is_deep: bool,
+}
+
+impl Case {
+    /// `rounding`, relative, is that of the known answer.
+    pub fn new(
+        what: String,
+        asked: Tolerance,
+        (exact, rounding): (f64, f64),
+        ask: impl FnOnce(Tolerance) -> Result<Estimate>,
+    ) -> Self {
+        let exact = Estimate { value: exact, error: rounding * exact.abs(), work: Work::default() };
+        Self { what, asked: Some(asked), found: ask(asked), exact, is_deep: true }
+    }
+
+    /// Beside another computation, every refusal with a value.
+    pub fn beside(
+        what: String,
+        asked: Tolerance,
+        exact: Estimate,
+        ask: impl FnOnce(Tolerance) -> Result<Estimate>,
+    ) -> Self {
+        Self { what, asked: Some(asked), found: ask(asked), exact, is_deep: false }
+    }
+
+    /// An answer is right to its own error, meets its tolerance and keeps its limit of work; a refusal encloses the
+    /// known answer. That a finite norm is infinite, or no number, is a wrong answer.
+    pub fn fault(&self) -> Option<String> {
+        let Self { what, asked, found, exact, is_deep } = self;
+        assert!(exact.value.is_finite() && exact.error.is_finite(), "reference of {what}: {exact}");
+        let apart = |found: &Estimate| {
+            let off = (found.value - exact.value).abs() - found.error - exact.error;
+            off > 0.0 || off.is_nan()
+        };
+        let told = match found {
+            Ok(found) if apart(found) => "dishonest",
+            Ok(found) if asked.is_some_and(|t| found.error > t.relative().max(8e-15) * found.value.abs()) => {
+                "misses the tolerance"
+            }
+            Ok(found) if found.work.points > 4 * Tolerance::WORK => "works beyond its limit",
+            Ok(_) => return None,
+            Err(Error::ToleranceNotMet { best: Some(best), .. }) => {
+                if apart(best) {
+                    "a dishonest refusal"
+                } else if best.work.points > 4 * Tolerance::WORK {
+                    "works beyond its limit"
+                } else {
+                    return None;
                 }
             }
-            Err(error @ (Error::InfiniteNorm { .. } | Error::NotFinite { .. })) => {
-                self.violation(format!("{}: {error}", case()));
+            Err(Error::ToleranceNotMet { best: None, reached, .. })
+                if *is_deep && *reached == f64::INFINITY =>
+            {
+                return None;
             }
-            Err(_) => self.refused += 1,
+            Err(_) => "no value",
+        };
+        Some(format!("{what}, asked {asked:?}: {told}, {found:?}; exact {exact}"))
+    }
+}
+
+/// How a case is drawn, how many are, and the share of them that may be refused.
+pub type Family = (&'static str, usize, f64, fn(&mut SplitMix) -> Case);
+
+/// Draws and judges the cases of all families; `SIGNORINI_FAMILY=log` only of those with such a name. How many times
+/// the true error, or rounding, every stated error is.
+pub fn judge(first: u64, families: &[Family]) -> Vec<f64> {
+    let only = std::env::var("SIGNORINI_FAMILY").unwrap_or_default();
+    let (mut faults, mut careful) = (Vec::new(), Vec::new());
+    for (seed, (family, count, refusals, draw)) in (first..).zip(families) {
+        let (mut random, mut refused, count) = (seeded(seed), 0, cases(*count));
+        for _ in (0..count).filter(|_| family.contains(&only)) {
+            let case = draw(&mut random);
+            match &case.found {
+                Ok(found) => {
+                    let off = (found.value - case.exact.value).abs();
+                    careful.push(found.error / off.max(4.0 * f64::EPSILON * case.exact.value.abs()));
+                }
+                Err(_) => refused += 1,
+            }
+            faults.extend(case.fault().map(|fault| format!("{family}: {fault}")));
+        }
+        println!("{family}: {count} tried, {refused} refused");
+        if f64::from(refused) > refusals * count as f64 {
+            faults.push(format!("{family}: {refused} of {count} refused"));
         }
     }
-
-    /// A case that went wrong.
-    pub fn violation(&mut self, what: String) {
-        self.violations.push(what);
-    }
-
-    /// Prints the counts; fails on violations, on too few cases, and when more than `refusals` of them (as a
-    /// share) were refused.
-    pub fn close(self, family: &str, at_least: usize, refusals: f64) {
-        let Self { answered, refused, worst, violations } = self;
-        let tried = answered + refused + violations.len();
-        println!(
-            "{family}: {tried} tried, {answered} answered (worst error {worst:.2} of the estimate), {refused} \
-             refused, {} violations",
-            violations.len()
-        );
-        assert!(
-            violations.is_empty(),
-            "{family}, {}: {:#?}",
-            violations.len(),
-            &violations[..violations.len().min(12)]
-        );
-        assert!(tried >= at_least, "{family}: {tried} of {at_least} cases");
-        assert!(refused as f64 <= refusals * tried as f64, "{family}: {refused} of {tried} refused");
-    }
+    assert!(faults.is_empty(), "{}: {:#?}", faults.len(), &faults[..faults.len().min(12)]);
+    careful.sort_by(f64::total_cmp);
+    careful
 }
