@@ -7,9 +7,6 @@
 
 use std::path::{Path, PathBuf};
 
-/// Functions without an example, each with a reason.
-const EXCUSED: [(&str, &str); 0] = [];
-
 /// A public function: file, type, name, and whether it takes `self`.
 #[derive(Debug, Clone, PartialEq)]
 struct Function {
@@ -134,12 +131,7 @@ fn missing(sources: &[(PathBuf, String)]) -> Vec<String> {
 #[test]
 fn every_public_function_of_the_toolkit_stands_in_an_example() {
     let missing = missing(&sources());
-    let excused = |name: &String| EXCUSED.iter().any(|(excused, _)| excused == name);
-    let left: Vec<&String> = missing.iter().filter(|name| !excused(name)).collect();
-    assert!(left.is_empty(), "{} functions without an example: {left:#?}", left.len());
-    let idle: Vec<&str> =
-        EXCUSED.iter().map(|(name, _)| *name).filter(|name| !missing.iter().any(|m| m == name)).collect();
-    assert!(idle.is_empty(), "excused, and have an example: {idle:?}");
+    assert!(missing.is_empty(), "{} functions without an example: {missing:#?}", missing.len());
 }
 
 /// A line that declares something public, with its type before a method: `name`, and the whole declaration up to
@@ -196,13 +188,9 @@ fn types_missing(sources: &[(PathBuf, String)]) -> Vec<String> {
     types.into_iter().filter(|name| !shown(name)).cloned().collect()
 }
 
-/// Types without an example, each with a reason.
-const EXCUSED_TYPES: [(&str, &str); 0] = [];
-
 #[test]
 fn every_public_type_of_the_toolkit_stands_in_an_example() {
-    let mut missing = types_missing(&sources());
-    missing.retain(|name| !EXCUSED_TYPES.iter().any(|(excused, _)| excused == name));
+    let missing = types_missing(&sources());
     assert!(missing.is_empty(), "{} types without an example: {missing:#?}", missing.len());
     let mut sources = sources();
     // A function that returns it is no example of it.
@@ -239,39 +227,6 @@ fn the_list_of_public_items_is_up_to_date() {
         "gone or changed: {gone:#?}\nnew: {new:#?}\nif meant: SIGNORINI_WRITE_API=1 cargo test -p fractional-sobolev --test interface documented, and a \
          line in CHANGELOG.md"
     );
-}
-
-/// Paragraphs in which Markdown takes two indices for emphasis: an underscore between a bar and a brace opens
-/// one, the next closes it; written with a backslash it does not.
-fn garbled(text: &str) -> Vec<String> {
-    let (mut found, mut paragraph, mut in_code) = (Vec::new(), String::new(), false);
-    for line in text.lines().map(str::trim_start).chain([""]) {
-        let line = line.strip_prefix("///").or_else(|| line.strip_prefix("//!"));
-        let content = line.unwrap_or("").trim();
-        in_code = line.is_some() && in_code != content.starts_with("```");
-        if !content.is_empty() && !in_code && !content.starts_with("```") {
-            paragraph.push_str(content);
-            paragraph.push('\n');
-            continue;
-        }
-        let paragraph = std::mem::take(&mut paragraph);
-        let opens = ["|_{", "‖_{", "∥_{", "'_{"].iter().any(|mark| paragraph.contains(mark));
-        if opens && paragraph.matches('_').count() > 1 {
-            found.push(paragraph);
-        }
-    }
-    found
-}
-
-#[test]
-fn no_formula_of_the_documentation_is_garbled() {
-    for (file, text) in sources() {
-        let found = garbled(&text);
-        assert!(found.is_empty(), "{}: {found:#?}", file.display());
-    }
-    assert_eq!(garbled("/// so |u|_{1/2}\n/// and |v|_{1/2}\nfn f() {}\n").len(), 1);
-    assert!(garbled("/// so |u|\\_{1/2} and |v|\\_{1/2}\n").is_empty());
-    assert!(garbled("/// ```text\n/// |u|_{1/2} and |v|_{1/2}\n/// ```\n").is_empty());
 }
 
 #[test]
