@@ -208,7 +208,6 @@ where
 #[cfg(test)]
 mod tests {
     use super::*;
-    use proptest::prelude::*;
 
     /// Multipliers of the projection, z − x = B'λ with B w = w_i + w_{i+1}: λ ≥ 0 and complementary proves
     /// optimality.
@@ -226,49 +225,67 @@ mod tests {
         worst
     }
 
-    proptest! {
-        #[test]
-        fn chain_projection_is_optimal(z in prop::collection::vec(-1.0f64..1.0, 1..200)) {
-            let (x, _) = project_chain(&z);
-            prop_assert!(chain_defect(&z, &x) < 1e-11);
+    /// Numbers in (0, 1) of a linear congruential generator.
+    fn random(seed: u64) -> impl FnMut() -> f64 {
+        let mut state = seed;
+        move || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            ((state >> 33) as f64 + 0.5) / (1u64 << 31) as f64
         }
+    }
 
-        #[test]
-        fn ring_projection_is_the_chain_of_many_turns(z in prop::collection::vec(-1.0f64..1.0, 2..20), cut in 0usize..40) {
-            prop_assume!(z.len().is_multiple_of(2));
+    #[test]
+    fn chain_projection_is_optimal() {
+        let mut random = random(1);
+        for _ in 0..256 {
+            let n = 1 + (199.0 * random()) as usize;
+            let z: Vec<f64> = (0..n).map(|_| 2.0 * random() - 1.0).collect();
+            assert!(chain_defect(&z, &project_chain(&z).0) < 1e-11, "{z:?}");
+        }
+    }
+
+    #[test]
+    fn ring_projection_is_the_chain_of_many_turns() {
+        let mut random = random(2);
+        for _ in 0..256 {
+            let (n, cut) = (2 + 2 * (9.0 * random()) as usize, (40.0 * random()) as usize);
+            let z: Vec<f64> = (0..n).map(|_| 2.0 * random() - 1.0).collect();
             let plain = Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false };
             let (x, active) = project_ring(&z, &plain, cut);
-            let n = z.len();
-            for s in 0..n {
-                prop_assert!(x[s] + x[(s + 1) % n] <= 1e-12);
-            }
+            assert!((0..n).all(|s| x[s] + x[(s + 1) % n] <= 1e-12), "{z:?}");
             // Unwinding the ring many times changes the middle turn only if no constraint is inactive.
             if active.iter().any(|a| !a) {
                 let unrolled: Vec<f64> = (0..21 * n).map(|i| z[i % n]).collect();
                 let (y, _) = project_chain(&unrolled);
                 let worst = (0..n).map(|i| (x[i] - y[10 * n + i]).abs()).fold(0.0, f64::max);
-                prop_assert!(worst < 1e-10, "{worst}");
+                assert!(worst < 1e-10, "{z:?}: {worst}");
             }
         }
+    }
 
-        #[test]
-        fn weighted_ring_projection_is_optimal(
-            z in prop::collection::vec((-1.0f64..1.0, 0.5f64..2.0, -0.2f64..0.2), 3..40)
-        ) {
-            let data = Weighted { weight: |i: usize| z[i].1, bound: |i: usize| z[i].2, is_fixed: |_| false };
-            let values: Vec<f64> = z.iter().map(|z| z.0).collect();
-            let (n, (x, active)) = (z.len(), project_ring(&values, &data, 0));
-            let slack = |s: usize| x[s] + x[(s + 1) % n] - 2.0 * z[s].2;
+    #[test]
+    fn weighted_ring_projection_is_optimal() {
+        let (mut random, mut proved) = (random(3), 0);
+        for _ in 0..256 {
+            let n = 3 + (37.0 * random()) as usize;
+            let z: Vec<[f64; 3]> =
+                (0..n).map(|_| [2.0 * random() - 1.0, 0.5 + 1.5 * random(), 0.4 * random() - 0.2]).collect();
+            let data =
+                Weighted { weight: |i: usize| z[i][1], bound: |i: usize| z[i][2], is_fixed: |_| false };
+            let values: Vec<f64> = z.iter().map(|z| z[0]).collect();
+            let (x, active) = project_ring(&values, &data, 0);
+            let slack = |s: usize| x[s] + x[(s + 1) % n] - 2.0 * z[s][2];
             // All round even rings have a solution for compatible bounds only.
-            prop_assume!(active.iter().any(|a| !a));
-            prop_assert!((0..n).all(|s| slack(s) <= 1e-12 && (!active[s] || slack(s) > -1e-12)));
+            let Some(cut) = active.iter().position(|a| !a) else { continue };
+            assert!((0..n).all(|s| slack(s) <= 1e-12 && (!active[s] || slack(s) > -1e-12)), "{z:?}");
             // d (z − x) = B'λ from an inactive segment on: λ ≥ 0 proves optimality.
-            let cut = active.iter().position(|a| !a).unwrap();
             let mut multiplier = 0.0;
             for i in (0..n).map(|i| (cut + 1 + i) % n) {
-                multiplier = z[i].1 * (values[i] - x[i]) - multiplier;
-                prop_assert!(multiplier > -1e-10 && (active[i] || multiplier < 1e-10), "{i}: {multiplier}");
+                multiplier = z[i][1] * (values[i] - x[i]) - multiplier;
+                assert!(multiplier > -1e-10 && (active[i] || multiplier < 1e-10), "{z:?}, {i}: {multiplier}");
             }
+            proved += 1;
         }
+        assert!(proved > 128, "{proved}");
     }
 }
