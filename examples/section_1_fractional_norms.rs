@@ -111,8 +111,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for example in functions(&options.power) {
         for &nu in &options.nu {
             // Near a breakpoint b: ∫ ℓ(t) dt, t = −ln|x − b|, ℓ the integral over the quotient of both distances from b.
-            // Gauss rules on cells in t until the rest, bounded by the decay of ℓ, is below the tolerance; where ℓ does
-            // not decay the norm is infinite. The error is the change with the order of the rules, and the rest.
+            // Gauss rules on cells in t until the rest, bounded by the decay of ℓ, is below the tolerance; where the power of
+            // e^(−t), fitted to the last half of the cells, grows, or where it is zero and that of t is above −1, the norm
+            // is infinite. The error is the change with the order of the rules, and the rest.
             let u = Function::from_fn(&example.breaks, &example.u)?;
             let found = u.seminorm(nu, options.tolerance);
             let is_finite =

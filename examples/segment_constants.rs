@@ -9,13 +9,13 @@
 //! ```
 //!
 //! The term is ∫ σ (I^h u_N) of (3.11), and −∫ (σ − π^h σ) u_N of (4.9) in the midpoint cone, π^h the mean over T. For the
-//! gap N = (e, 1), −u_N(1) = ‖w‖_L1, it is ∫ x σ · ‖w‖_L1 in both. For K an interval at an end is the worst E: sorting |σ|
-//! and |w| raises neither seminorm.
+//! gap N = (e, 1), w ≤ 0, it is ∫ x |σ| · ‖w‖_L1 (nodal) and ‖σ‖_L1 ∫ (1 − x) |w| (midpoint): the same constants, with σ and w
+//! exchanged. For K an interval at an end is the worst E: sorting |σ| and |w| raises neither seminorm.
 //!
-//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e), κ̄ = max B(e) D(1−e) over the length e of E, where B,
+//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e); κ̄ = max B(e) D(1−e) is an upper bound; the maxima over the length e of E, where B,
 //! A, D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
 //! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν
-//! − 1)). Where σ(x) ≠ 0, I^h u_N(x) = x ∫ w over (x, 1) − (1 − x) ∫ w over (0, x); only pairs with σ(y) = w(x) = 0 count, so for every
+//! − 1)). Where σ(x) ≠ 0, I^h u_N(x) = x ∫ w over (x, 1) − (1 − x) ∫ w over (0, x), ∫ u_N = ∫ (1 − y) w over (x, 1) − ∫ y w over (0, x); only pairs with σ(y) = w(x) = 0 count, so for every
 //! E and either cone term ≤ c₂ |σ|_ν |w|_ν, c₂ = ½ max x^(1+2ν) (1 − x) = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) (page `segment_constants`).
 //! (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
 //!
@@ -53,7 +53,8 @@ fn moment_on_mesh(nu: Order, e: f64, m: impl Fn(f64) -> f64) -> Result<f64> {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &nu in &options.nu {
-        // Moments: functions whose slopes are polynomials on graded cells, a linear system; error from two such spaces.
+        // Moments: functions whose slopes are polynomials on graded cells, a linear system; ±: the change between two such
+        // spaces, of both factors.
         // The maximum over e in (0, 1) by golden section, at `found.contact`.
         let found = [product_constant(nu, 1e-9)?, consistency_constant(nu, 1e-9)?, midpoint_bound(nu, 1e-9)?];
         let [product, kappa, midpoint] = found.map(|found| Measured::from(found.value));
@@ -68,7 +69,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for (found, definition) in found.iter().zip(definition) {
             let value = Measured::from(found.value);
             // Strong form: (A v, w) = (v, w)_ν, and for every v, with r = m − A v, the moment M has
-            // ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ½ ∫ r²/k; v, a polynomial on each graded cell, by least squares of r.
+            // ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ∫ r²/k; v, a polynomial on each graded cell, by least squares of r.
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
