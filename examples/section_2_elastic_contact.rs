@@ -18,11 +18,11 @@
 //! With stiffness matrix K, load F and the rows of B that give u_N at a node or its mean over a segment, the forces p of
 //! the floor satisfy K u + Bᵀp = F at the free nodes (those not on Γ_D), B u ≤ 0, p ≥ 0, p·B u = 0.
 //!
-//! Expected: every condition to rounding, the same J by two solvers of these equations, and for the nodal cone by a loop
-//! in this file with its own K and F. Refuted if a condition, scaled, is violated by more than 1e-10, if forces do not
-//! balance, J is not −a(u, u)/2 or two solvers differ in J by more than 1e-8 or the loop by 1e-8, each widened by ten times what rounding of
-//! K and F leaves in J (for λ ≫ μ), if J of the midpoint cone, which contains K^h, is higher, or if the membrane does not
-//! touch at both ends of the edge with one gap between.
+//! Expected: every condition to rounding, the same J by two solvers of these equations, and for the nodal cone by a loop in
+//! this file with its own K and F. Refuted if a condition, scaled, is violated by more than 1e-10, if forces do not
+//! balance, J is not −a(u, u)/2 or two solvers differ in J by more than 1e-8 or the loop by 1e-8, each widened by ten times
+//! what rounding of K and F leaves in J (for λ ≫ μ), if J of the midpoint cone, which contains K^h, is higher, or if the
+//! membrane does not touch at both ends of the edge with one gap between.
 //!
 //! `cargo run --release --example section_2_elastic_contact -- --n 64 --poisson 0.3 --out out`
 

@@ -4,12 +4,12 @@
 //! `section_2_singular_exponents`): a corner of the body, a change of conditions, or an end of contact. Which conditions
 //! meet at an end of the contact edge, contact closed C or open O, is taken from the contact set on a mesh cut toward it.
 //!
-//! Bodies: `block`, the unit square fixed on top, free sides, contact below, λ = μ = 1, f = (0, −cos πx); `incompressible`, the
-//! same with E = 5/2, Poisson's ratio 0.49; `free` f = (0, 1), `closed` f = (0, −1); `leaning`, its left side fixed in place of the
-//! top and turned to the angle ω, (x, y) → (x + y (1 − x) cot ω, y), f = (0, −cos πx − 1/2); `raised`, that with f = (0, cos πx);
-//! `taper`, fixed on top, both sides turned outwards to ω, f = (0, −cos πx − 1/2); `bracket`, unit squares at (0, 0), (0, 1), (−1, 1),
-//! contact below, fixed at x = −1, f the same. Scalar: `membrane`, the square, f = cos 2πx + 3/10; `corner`, that of `leaning`, f =
-//! −2 cos πx.
+//! Bodies: `block`, the unit square fixed on top, free sides, contact below, λ = μ = 1, f = (0, −cos πx); `incompressible`,
+//! the same with E = 5/2, Poisson's ratio 0.4999; `free` f = (0, 1), `closed` f = (0, −1); `leaning`, its left side fixed
+//! in place of the top and turned to the angle ω, (x, y) → (x + y (1 − x) cot ω, y), f = (0, −cos πx − 1/2); `raised`, that
+//! with f = (0, cos πx); `taper`, fixed on top, both sides turned outwards to ω, f = (0, −cos πx − 1/2); `bracket`, unit
+//! squares at (0, 0), (0, 1), (−1, 1), contact below, fixed at x = −1, f the same. Scalar: `membrane`, the square, f = cos
+//! 2πx + 3/10; `corner`, that of `leaning`, f = −2 cos πx.
 //!
 //! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is nearer to it than 2^(−k)/4
 //! are cut, for k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has the same mesh but for scale, 4 (then 8) elements

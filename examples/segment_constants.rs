@@ -12,12 +12,13 @@
 //! gap N = (e, 1), w ≤ 0, it is ∫ x |σ| · ‖w‖_L1 (nodal) and ‖σ‖_L1 ∫ (1 − x) |w| (midpoint): the same constants, with σ and w
 //! exchanged. For K an interval at an end is the worst E: sorting |σ| and |w| raises neither seminorm.
 //!
-//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e); κ̄ = max B(e) D(1−e) is an upper bound; the maxima over the length e of E, where B,
-//! A, D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m = 1, x, e − x. By potentials
-//! (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the support), K ≤ c = ν / (2 (4^ν
-//! − 1)). Where σ(x) ≠ 0, I^h u_N(x) = x ∫ w over (x, 1) − (1 − x) ∫ w over (0, x), ∫ u_N = ∫ (1 − y) w over (x, 1) − ∫ y w over (0, x); only pairs with σ(y) = w(x) = 0 count, so for every
-//! E and either cone term ≤ c₂ |σ|_ν |w|_ν, c₂ = ½ max x^(1+2ν) (1 − x) = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) (page `segment_constants`).
-//! (On segments of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
+//! The best constants are K = max B(e) B(1−e), κ = max A(e) B(1−e); κ̄ = max B(e) D(1−e) is an upper bound; the maxima over
+//! the length e of E, where B, A, D are the largest ∫ m w / |w|_ν of functions w on (0, 1) that vanish on (e, 1), with m =
+//! 1, x, e − x. By potentials (|w|²_ν ≥ ∫ k w² with k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1), the pairs with y off the
+//! support), K ≤ c = ν / (2 (4^ν − 1)). Where σ(x) ≠ 0, I^h u_N(x) = x ∫ w over (x, 1) − (1 − x) ∫ w over (0, x), ∫ u_N = ∫
+//! (1 − y) w over (x, 1) − ∫ y w over (0, x); only pairs with σ(y) = w(x) = 0 count, so for every E and either cone term ≤
+//! c₂ |σ|_ν |w|_ν, c₂ = ½ max x^(1+2ν) (1 − x) = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) (page `segment_constants`). (On segments
+//! of length h all constants have the factor h^(2ν+1) = h^(2τ−2).)
 //!
 //! Refuted if κ ≤ κ̄ ≤ K ≤ c or κ̄ ≤ c₂ fails, if a constant is off the bounds of the strong form by more than 1e-8, or off the
 //! products of `moment_on_mesh` at the same e by more than 1 %.

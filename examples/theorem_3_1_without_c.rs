@@ -11,8 +11,9 @@
 //! max(λ, 0): ‖v‖² ≤ M ‖∇v‖².  S = (λ² + (λ + 2μ)²)^(1/2): |∇σ_N| by second derivatives. b = 0, nodal cone; b = (ϑ/π) S B,
 //! midpoint cone, B = φ/√(2μ + 2 min(λ, 0)) of Korn's inequality, φ the golden ratio. Laplacian: M = S = B = 1. c:
 //! consistency term of a segment over h² |σ_N|_½ |u_N'|_½; c = 2/27 is proved for every contact set (½ max x² (1 − x), page
-//! `segment_constants`), 1/8 for the midpoint cone. Computed: K, the best constant of ‖σ_N‖₁ ‖u_N'‖₁, midpoint cone K/2; and κ ≤ K, the best c for one transition. The
-//! terms with c and b need |u|₂ in the squares at the contact edge only: the bound of the edge, smaller still.
+//! `segment_constants`), 1/8 for the midpoint cone. Computed: K, the best constant of ‖σ_N‖₁ ‖u_N'‖₁, midpoint cone K/2;
+//! and κ ≤ K, the best c for one transition. The terms with c and b need |u|₂ in the squares at the contact edge only: the
+//! bound of the edge, smaller still.
 //!
 //! Problem: closed forms, u = −Re F or Westergaard's displacement of F, F = (z − 3/10)^(3/2) or ((z − 3/10)(7/10 − z))^(3/2).
 //! Refuted if one error, plus 0.1 % for its quadrature, exceeds C h |u|₂.
