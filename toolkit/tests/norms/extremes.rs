@@ -16,70 +16,6 @@ fn identity_squared(order: Order) -> f64 {
 }
 
 #[test]
-fn orders_at_the_ends_of_the_interval() {
-    for nu in [1e-6, 1.0 - 1e-6, 1e-300, 1.0 - f64::EPSILON] {
-        let order = Order::new(nu).unwrap();
-        let exact = identity_squared(order);
-        assert_digits("closed form", closed_forms::power_seminorm_squared(1.0, order).unwrap().value, exact);
-        let u =
-            Function::linears(&Mesh::uniform(3, 1.0).unwrap(), &[0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0]).unwrap();
-        let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
-        assert_digits("piecewise", value, exact.sqrt());
-    }
-    for nu in [1e-6, 1.0 - 1e-6] {
-        let order = Order::new(nu).unwrap();
-        let u = Function::from_fn(&[0.0, 1.0], |x: f64| x).unwrap();
-        let value = u.seminorm(order, Tolerance::new(1e-9).unwrap()).unwrap().value;
-        assert!((value / identity_squared(order).sqrt() - 1.0).abs() < 1e-9, "closure {nu}: {value}");
-    }
-}
-
-#[test]
-fn intervals_of_any_length() {
-    for length in [1e-300, 1e-150, 1e150, 1e300] {
-        for nu in [1e-6, 0.3, 0.5, 0.9, 1.0 - 1e-6] {
-            let order = Order::new(nu).unwrap();
-            let partition = Mesh::uniform(4, length).unwrap();
-            let u = Function::linears(&partition, &[0.0, 0.25, 0.5, 0.75, 1.0]).unwrap();
-            let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
-            // The square scales with L^{1−2ν}; the power is taken of the root, where 1 − 2ν is halved.
-            let exact = identity_squared(order).sqrt() * length.powf(-order.offset());
-            assert_digits(&format!("length {length:e}, nu {nu}"), value, exact);
-        }
-    }
-}
-
-#[test]
-fn tiny_elements_beside_long_ones() {
-    // The hat of height 1 over two elements of length 1e-300 in the middle of (0, 2).
-    let order = Order::HALF;
-    let lengths = vec![1.0, 1e-300, 1e-300, 1.0];
-    let u = Function::linears(&Mesh::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
-    let tiny = u.seminorm(order, Tolerance::reference()).unwrap().value;
-    // At ν = 1/2 the seminorm does not see scale: the same hat over 1e-20, whose surroundings are as good as
-    // infinite.
-    let lengths = vec![1.0, 1e-20, 1e-20, 1.0];
-    let v = Function::linears(&Mesh::from_lengths(lengths).unwrap(), &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
-    assert_digits("tiny hat", tiny, v.seminorm(order, Tolerance::reference()).unwrap().value);
-    assert!(matches!(Mesh::from_lengths(vec![1e-300, 1e300]), Err(Error::OutOfRange { .. })));
-}
-
-#[test]
-fn values_of_any_size() {
-    let order = Order::new(0.7).unwrap();
-    for size in [1e-150, 1e150] {
-        let u = Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size]).unwrap();
-        let value = u.seminorm(order, Tolerance::reference()).unwrap().value;
-        assert_digits("values", value, size * identity_squared(order).sqrt());
-        let dual = u.norm(-order, Tolerance::fast()).unwrap().value;
-        assert!(dual > 0.1 * size && dual < size, "{dual}");
-        let u = Function::from_fn(&[0.0, 1.0], |x: f64| size * x).unwrap();
-        let value = u.seminorm(order, Tolerance::balanced()).unwrap().value;
-        assert!((value / (size * identity_squared(order).sqrt()) - 1.0).abs() < 1e-8, "{value}");
-    }
-}
-
-#[test]
 fn one_element_and_a_million() {
     let order = Order::new(0.25).unwrap();
     let one = Gram::new(&Mesh::uniform(1, 1.0).unwrap(), order, 1e-8).unwrap().to_dense().unwrap();
@@ -149,16 +85,14 @@ fn closures_of_any_size_scale_out() {
             }
         }
     }
+    for size in [1e-150, 1e150] {
+        let u = Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size]).unwrap();
+        let dual = u.norm(-0.7, Tolerance::fast()).unwrap().value;
+        assert!(dual > 0.1 * size && dual < size, "{dual}");
+    }
+    let longest = Mesh::from_lengths(vec![1e-300, 1e300]);
+    assert!(matches!(longest, Err(Error::OutOfRange { .. })));
     let u = Function::from_fn(&[0.0, 1.0], |x: f64| 1e-2 * x).unwrap();
     let found = u.lp(200.0, tolerance).unwrap().value;
     assert!((found / 9.738_319_515_772_5e-3 - 1.0).abs() <= tolerance.relative(), "{found}");
-}
-
-#[test]
-fn a_jump_that_is_not_declared_is_not_overlooked() {
-    for at in [0.3, 0.37, 0.62] {
-        let u = Function::from_fn(&[0.0, 1.0], |x: f64| if x < at { 0.0 } else { 1.0 }).unwrap();
-        let found = u.seminorm(Order::new(0.25).unwrap(), Tolerance::new(1e-6).unwrap());
-        assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "jump at {at}: {found:?}");
-    }
 }
