@@ -1,35 +1,46 @@
 //! A seeded attack on contact problems in the plane: every solver beside a quadratic program of the test's
-//! own that tries all contact sets, in numbers of twice the length (`attack_contact/program.rs`).
+//! own that tries all contact sets, in numbers of twice the length (`contact/program.rs`).
 //!
-//! `SIGNORINI_FUZZ=20000 cargo test --release --test attack_contact -- --nocapture` takes as many scenes,
+//! `SIGNORINI_FUZZ=20000 cargo test --release --test attacks -- --nocapture all_contact_sets` takes as many scenes,
 //! `SIGNORINI_SCENE=17` only that one, and shows it.
 
 mod compare;
-mod count;
-mod double;
 mod meshes;
 mod program;
 mod scene;
 mod stiffness;
 
 use crate::common::SplitMix;
-use count::Counts;
+use compare::{compare, is_hard};
 use meshes::grid;
-use program::Program;
+use program::{Answer, Program};
 use scene::Scene;
-use signorini::Error;
-use signorini::ToolkitError;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactSolution, Settings, Solver, Start};
 use signorini::mesh::{ContactEdge, Part, Triangulation};
+use signorini::{Error, Result, ToolkitError};
+use std::collections::BTreeMap;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
-fn variable(name: &str) -> Option<u64> {
-    let text = std::env::var(name).ok()?;
-    Some(text.parse().unwrap_or_else(|_| panic!("{name} = {text} is not a number")))
+/// Energies from here on, in powers of two, may leave the range of binary64 on the way.
+const HUGE: f64 = 900.0;
+/// Squares of such lengths, in powers of two, leave the range of binary64 for slivers.
+const SQUARES: i32 = 400;
+/// Units in which 52 bits are left of what the data are, in powers of two.
+const TINY: i32 = -900;
+/// Share of the solvable scenes in which an interior point may give up with a status.
+const GIVEN_UP: f64 = 0.08;
+
+/// Solver by solver, how many were asked and how many gave up with a status; what is wrong.
+#[derive(Debug, Default)]
+struct Counts {
+    asked: BTreeMap<&'static str, [usize; 2]>,
+    wrong: Vec<String>,
 }
 
 #[test]
 fn every_solver_beside_all_contact_sets() {
+    let variable = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().unwrap());
     let one = variable("SIGNORINI_SCENE");
     let scenes = one.map_or(0..variable("SIGNORINI_FUZZ").unwrap_or(1000), |seed| seed..seed + 1);
     let mut counts = Counts::default();
@@ -42,7 +53,11 @@ fn every_solver_beside_all_contact_sets() {
             attack(seed, &scene, cone, &mut counts);
         }
     }
-    counts.close(one.is_none());
+    println!("asked and given up: {:?}", counts.asked);
+    let Counts { asked, wrong } = counts;
+    assert!(wrong.is_empty(), "{} wrong: {:#?}", wrong.len(), &wrong[..wrong.len().min(200)]);
+    let many = |[asked, given_up]: &[usize; 2]| *given_up as f64 > GIVEN_UP * *asked as f64;
+    assert!(one.is_some() || !asked.values().any(many), "{asked:?}");
 }
 
 /// The interior point method on the edge with a barrier weight for every node.
@@ -53,8 +68,17 @@ fn barrier(sizes: &[f64]) -> Settings<'_> {
 fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     let program = Program::new(scene, cone).expect("positive definite in numbers of twice the length");
     let answer = program.solve();
-    let mut ask = |name: &'static str, solve: &dyn Fn() -> signorini::Result<ContactSolution>| {
-        counts.judge(name, (seed, cone), scene, (&program, &answer), solve);
+    let mut ask = |name: &'static str, solve: &dyn Fn() -> Result<ContactSolution>| {
+        let [asked, given_up] = counts.asked.entry(name).or_default();
+        *asked += 1;
+        match verdict(name, scene, (&program, &answer), solve) {
+            Ok(is_answered) => *given_up += usize::from(!is_answered),
+            Err(what) => {
+                let (units, condition) = (scene.units, program.condition());
+                let case = format!("seed {seed}, {cone}, units 2^{units:?}, cond {condition:.1e}");
+                counts.wrong.push(format!("{name}, {case}: {what}"));
+            }
+        }
     };
     let problem = || scene.problem();
     for (name, solver) in [
@@ -72,7 +96,7 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect();
         problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(guess)), ..Settings::default() })
     });
-    if cone == Cone::Nodal && !scene.mesh.is_closed && scene.mesh.further.is_empty() {
+    if cone == Cone::Nodal && !scene.mesh.is_closed {
         let sizes = vec![1.0; scene.mesh.chain.len()];
         ask("barrier", &|| problem()?.solve(cone, barrier(&sizes)));
     }
@@ -85,44 +109,39 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     }
 }
 
-/// Two or three contact edges, each with its own normal.
-#[test]
-fn every_solver_on_several_contact_edges() {
-    let one = variable("SIGNORINI_SCENE");
-    let scenes = one.map_or(0..variable("SIGNORINI_FUZZ").unwrap_or(1000), |seed| seed..seed + 1);
-    let (mut counts, mut edges, mut slanted) = (Counts::default(), [0; 4], 0);
-    for seed in scenes {
-        let scene = Scene::random_in_pieces(seed);
-        if one.is_some() {
-            println!("{scene:#?}");
-        }
-        assert!(scene.mesh.chain.len() <= 12, "scene {seed}: {} contact nodes", scene.mesh.chain.len());
-        edges[scene.mesh.pieces().len()] += 1;
-        slanted += usize::from(scene.mesh.pieces().iter().any(|piece| {
-            let [a, b] = [piece[0], piece[1]].map(|node| scene.mesh.nodes[node]);
-            a[0] != b[0] && a[1] != b[1]
-        }));
-        attack(seed, &scene, Cone::Nodal, &mut counts);
-        let midpoint = scene.problem().and_then(|problem| problem.solve(Cone::Midpoint, Solver::Auto));
-        assert!(
-            matches!(
-                midpoint,
-                Err(Error::Toolkit(ToolkitError::Incompatible { .. })
-                    | Error::Toolkit(ToolkitError::Triangle { .. }))
-            ),
-            "scene {seed}: {midpoint:?}"
-        );
-        let sizes = vec![1.0; scene.mesh.chain.len()];
-        let barrier = scene.problem().and_then(|problem| problem.solve(Cone::Nodal, barrier(&sizes)));
-        let named = matches!(
-            barrier,
-            Err(Error::Toolkit(ToolkitError::CountOutOfRange { .. })
-                | Error::Toolkit(ToolkitError::Triangle { .. }))
-        );
-        assert!(named, "scene {seed}: the barrier takes several pieces for one");
+/// Whether there is an answer beside a status, or a reason to refuse; otherwise what is wrong.
+fn verdict(
+    solver: &str,
+    scene: &Scene,
+    (program, answer): (&Program, &Answer),
+    solve: &dyn Fn() -> Result<ContactSolution>,
+) -> std::result::Result<bool, String> {
+    let found = catch_unwind(AssertUnwindSafe(solve)).map_err(|_| "panic".to_owned())?;
+    let solution = match found {
+        Err(error) if has_reason(&error, scene, program, answer) => return Ok(true),
+        Err(error) => return Err(format!("refused: {error}")),
+        Ok(solution) => solution,
+    };
+    let is_iterated = matches!(solver, "interior point" | "interior point, edge" | "barrier");
+    // Prescribed values that penetrate have a status that says so.
+    if compare(scene, program, answer, &solution)? || !program.is_admissible() {
+        return Ok(true);
     }
-    println!("{} scenes of two contact edges, {} of three; {slanted} slanted", edges[2], edges[3]);
-    counts.close(false);
+    let may_give_up = is_hard(program) || is_iterated || scene.force_unit() < TINY;
+    if may_give_up { Ok(false) } else { Err(format!("{} {:?}", solution.status, solution.kkt)) }
+}
+
+/// The matrix, by rounding, is not positive definite, or J not a number of binary64.
+fn has_reason(error: &Error, scene: &Scene, program: &Program, answer: &Answer) -> bool {
+    let size = answer.energy_size.max(answer.energy.abs()).log2();
+    let is_beyond = size + f64::from(scene.displacement_unit() + scene.force_unit()) > HUGE;
+    match error {
+        Error::Toolkit(ToolkitError::NotPositiveDefinite { .. } | ToolkitError::NotFinite { .. }) => {
+            is_hard(program) || is_beyond
+        }
+        Error::Toolkit(ToolkitError::Triangle { .. }) => scene.units[2].abs() > SQUARES,
+        _ => false,
+    }
 }
 
 /// Contact in several pieces, or around a corner of an elastic body, is refused by name; one piece never is.

@@ -17,10 +17,8 @@ pub struct Mesh {
     /// The domain on the left.
     pub boundary: Vec<BoundaryEdge>,
     pub regions: Vec<u32>,
-    /// Nodes of the contact edge in order, piece after piece.
+    /// Nodes of the contact edge in order.
     pub chain: Vec<usize>,
-    /// Where a further piece begins in the chain.
-    pub further: Vec<usize>,
     pub is_closed: bool,
 }
 
@@ -44,63 +42,6 @@ impl Mesh {
         self.is_closed = others == 0;
         let nodes = if self.is_closed { count } else { contact + 1 };
         self.chain = (0..nodes).map(|k| around[(first + k) % count]).collect();
-        self.further.clear();
-    }
-
-    /// The pieces of the contact edge.
-    pub fn pieces(&self) -> Vec<&[usize]> {
-        let mut rest = &self.chain[..];
-        let mut pieces = Vec::new();
-        for start in self.further.iter().rev() {
-            let (before, piece) = rest.split_at(*start);
-            pieces.push(piece);
-            rest = before;
-        }
-        pieces.push(rest);
-        pieces.reverse();
-        pieces
-    }
-
-    /// Lets another stretch of at most `most` boundary edges touch that has no node in common with the chain:
-    /// from a random place on, as far as `goes_on` allows. One edge stays clamped.
-    fn touch_again(
-        &mut self,
-        random: &mut SplitMix,
-        most: usize,
-        goes_on: impl Fn([usize; 2], [usize; 2]) -> bool,
-    ) -> bool {
-        let count = self.boundary.len();
-        let first = random.below(count);
-        let is_free = |k: usize| !self.boundary[k].nodes.iter().any(|node| self.chain.contains(node));
-        let mut stretch: Vec<usize> = Vec::new();
-        for k in (first..count).take(most) {
-            let nodes = self.boundary[k].nodes;
-            let last = stretch.last().map_or(nodes, |&last: &usize| self.boundary[last].nodes);
-            let follows = stretch.is_empty() || last[1] == nodes[0] && goes_on(last, nodes);
-            if !is_free(k) || !follows || random.below(5) == 0 {
-                break;
-            }
-            stretch.push(k);
-        }
-        let is_clamped = |k: usize| self.boundary[k].part == Part::Dirichlet && !stretch.contains(&k);
-        let Some(&start) = stretch.first() else { return false };
-        if !(0..count).any(is_clamped) {
-            return false;
-        }
-        for k in start..start + stretch.len() {
-            self.boundary[k].part = Part::Contact;
-        }
-        // Pieces stand in the order of their first edges.
-        (self.chain, self.further) = (Vec::new(), Vec::new());
-        for edge in self.boundary.iter().filter(|edge| edge.part == Part::Contact) {
-            if self.chain.last() != Some(&edge.nodes[0]) {
-                self.further.push(self.chain.len());
-                self.chain.push(edge.nodes[0]);
-            }
-            self.chain.push(edge.nodes[1]);
-        }
-        self.further.remove(0);
-        true
     }
 
     /// Every triangle is a triangle, and has its corners in order.
@@ -143,12 +84,6 @@ fn steps(random: &mut SplitMix, count: usize) -> Vec<f64> {
 /// A grid with random lines, corners and diagonals, its inner nodes moved. An elastic body touches along a
 /// part of its bottom, a scalar one along any part of the boundary.
 pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
-    grid_in_pieces(random, is_elastic, 1)
-}
-
-/// As [`grid`], with so many contact edges at most, at most [`MOST`] nodes on them together; those of an
-/// elastic body are straight.
-pub fn grid_in_pieces(random: &mut SplitMix, is_elastic: bool, pieces: usize) -> Mesh {
     loop {
         let most = if random.below(3) == 0 { 11 } else { 5 };
         let (nx, ny) = (1 + random.below(most), 1 + random.below(3));
@@ -185,32 +120,18 @@ pub fn grid_in_pieces(random: &mut SplitMix, is_elastic: bool, pieces: usize) ->
             .chain((1..=nx).rev().map(|i| ny * width + i))
             .chain((1..=ny).rev().map(|j| j * width))
             .collect();
-        let room = if pieces > 1 { MOST / 2 } else { MOST };
         let (first, contact) = if is_elastic {
             let first = random.below(nx);
-            (first, 1 + random.below((nx - first).min(room - 1)))
+            (first, 1 + random.below((nx - first).min(MOST - 1)))
         } else {
             let count = around.len();
-            let all = pieces == 1 && count <= MOST && random.below(6) == 0;
-            let most = if all { count } else { (count - 1).min(room - 1) };
+            let all = count <= MOST && random.below(6) == 0;
+            let most = if all { count } else { (count - 1).min(MOST - 1) };
             (random.below(count), if all { count } else { 1 + random.below(most) })
         };
         mesh.label(random, &around, first, contact);
-        let side = |node: usize| {
-            let (i, j) = (node % width, node / width);
-            [j == 0, i == nx, j == ny, i == 0]
-        };
-        let straight = |[a, b]: [usize; 2], [_, c]: [usize; 2]| {
-            !is_elastic || (0..4).any(|k| side(a)[k] && side(b)[k] && side(c)[k])
-        };
-        for _ in 0..4 * (pieces - 1) {
-            let room = MOST.saturating_sub(mesh.chain.len() + 1);
-            if room > 0 && mesh.further.len() + 1 < pieces {
-                mesh.touch_again(random, room, straight);
-            }
-        }
         mesh.slanted(random);
-        if mesh.is_sound() && (pieces == 1 || !mesh.further.is_empty()) {
+        if mesh.is_sound() {
             return mesh;
         }
     }
@@ -265,7 +186,6 @@ fn halved(mesh: &Mesh, times: usize) -> Mesh {
         boundary: made.boundary().to_vec(),
         regions: Vec::new(),
         chain,
-        further: Vec::new(),
         is_closed: false,
     }
 }

@@ -11,9 +11,9 @@
 //! of the load), hence u_i by (K⁻¹)_ii^{1/2} E, and a force by ε s_i + k_i^{1/2} E. No assumption on the
 //! contact set enters.
 
-use super::double::{Cholesky, Double, dot};
 use super::scene::Scene;
 use super::stiffness::System;
+use qd::Quad as Double;
 use signorini::cone::Cone;
 use signorini::mesh::Part;
 
@@ -95,28 +95,27 @@ impl Program {
     }
 
     fn constrain(&mut self, scene: &Scene, cone: Cone) {
-        let place = |node: usize| scene.mesh.chain.iter().position(|&other| other == node).unwrap();
-        for piece in scene.mesh.pieces() {
-            let normal = normal(scene, piece);
-            for nodes in supports(piece, cone, scene.mesh.is_closed) {
-                let weight = Double::from(1.0 / nodes.len() as f64);
-                let mut row = vec![Double::ZERO; self.free.len()];
-                let mut bound = Double::ZERO;
-                for &node in &nodes {
-                    bound = bound + weight * scene.gap[place(node)].into();
-                    for k in 0..self.components {
-                        let unknown = node * self.components + k;
-                        let entry = weight * normal[k];
-                        match self.free.binary_search(&unknown) {
-                            Ok(at) => row[at] = row[at] + entry,
-                            Err(_) => bound = bound - entry * self.prescribed[unknown].into(),
-                        }
+        let chain = &scene.mesh.chain;
+        let normal = normal(scene, chain);
+        for nodes in supports(chain, cone, scene.mesh.is_closed) {
+            let weight = Double::from(1.0 / nodes.len() as f64);
+            let mut row = vec![Double::ZERO; self.free.len()];
+            let mut bound = Double::ZERO;
+            for &node in &nodes {
+                bound +=
+                    weight * Double::from(scene.gap[chain.iter().position(|&other| other == node).unwrap()]);
+                for k in 0..self.components {
+                    let unknown = node * self.components + k;
+                    let entry = weight * normal[k];
+                    match self.free.binary_search(&unknown) {
+                        Ok(at) => row[at] += entry,
+                        Err(_) => bound -= entry * Double::from(self.prescribed[unknown]),
                     }
                 }
-                self.supports.push(nodes);
-                self.rows.push(row);
-                self.bound.push(bound);
             }
+            self.supports.push(nodes);
+            self.rows.push(row);
+            self.bound.push(bound);
         }
     }
 
@@ -127,7 +126,7 @@ impl Program {
 
     /// True when prescribed values alone keep to their bounds.
     pub fn is_admissible(&self) -> bool {
-        (0..self.rows.len()).all(|i| !self.is_settled(i) || self.bound[i].value() >= 0.0)
+        (0..self.rows.len()).all(|i| !self.is_settled(i) || value(self.bound[i]) >= 0.0)
     }
 
     /// All sets, until one meets all conditions, or the one that meets them best.
@@ -174,7 +173,7 @@ impl Program {
         let mut multiplier = vec![Double::ZERO; self.rows.len()];
         for ((&i, l), image) in open.iter().zip(found).zip(&images) {
             multiplier[i] = l;
-            free.iter_mut().zip(image).for_each(|(u, d)| *u = *u - *d * l);
+            free.iter_mut().zip(image).for_each(|(u, d)| *u -= *d * l);
         }
         self.answer(&free, multiplier)
     }
@@ -185,7 +184,7 @@ impl Program {
         let half = Double::from(0.5);
         let terms = (0..displacement.len())
             .map(|i| displacement[i] * (half * dot(&self.stiffness[i], &displacement) - self.load[i]));
-        let energy = terms.fold(Double::ZERO, |sum, term| sum + term).value();
+        let energy = value(terms.fold(Double::ZERO, |sum, term| sum + term));
         let gap = self.rows.iter().zip(&self.bound).map(|(row, &bound)| dot(row, free) - bound).collect();
         let all = self.sizes(&displacement);
         let sizes: Vec<f64> = self.free.iter().map(|&i| all[i]).collect();
@@ -217,7 +216,7 @@ impl Program {
     pub fn residual(&self, u: &[f64], multiplier: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let u: Vec<Double> = u.iter().map(|&u| u.into()).collect();
         let force = self.forces(&multiplier.iter().map(|&l| l.into()).collect::<Vec<Double>>());
-        let row = |(k, &i): (usize, &usize)| (dot(&self.stiffness[i], &u) - self.load[i] + force[k]).value();
+        let row = |(k, &i): (usize, &usize)| value(dot(&self.stiffness[i], &u) - self.load[i] + force[k]);
         let sizes = self.sizes(&u);
         (self.free.iter().enumerate().map(row).collect(), self.free.iter().map(|&i| sizes[i]).collect())
     }
@@ -225,7 +224,7 @@ impl Program {
     /// B u − g of any displacement at all unknowns.
     pub fn gaps(&self, u: &[f64]) -> Vec<f64> {
         let free: Vec<Double> = self.free.iter().map(|&i| u[i].into()).collect();
-        self.rows.iter().zip(&self.bound).map(|(row, &bound)| (dot(row, &free) - bound).value()).collect()
+        self.rows.iter().zip(&self.bound).map(|(row, &bound)| value(dot(row, &free) - bound)).collect()
     }
 
     /// max |F_i| / K_ii: what a load does alone.
@@ -236,14 +235,14 @@ impl Program {
 
     /// g, less what prescribed values take of it.
     pub fn bounds(&self) -> Vec<f64> {
-        self.bound.iter().map(|bound| bound.value()).collect()
+        self.bound.iter().map(|&bound| value(bound)).collect()
     }
 
     /// B'λ at the free unknowns.
     pub fn forces(&self, multiplier: &[Double]) -> Vec<Double> {
         let mut force = vec![Double::ZERO; self.free.len()];
         for (row, &l) in self.rows.iter().zip(multiplier) {
-            force.iter_mut().zip(row).for_each(|(f, &entry)| *f = *f + entry * l);
+            force.iter_mut().zip(row).for_each(|(f, &entry)| *f += entry * l);
         }
         force
     }
@@ -333,5 +332,54 @@ fn supports(piece: &[usize], cone: Cone, is_closed: bool) -> Vec<Vec<usize>> {
             let segments = piece.len() - usize::from(!is_closed);
             (0..segments).map(|i| vec![piece[i], piece[(i + 1) % piece.len()]]).collect()
         }
+    }
+}
+
+/// The nearest number of binary64.
+pub fn value(number: Double) -> f64 {
+    number.0 + number.1
+}
+
+fn dot(a: &[Double], b: &[Double]) -> Double {
+    a.iter().zip(b).fold(Double::ZERO, |sum, (&a, &b)| sum + a * b)
+}
+
+/// A = L L', row by row; `None` where a pivot is below `least` of its diagonal entry.
+struct Cholesky(Vec<Vec<Double>>);
+
+impl Cholesky {
+    fn new(matrix: &[Vec<Double>], least: f64) -> Option<Self> {
+        let mut rows: Vec<Vec<Double>> = Vec::with_capacity(matrix.len());
+        for (i, row) in matrix.iter().enumerate() {
+            let mut next: Vec<Double> = Vec::with_capacity(i + 1);
+            for j in 0..i {
+                let sum = row[j] - dot(&next, &rows[j][..j]);
+                next.push(sum / rows[j][j]);
+            }
+            let pivot = row[i] - dot(&next, &next);
+            if pivot.0.is_nan() || pivot.0 <= least * row[i].0 {
+                return None;
+            }
+            next.push(pivot.sqrt());
+            rows.push(next);
+        }
+        Some(Self(rows))
+    }
+
+    fn solve(&self, right: &[Double]) -> Vec<Double> {
+        let rows = &self.0;
+        let mut x: Vec<Double> = Vec::with_capacity(rows.len());
+        for (i, row) in rows.iter().enumerate() {
+            let sum = right[i] - dot(&x, &row[..i]);
+            x.push(sum / row[i]);
+        }
+        for i in (0..rows.len()).rev() {
+            x[i] /= rows[i][i];
+            for j in 0..i {
+                let known = rows[i][j] * x[i];
+                x[j] -= known;
+            }
+        }
+        x
     }
 }

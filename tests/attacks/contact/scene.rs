@@ -1,6 +1,6 @@
 //! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
 
-use super::meshes::{Mesh, annulus, fan, grid, grid_in_pieces};
+use super::meshes::{Mesh, annulus, fan, grid};
 use crate::common::SplitMix;
 use signorini::contact::ContactProblem;
 use signorini::fem::{Field, Form, Lame};
@@ -43,22 +43,10 @@ pub fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
 
 impl Scene {
     pub fn random(seed: u64) -> Self {
-        let mut random = SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(17));
-        Self::draw(&mut random, 1)
-    }
-
-    /// Contact along two or three edges without a common node.
-    pub fn random_in_pieces(seed: u64) -> Self {
-        let mut random = SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(23));
-        let pieces = 2 + random.below(2);
-        Self::draw(&mut random, pieces)
-    }
-
-    fn draw(random: &mut SplitMix, pieces: usize) -> Self {
+        let random = &mut SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(17));
         let mut is_elastic = random.below(2) == 0;
         let kind = random.below(10);
         let (mut mesh, coarse) = match kind {
-            _ if pieces > 1 => (grid_in_pieces(random, is_elastic, pieces), None),
             0..5 => (grid(random, is_elastic), None),
             5..9 => fan(random, is_elastic),
             _ => {
@@ -203,19 +191,16 @@ pub fn times_power(value: f64, exponent: i32) -> f64 {
 
 /// Opens gaps that prescribed values close.
 fn admit(mesh: &Mesh, is_elastic: bool, dirichlet: &[[f64; 3]; 2], gap: &mut [f64]) {
-    let mut gap = gap.iter_mut();
-    for piece in mesh.pieces() {
-        let [a, b] = [piece[0], piece[piece.len() - 1]].map(|node| mesh.nodes[node]);
-        let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let normal = if is_elastic { [(b[1] - a[1]) / length, (a[0] - b[0]) / length] } else { [1.0, 0.0] };
-        for (node, gap) in piece.iter().zip(&mut gap) {
-            let [x, y] = mesh.nodes[*node];
-            let u = dirichlet.map(|[a, b, c]| a + b * x + c * y);
-            let least = u[0] * normal[0] + u[1] * normal[1];
-            let holds = |edge: &BoundaryEdge| edge.part == Part::Dirichlet && edge.nodes.contains(node);
-            if mesh.boundary.iter().any(holds) {
-                *gap = gap.max(least + 0.5 * least.abs());
-            }
+    let [a, b] = [mesh.chain[0], mesh.chain[mesh.chain.len() - 1]].map(|node| mesh.nodes[node]);
+    let length = (b[0] - a[0]).hypot(b[1] - a[1]);
+    let normal = if is_elastic { [(b[1] - a[1]) / length, (a[0] - b[0]) / length] } else { [1.0, 0.0] };
+    for (node, gap) in mesh.chain.iter().zip(gap) {
+        let [x, y] = mesh.nodes[*node];
+        let u = dirichlet.map(|[a, b, c]| a + b * x + c * y);
+        let least = u[0] * normal[0] + u[1] * normal[1];
+        let holds = |edge: &BoundaryEdge| edge.part == Part::Dirichlet && edge.nodes.contains(node);
+        if mesh.boundary.iter().any(holds) {
+            *gap = gap.max(least + 0.5 * least.abs());
         }
     }
 }

@@ -1,8 +1,8 @@
 //! K and F of a scene from the definitions, in numbers of twice the length, and the sizes of what is added up
 //! in them.
 
-use super::double::Double;
 use super::scene::{Material, Scene};
+use qd::Quad as Double;
 use signorini::mesh::Point;
 
 /// On all unknowns, node-major.
@@ -31,7 +31,7 @@ impl System {
                     for &b in corners {
                         let times = if a == b { 2.0 } else { 1.0 };
                         let f = Double::from(times * scene.volume[b * c + k]) * twelfth;
-                        load[a * c + k] = load[a * c + k] + f;
+                        load[a * c + k] += f;
                         load_sizes[a * c + k] += f.abs().0 * triangle.shape;
                     }
                 }
@@ -41,14 +41,13 @@ impl System {
                     match scene.material {
                         Material::Scalar { reaction } => {
                             let mass = Double::from(if i == j { 2.0 } else { 1.0 } * reaction) * twelfth;
-                            stiffness[a][b] = stiffness[a][b] + (triangle.area * product + mass);
+                            stiffness[a][b] += triangle.area * product + mass;
                         }
                         Material::Elastic { .. } => {
                             for (k, l) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                                 let shear = if k == l { mu * product } else { Double::ZERO };
                                 let entry = lambda * g[k] * h[l] + mu * g[l] * h[k] + shear;
-                                stiffness[2 * a + k][2 * b + l] =
-                                    stiffness[2 * a + k][2 * b + l] + triangle.area * entry;
+                                stiffness[2 * a + k][2 * b + l] += triangle.area * entry;
                             }
                         }
                     }
