@@ -1,5 +1,6 @@
 //! Random scenes, extreme scales, degenerate contact: every solution is judged, both solvers agree.
 
+use crate::common::SplitMix;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
 use signorini::fem::{Form, Lame};
@@ -22,72 +23,51 @@ const INVARIANCE: f64 = 1e-9;
 /// Coordinates are multiples of 1/GRID.
 const GRID: f64 = 1048576.0;
 
-/// A linear congruential generator (Knuth's MMIX constants); the seed is the trial.
-struct Random(u64);
-
-impl Random {
-    fn new(seed: u64) -> Self {
-        let mut random = Self(seed);
-        (0..4).for_each(|_| {
-            random.unit();
-        });
-        random
-    }
-
-    /// Uniform in (0, 1).
-    fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        ((self.0 >> 11) as f64 + 0.5) / (1_u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.unit() * count as f64) as usize
-    }
-}
-
-/// A random scene: kept as data so that it can be moved and scaled.
-struct Draft {
-    mesh: Triangulation,
+/// A random body: kept as data so that it can be moved and scaled.
+pub struct Draft {
+    pub hierarchy: Hierarchy,
     form: Form,
     load: Vec<f64>,
     gap: Vec<f64>,
 }
 
 impl Draft {
-    /// A quadrilateral on a distorted grid or a polygon cut from a point inside, refined toward one of its
-    /// contact points or not; random labels at the sides, materials over six decades, loads rough or smooth.
-    fn random(seed: u64) -> Self {
-        let mut random = Random::new(seed);
-        let mesh = if random.below(2) == 0 { quadrilateral(&mut random) } else { polygon(&mut random) };
+    /// A quadrilateral on a distorted grid or a polygon cut from a point inside, refined uniformly and toward one of its
+    /// contact points; random labels at the sides, materials over `decades`, loads rough or smooth, gaps or none.
+    pub fn random(seed: u64, decades: f64) -> Self {
+        let random = &mut SplitMix::new(seed);
+        let coarse = if random.below(2) == 0 { quadrilateral(random) } else { polygon(random) };
+        let mut hierarchy = Hierarchy::refined(coarse, 1 + random.below(3)).unwrap();
+        let contact = ContactEdge::of(hierarchy.finest()).unwrap();
+        let point = contact.points()[random.below(contact.points().len())];
+        hierarchy.refine_toward_point(point, random.below(4)).unwrap();
         let form = if random.below(2) == 0 {
             Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
         } else {
-            let mu = 10_f64.powf(random.between(-3.0, 3.0));
-            Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-2.0, 2.0)), mu).unwrap())
+            let mu = 10_f64.powf(random.between(-1.0 - decades, 1.0 + decades));
+            Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-decades, decades)), mu).unwrap())
         };
         let (rough, waves) = (random.below(2) == 0, random.between(0.5, 6.0));
-        let load = (0..mesh.nodes().len() * form.components())
+        let nodes = hierarchy.finest().nodes();
+        let load = (0..nodes.len() * form.components())
             .map(|i| {
-                let [x, _] = mesh.nodes()[i / form.components()];
+                let [x, _] = nodes[i / form.components()];
                 if rough { random.between(-1.0, 1.0) } else { (waves * x + i as f64 % 2.0).cos() }
             })
             .collect();
         let size = if random.below(3) == 0 { 0.05 } else { 0.0 };
-        let nodes = ContactEdge::of(&mesh).unwrap().nodes().len();
-        let gap = (0..nodes).map(|_| size * random.unit()).collect();
-        Self { mesh, form, load, gap }
+        let count = ContactEdge::of(hierarchy.finest()).unwrap().nodes().len();
+        let gap = (0..count).map(|_| size * random.uniform()).collect();
+        Self { hierarchy, form, load, gap }
     }
 
     /// Moved by a similarity of the plane; data carried along so that the scaled answer stays the same.
-    fn problem(&self, scale: f64, angle: f64, shift: Point, load_scale: f64) -> ContactProblem {
+    pub fn problem(&self, scale: f64, angle: f64, shift: Point, load_scale: f64) -> ContactProblem {
         let (sin, cos) = angle.sin_cos();
         let turn = |[x, y]: Point| [cos * x - sin * y, sin * x + cos * y];
         let mesh = self
-            .mesh
+            .hierarchy
+            .finest()
             .clone()
             .mapped(|point| {
                 let [x, y] = turn(point);
@@ -121,13 +101,13 @@ fn rounded(point: Point) -> Point {
     point.map(|c| (c * GRID).round() / GRID)
 }
 
-fn side(random: &mut Random) -> Part {
+fn side(random: &mut SplitMix) -> Part {
     if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann }
 }
 
 /// Random corners above a straight bottom in contact, graded and distorted grid, clamped top.
-fn quadrilateral(random: &mut Random) -> Triangulation {
-    let (nx, ny) = (1 + random.below(24), 1 + random.below(16));
+fn quadrilateral(random: &mut SplitMix) -> Triangulation {
+    let (nx, ny) = (1 + random.below(6), 1 + random.below(4));
     let sides =
         SideParts { bottom: Part::Contact, right: side(random), top: Part::Dirichlet, left: side(random) };
     let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
@@ -144,9 +124,8 @@ fn quadrilateral(random: &mut Random) -> Triangulation {
 }
 
 /// Three to eight corners on a stretched circle with an edge at the bottom in contact, cut from the mean of
-/// its corners, refined one to three times and up to three times more toward a point of the contact edge; at
-/// least one side is clamped.
-fn polygon(random: &mut Random) -> Triangulation {
+/// its corners; at least one side is clamped.
+fn polygon(random: &mut SplitMix) -> Triangulation {
     let corners = 3 + random.below(6);
     let (wide, high) = (random.between(0.5, 1.5), random.between(0.5, 1.5));
     let mut angles: Vec<f64> = (0..corners - 2)
@@ -179,12 +158,7 @@ fn polygon(random: &mut Random) -> Triangulation {
             BoundaryEdge { nodes: [k, next(k)], part }
         })
         .collect();
-    let coarse = Triangulation::new(nodes, triangles, boundary).unwrap();
-    let mut hierarchy = Hierarchy::refined(coarse, 1 + random.below(3)).unwrap();
-    let contact = ContactEdge::of(hierarchy.finest()).unwrap();
-    let point = contact.points()[random.below(contact.points().len())];
-    hierarchy.refine_toward_point(point, random.below(4)).unwrap();
-    hierarchy.finest().clone()
+    Triangulation::new(nodes, triangles, boundary).unwrap()
 }
 
 /// |J|; contact may prevent every displacement, then J = 0 has no scale of its own.
@@ -206,7 +180,7 @@ fn judged(solution: &ContactSolution, case: &str) {
 fn random_problems_are_solved_and_their_residuals_are_small() {
     let mut unresolved = 0;
     for seed in 0..if crate::MANY { 300 } else { 80 } {
-        let problem = Draft::random(seed).problem(1.0, 0.0, [0.0; 2], 1.0);
+        let problem = Draft::random(seed, 2.0).problem(1.0, 0.0, [0.0; 2], 1.0);
         for cone in Cone::ALL {
             let case = format!("scene {seed}, {cone}");
             let direct = problem.solve(cone, Solver::ActiveSet).unwrap();
@@ -246,7 +220,7 @@ fn answers_do_not_depend_on_place_size_or_units() {
         (1.0, 0.0, [0.0; 2], 1e150),
     ];
     for seed in 0..if crate::MANY { 300 } else { 80 } {
-        let draft = Draft::random(seed);
+        let draft = Draft::random(seed, 2.0);
         for cone in Cone::ALL {
             let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
             let largest = still.normal_displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
@@ -270,7 +244,7 @@ fn answers_do_not_depend_on_place_size_or_units() {
 fn midpoint_cone_leaves_every_cycle_under_rough_loads() {
     let mut steps = Vec::new();
     for seed in 0..if crate::MANY { 200 } else { 50 } {
-        let mut random = Random::new(1000 + seed);
+        let mut random = SplitMix::new(1000 + seed);
         let mesh = TestProblem::Block.mesh(24).unwrap();
         let load: Vec<f64> = (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
@@ -309,7 +283,7 @@ fn every_first_guess_leads_to_the_same_contact_set() {
     for cone in Cone::ALL {
         let cold = problem.solve(cone, Solver::ActiveSet).unwrap();
         for seed in 0..20 {
-            let mut random = Random::new(seed);
+            let mut random = SplitMix::new(seed);
             let guess = (0..cone.constraints(17)).map(|_| random.below(2) == 0).collect();
             let start = Start::Set(ContactSet::new(guess));
             let warm = problem.solve(cone, Settings { start, ..Settings::default() }).unwrap();

@@ -1,7 +1,7 @@
 //! Contact by multigrid against the direct solver: the same solution, an honest estimate of the error, few
 //! steps.
 
-use crate::common::SplitMix;
+use crate::extremes::Draft;
 use fractional_sobolev::Tolerance;
 use signorini::Error;
 use signorini::ToolkitError;
@@ -9,8 +9,8 @@ use signorini::cone::Cone;
 use signorini::contact::{
     Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings, Solver,
 };
-use signorini::fem::{Field, Form, Lame};
-use signorini::mesh::{BoundaryEdge, Hierarchy, Part, SideParts, Triangulation, mapped_grid, unit_square};
+use signorini::fem::{Field, Form};
+use signorini::mesh::{BoundaryEdge, Hierarchy, Part, SideParts, Triangulation, unit_square};
 use signorini::problems::{Parameters, TestProblem};
 
 /// J of two computations at the tolerance 1e-12: it differs by the square of the error, and by rounding.
@@ -90,61 +90,9 @@ fn every_problem_is_solved_as_by_the_direct_solver() {
     }
 }
 
-/// A quadrilateral on a distorted grid, or a triangle fan over a contact edge, refined uniformly and toward a
-/// contact point; materials over four decades, rough or smooth loads, gaps or none.
 fn random_problem(seed: u64) -> (ContactProblem, Hierarchy) {
-    let mut random = SplitMix::new(seed);
-    let side = |random: &mut SplitMix| if random.below(3) == 0 { Part::Dirichlet } else { Part::Neumann };
-    let coarse = if random.below(2) == 0 {
-        let sides = SideParts {
-            bottom: Part::Contact,
-            right: side(&mut random),
-            top: Part::Dirichlet,
-            left: side(&mut random),
-        };
-        let [a, b] = [random.between(-0.3, 0.3), random.between(-0.3, 0.3)];
-        let height = random.between(0.5, 2.0);
-        mapped_grid(1 + random.below(4), 1 + random.below(4), sides, |[x, y]| {
-            [x + y * (a + (b - a) * x), height * y * (1.0 + 0.3 * x)]
-        })
-    } else {
-        let top = [random.between(-0.4, 1.4), random.between(0.4, 1.5)];
-        let nodes = vec![[0.0, 0.0], [0.6, 0.0], [1.0, 0.0], [1.2, 0.5], top, [-0.3, 0.4]];
-        let triangles = vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 5]];
-        let edge = |a, b, part| BoundaryEdge { nodes: [a, b], part };
-        let boundary = vec![
-            edge(0, 1, Part::Contact),
-            edge(1, 2, Part::Contact),
-            edge(2, 3, side(&mut random)),
-            edge(3, 4, Part::Dirichlet),
-            edge(4, 5, side(&mut random)),
-            edge(5, 0, side(&mut random)),
-        ];
-        Triangulation::new(nodes, triangles, boundary)
-    };
-    let Ok(coarse) = coarse else { return random_problem(seed + 1_000_000) };
-    let mut hierarchy = Hierarchy::refined(coarse, 2 + random.below(2)).unwrap();
-    let contact = signorini::mesh::ContactEdge::of(hierarchy.finest()).unwrap();
-    let point = contact.points()[random.below(contact.points().len())];
-    hierarchy.refine_toward_point(point, random.below(4)).unwrap();
-    let form = if random.below(2) == 0 {
-        Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
-    } else {
-        let mu = 10_f64.powf(random.between(-2.0, 2.0));
-        Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-1.0, 1.0)), mu).unwrap())
-    };
-    let (rough, waves) = (random.below(2) == 0, random.between(0.5, 6.0));
-    let mesh = hierarchy.finest().clone();
-    let load: Vec<f64> = (0..mesh.nodes().len() * form.components())
-        .map(|i| {
-            let [x, _] = mesh.nodes()[i / form.components()];
-            if rough { random.between(-1.0, 1.0) } else { (waves * x + i as f64 % 2.0).cos() }
-        })
-        .collect();
-    let mut problem = ContactProblem::new(mesh, form, &load).unwrap();
-    let size = if random.below(3) == 0 { 0.02 } else { 0.0 };
-    problem.set_gap(|_| size * random.uniform()).unwrap();
-    (problem, hierarchy)
+    let draft = Draft::random(seed, 1.0);
+    (draft.problem(1.0, 0.0, [0.0; 2], 1.0), draft.hierarchy)
 }
 
 #[test]
