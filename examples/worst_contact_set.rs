@@ -83,7 +83,7 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
 }
 
 /// The largest ratio of random sets of cells with up to 20 gaps, of lengths of all sizes.
-fn search(cone: Cone, form: &DMatrix<f64>, sets: usize) -> Result<f64> {
+pub fn search(cone: Cone, form: &DMatrix<f64>, sets: usize) -> Result<f64> {
     let n = form.nrows();
     let mut state = 2012_u64; // a linear congruential generator
     let mut random = move |below: usize| {

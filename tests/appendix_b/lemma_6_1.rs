@@ -262,30 +262,3 @@ fn the_second_line_fails_as_printed_beyond_its_length_and_holds_up_to_it() {
         assert!(derivative.value + derivative.error < PRINTED);
     }
 }
-
-#[test]
-fn one_function_breaks_the_second_line_on_a_long_element() {
-    let nu = order(0.5);
-    let longest = longest_element(nu);
-    let found = |h: f64| {
-        let found =
-            interpolation_constant(Domain::Interval(h), ErrorNorm::H1, nu, Tolerance::balanced()).unwrap();
-        // on (0, h) the squared norm is that of the derivative plus h² times that of the function
-        let [value, derivative] = errors(&found, h);
-        derivative.hypot(h * value) / slope(&found, h).seminorm(nu, 1e-8).unwrap().value
-    };
-    assert!(found((1.0 + BESIDE) * longest) > PRINTED);
-    assert!(found((1.0 - BESIDE) * longest) <= PRINTED);
-}
-
-#[test]
-fn constants_fall_with_the_order_below_their_limits_at_zero() {
-    for norm in NORMS {
-        let mut above = element_constant(norm, order(LIMIT), Tolerance::balanced()).unwrap().value;
-        for nu in [1e-3, 0.01, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99] {
-            let constant = element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value;
-            assert!(constant < above, "{norm:?} nu {nu}");
-            above = constant;
-        }
-    }
-}

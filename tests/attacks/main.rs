@@ -23,12 +23,10 @@ mod orders;
 mod plane_polar;
 #[path = "../beyond/rearrangement.rs"]
 mod rearrangement;
-#[path = "../beyond/segment_constants.rs"]
-mod segment_constants;
-#[path = "../common/segment_sets.rs"]
-mod segment_sets;
 #[path = "../section_2/strip_errors.rs"]
 mod strip_errors;
+#[path = "../beyond/worst_contact_set.rs"]
+mod worst_contact_set;
 
 mod command_lines;
 mod contact;

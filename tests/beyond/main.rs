@@ -3,9 +3,6 @@
 /// Sizes of random searches: the few that decide here, or as many as the target `attacks` takes.
 pub const MANY: bool = false;
 
-#[path = "../common/segment_sets.rs"]
-mod segment_sets;
-
 mod bound_from_data;
 mod contact_costs_nothing;
 mod explicit_bound;

@@ -1,6 +1,5 @@
 //! The sharp constants of a segment: two independent computations, limits, and other contact sets.
 
-use crate::segment_sets::SegmentSets;
 use fractional_sobolev::{Moment, Order, Tolerance, moment};
 use signorini::cone::Cone;
 use signorini::proof::{
@@ -68,19 +67,6 @@ fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
 }
 
 #[test]
-fn two_gaps_and_interior_gaps_stay_below_one_gap_at_an_end() {
-    for nu in [0.02, 0.25, 0.5, 0.75, 0.97].into_iter().step_by(if crate::MANY { 1 } else { 2 }) {
-        let sharp = consistency_constant(order(nu), Tolerance::fast()).unwrap().value;
-        let sets = SegmentSets::new(order(nu), 32).unwrap();
-        for cone in [Cone::Nodal, Cone::Midpoint] {
-            let found = sets.search(cone, 20, if crate::MANY { 500 } else { 100 }, 3).unwrap();
-            assert!(found.largest() < sharp.value, "{cone} {nu}: {found:?} {sharp}");
-            assert_eq!(found.interval.gaps(), 1, "{cone} {nu}: {found:?}");
-        }
-    }
-}
-
-#[test]
 fn a_short_gap_at_any_scale_and_bad_input() {
     // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν}: θ^{2ν}.
     for nu in [0.1, 0.25, 0.4] {
@@ -91,9 +77,4 @@ fn a_short_gap_at_any_scale_and_bad_input() {
     for gap in [0.0, 1.0, -0.1, f64::NAN] {
         assert!(one_gap_ratio(Cone::Midpoint, order(0.3), gap, Tolerance::fast()).is_err());
     }
-    assert!(SegmentSets::new(order(0.3), 2).is_err());
-    let sets = SegmentSets::new(order(0.3), 8).unwrap();
-    assert!(sets.ratio(Cone::Nodal, &[true; 7]).is_err());
-    assert_eq!(sets.ratio(Cone::Nodal, &[true; 8]).unwrap(), 0.0);
-    assert_eq!(sets.ratio(Cone::Nodal, &[false; 8]).unwrap(), 0.0);
 }

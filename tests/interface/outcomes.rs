@@ -155,14 +155,6 @@ fn the_order_is_lost_where_the_zone_is_taken_as_short_as_h_theta() {
     }
 }
 
-/// Falk's lemma: the constant 2, up to the rounding of the contact iteration.
-#[test]
-fn the_constant_of_falk_is_at_most_two() {
-    let constants = column("falk_terms", "constant");
-    assert!(constants.len() >= 16, "{constants:?}");
-    assert!(constants.iter().all(|(_, constant)| (0.0..=2.0 + 1e-9).contains(constant)), "{constants:?}");
-}
-
 /// Theorems 3.1, 4.1: no contact set brings the consistency term to the theorem's exponent.
 #[test]
 fn no_set_is_bad_and_none_passes_the_sharp_constant() {

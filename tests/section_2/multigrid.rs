@@ -10,7 +10,7 @@ use signorini::contact::{
     Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings, Solver,
 };
 use signorini::fem::{Field, Form};
-use signorini::mesh::{BoundaryEdge, Hierarchy, Part, SideParts, Triangulation, unit_square};
+use signorini::mesh::{Hierarchy, SideParts, unit_square};
 use signorini::problems::{Parameters, TestProblem};
 
 /// J of two computations at the tolerance 1e-12: it differs by the square of the error, and by rounding.
@@ -202,33 +202,6 @@ fn an_observer_may_stop_the_iteration() {
     assert!(stopped.is_err_and(|e| e.to_string().contains("enough")));
     assert!(heard.iter().all(|progress| progress.levels == 4 && progress.error.is_finite()));
     assert_eq!(heard.last().map(|progress| progress.level), Some(2));
-}
-
-/// Two squares, the lower one with the contact edge held by nothing.
-#[test]
-fn a_body_that_is_not_held_is_an_error() {
-    let square = unit_square(1, SideParts::HANGING).unwrap();
-    let mut nodes = square.nodes().to_vec();
-    nodes.extend(square.nodes().iter().map(|&[x, y]| [x, y + 2.0]));
-    let mut triangles = square.triangles().to_vec();
-    triangles.extend(square.triangles().iter().map(|t| t.map(|node| node + 4)));
-    let labels = |lower: bool| {
-        square.boundary().iter().map(move |edge| match (lower, edge.part) {
-            (true, Part::Dirichlet) => BoundaryEdge { part: Part::Neumann, ..*edge },
-            (true, _) => *edge,
-            (false, part) => BoundaryEdge {
-                nodes: edge.nodes.map(|node| node + 4),
-                part: if part == Part::Contact { Part::Neumann } else { part },
-            },
-        })
-    };
-    let boundary = labels(true).chain(labels(false)).collect();
-    let coarse = Triangulation::new(nodes, triangles, boundary).unwrap();
-    let hierarchy = Hierarchy::refined(coarse, 3).unwrap();
-    let mesh = hierarchy.finest().clone();
-    let load = vec![1.0; mesh.nodes().len()];
-    let found = ContactProblem::new(mesh, Form::LAPLACE, &load);
-    assert!(matches!(found, Err(Error::NotHeld { node: 0, .. })), "{:?}", found.map(|_| ()));
 }
 
 /// Loads, gaps, given displacements and forces that are no numbers are refused before any solver sees them.

@@ -1,7 +1,6 @@
 //! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended
 //! precision.
 
-use crate::common::strip_levels;
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 use qd::Quad;
@@ -346,36 +345,4 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
         assert!((3.0..4.5).contains(&(pair[0] / pair[1])), "{missing:?}");
     }
     assert!(missing[4] < 1e-3 * limit);
-}
-
-#[test]
-fn orders_of_a_transition_averaged_over_its_position_are_tau_minus_one() {
-    /// Required; measured 0.605, 0.759, 0.909. The smooth part, of order one, is still felt at tau = 1.9.
-    const ORDER: f64 = 0.01;
-    const POSITIONS: usize = 5;
-    let (from, to) = (11, 16);
-    for tau in [1.6, 1.75, 1.9] {
-        let mut problem: Option<StripProblem> = None;
-        let mut squares = vec![0.0; 6];
-        for i in 0..POSITIONS {
-            let position = 0.381966 + i as f64 / POSITIONS as f64 / 2048.0;
-            let source = StripData::Transition { position };
-            let scene = source.data(tau, 32 << to, LateralCondition::Natural).unwrap();
-            match &mut problem {
-                Some(problem) => problem.set_data(&scene).unwrap(),
-                None => {
-                    problem =
-                        Some(StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2048).unwrap())
-                }
-            }
-            let problem = problem.as_ref().unwrap();
-            let levels = strip_levels(problem, (from, to), Cone::Nodal).unwrap();
-            for ((k, solution), square) in (from..=to).zip(&levels).zip(&mut squares) {
-                *square += problem.error(1 << k, &solution.values).unwrap().value.powi(2);
-            }
-        }
-        let order = 0.5 * (squares[0] / squares[5]).log2() / 5.0;
-        println!("tau {tau}: mean order {order:.4}");
-        assert!((order - (tau - 1.0)).abs() < ORDER, "{tau}: {order}");
-    }
 }

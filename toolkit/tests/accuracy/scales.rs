@@ -319,51 +319,11 @@ fn lengths_are_divided_out_before_anything_is_called_zero() {
         let found = u.lp(1.0, 1e-10).unwrap();
         assert!((found.value / length / exact.value - 1.0).abs() < 1e-10, "{length:e}: {found}");
         assert!(found.error > 1e-16 * found.value);
-        let l2 = Function::from_fn(&[0.0, length], |x| (-x / (0.1 * length)).exp()).unwrap().lp(2.0, 1e-8);
-        assert_near("L2", l2, (0.05 * -(-20f64).exp_m1() * length).sqrt(), 1e-8);
-        let step = Function::from_fn(&[0.0, length], |x| if x < 0.37 * length { 0.0 } else { 1.0 }).unwrap();
-        let mesh = Mesh::from_lengths(vec![0.37 * length, 0.63 * length]).unwrap();
-        let exact = Function::piecewise(&mesh, 0, &[0.0, 1.0]).unwrap().seminorm(0.3, 1e-12).unwrap().value;
-        let found = Estimate::or_best(step.seminorm(0.3, 1e-3)).unwrap();
-        assert!(
-            (found.value - exact).abs() <= found.error && found.error < 0.02 * exact,
-            "{found} {exact:e}"
-        );
-    }
-}
-
-#[test]
-fn means_see_layers_at_the_ends() {
-    for w in [1e-5, 1e-16, 1e-20, 1e-100, 1e-250] {
-        let layer = move |at: Position| (-at.distance_to(0) / w).exp();
-        let alone = Function::from_positions(&[0.0, 1.0], layer).unwrap();
-        assert_near("layer", alone.mean(1e-8), w, 1e-8);
-        assert_near("layer", alone.lp(2.0, 1e-8), (0.5 * w).sqrt(), 1e-8);
-        let beside = Function::from_positions(&[0.0, 1.0], move |at| 1.0 + layer(at) / w).unwrap();
-        assert_near("1 + layer", beside.mean(1e-8), 2.0, 1e-8);
-        assert_near("1 + layer", beside.lp(2.0, 1e-8), (3.0 + 0.5 / w).sqrt(), 1e-8);
     }
 }
 
 #[test]
 fn seminorms_see_layers_beside_anything() {
-    // |x + e^{-x/w}|² = 1 + 2 ln 2 in the limit, at order 1/2
-    let limit = (1.0 + 2.0 * 2f64.ln()).sqrt();
-    for w in [1e-12, 1e-16, 1e-20, 1e-100, 1e-250] {
-        let layer = move |at: Position| (-at.distance_to(0) / w).exp();
-        let u = Function::from_positions(&[0.0, 1.0], move |at| at.distance_to(0) + layer(at)).unwrap();
-        let exact = limit;
-        let found = u.seminorm(0.5, 1e-8).unwrap();
-        assert!((found.value - exact).abs() <= found.error + 60.0 * w, "{w:e}: {found}, {exact}");
-        for asked in [1e-4, 1e-8] {
-            let alone = Function::from_positions(&[0.0, 1.0], layer).unwrap();
-            let found = alone.seminorm(0.5, asked).unwrap();
-            assert!(
-                (found.value - (2.0 * 2f64.ln()).sqrt()).abs() <= found.error + 3.0 * w,
-                "{w:e}: {found}"
-            );
-        }
-    }
     let w = 1e-30;
     let rational =
         |at: Position| (5.0 * at.distance_to(0)).sin() + at.distance_to(0) / (at.distance_to(0) + w);
@@ -378,21 +338,6 @@ fn seminorms_see_layers_beside_anything() {
 
 #[test]
 fn short_intervals_beside_long_ones_count() {
-    for w in [1e-20, 1e-24, 1e-100, 1e-250] {
-        let hat = move |at: Position| match at.anchor() {
-            0 | 4 => 0.0,
-            1 => (at.offset() / w).max(0.0),
-            2 => 1.0 - at.offset().abs() / w,
-            _ => (-at.offset() / w).max(0.0),
-        };
-        let u = Function::from_positions(&[0.0, w, 2.0 * w, 3.0 * w, 1.0], hat).unwrap();
-        let mesh = Mesh::from_lengths(vec![w, w, w, 1.0 - 3.0 * w]).unwrap();
-        let array = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
-        for s in [0.5, 0.7] {
-            let exact = array.seminorm(s, 1e-12).unwrap().value;
-            assert_near("hat", u.seminorm(s, 1e-8), exact, 1e-8);
-        }
-    }
     for r in [1e20, 1e22, 1e100, 1e250] {
         let root = |at: Position| match at.anchor() {
             1 if at.offset() > 0.0 => (at.offset() * (2.0 - at.offset())).sqrt(),
@@ -522,13 +467,6 @@ fn infinite_norms_are_infinite_beside_layers() {
 
 #[test]
 fn what_is_not_declared_is_resolved_or_named() {
-    let kink = Function::from_fn(&[0.0, 1.0], |x: f64| (x - 0.37).abs()).unwrap();
-    let mesh = Mesh::from_nodes(&[0.0, 0.37, 1.0]).unwrap();
-    let exact = Function::linears(&mesh, &[0.37, 0.0, 0.63]).unwrap();
-    for s in [0.2, 0.5, 0.7] {
-        assert_near("kink", kink.seminorm(s, 1e-8), exact.seminorm(s, 1e-12).unwrap().value, 1e-8);
-    }
-    assert_near("kink", kink.lp(2.0, 1e-8), exact.lp(2.0, 1e-12).unwrap().value, 1e-8);
     let step = Function::from_fn(&[0.0, 1.0], |x: f64| if x < 0.37 { 0.0 } else { 1.0 }).unwrap();
     for s in [0.5, 0.8] {
         let refused = step.seminorm(s, 1e-6).unwrap_err();
