@@ -1,15 +1,13 @@
 //! Figure 4.1: the two cases of the midpoint cone, on a computed contact set. θ = h^(2τ−3), at τ = 2 h²; h = 1/n; σ_N u_N = 0.
 //!
-//! On a segment t of length h, π the mean over t, the term to bound is (4.9): ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫
-//! u_N ≥ 0. t is in one case or both: (1) its contact set {u_N = 0} has diameter ≤ θh, and so has the set where σ_N ≠ 0;
-//! (2) its contact set has diameter ≥ θh. Refuted if a segment is in neither case, or if more carry the term (over 1e-12 of
-//! the sum) than the contact set has ends inside the edge. Contact set, pressed set: intervals between neighbouring nodes,
-//! and nodes, with u_N = 0, force λ > 0.
+//! On a segment t of length h, π the mean over t, the term to bound is (4.9): ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫ u_N ≥ 0.
+//! t is in one case or both: (1) its contact set {u_N = 0} has diameter ≤ θh, and so has the set where σ_N ≠ 0; (2) its contact set
+//! has diameter ≥ θh. Refuted if a segment is in neither case, or if more carry the term (over 1e-12 of the sum) than the contact
+//! set has ends inside the edge. Contact set, pressed set: intervals between neighbouring nodes, and nodes, with u_N = 0, force λ > 0.
 //!
-//! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0,
-//! −cos πx) linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest,
-//! cut from bottom left to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a
-//! check the worst counts.
+//! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0, −cos πx)
+//! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
+//! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
 use example_report::{figures::edge_trace, prelude::*};
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
