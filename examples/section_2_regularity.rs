@@ -108,7 +108,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let setting = Parameters { angle: options.angle, ..Parameters::default() };
     let mut unseen = 0;
     for &problem in &options.problem {
-        // All corners and transitions of the solution, each with the smallest root λ of its wedge's characteristic equation
+        // τ = 1 + the smallest Re λ of all corners and transitions, the contact set from a mesh cut towards both ends of the
+        // edge. Scalar, one side fixed: λ = π/(2 angle). Elastic: the smallest root of the wedge's characteristic equation
         // (section_2_singular_exponents) whose U has u_N ≤ 0 on open and σ_N ≤ 0 on closed sides.
         let found = problem.regularity(&setting)?;
         let body = problem.problem_with(96, &setting)?;
