@@ -72,11 +72,17 @@ fn two_computations_agree_up_to_the_limit_of_finiteness() {
     assert!(wrong > 10.0 * TWO_ROADS);
 }
 
+/// The second computation of the norms of piecewise functions: by quadrature of a formula, which knows no elements.
 #[test]
 fn piecewise_linears_and_steps_have_their_norms() {
-    let mut random = SplitMix::new(5);
+    (5..if crate::MANY { 25 } else { 8 }).for_each(piecewise_functions_on_a_random_mesh);
+}
+
+fn piecewise_functions_on_a_random_mesh(seed: u64) {
+    let mut random = SplitMix::new(seed);
+    let squares = [1 + random.below(3), 1 + random.below(2)];
     let moved = |p: [f64; 2]| p.map(|x| x + random.between(-0.08, 0.08));
-    let mesh = Triangles::grid([3, 2], 0.5).unwrap().mapped(moved).unwrap();
+    let mesh = Triangles::grid(squares, 0.5).unwrap().mapped(moved).unwrap();
     let nodes = mesh.nodes().to_vec();
     let values: Vec<f64> = nodes.iter().map(|p| (3.0 * p[0]).sin() + p[1] * p[0]).collect();
     let linear = Function::on_triangles(&mesh, 1, &values).unwrap();

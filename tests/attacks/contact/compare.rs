@@ -34,8 +34,14 @@ pub fn compare(
     answer: &Answer,
     solution: &ContactSolution,
 ) -> Result<bool, String> {
-    if let Some(name) = not_finite(solution) {
-        return Err(format!("{name} is not finite"));
+    let (s, m) = (solution, solution.margins);
+    let numbers =
+        [s.force_scale, s.displacement_scale, s.energy, s.energy_rounding, s.contact_force, s.balance];
+    let margins = [s.kkt.worst(), m.pressure.unwrap_or(0.0), m.gap.unwrap_or(0.0)];
+    let vectors = [&s.displacement, &s.normal_displacement, &s.multiplier, &s.gap, &s.positions, &s.pressure];
+    let all = vectors.into_iter().flatten().chain(s.traction.as_flattened()).chain(&s.reaction);
+    if !all.chain(&numbers).chain(&margins).all(|value| value.is_finite()) {
+        return Err(format!("a number that is none: {solution:?}"));
     }
     if !solution.status.is_converged() {
         return Ok(false);
@@ -170,35 +176,4 @@ fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: [f64; 2])
         }
     }
     Ok(())
-}
-
-/// The first vector or number of a solution that is not finite.
-fn not_finite(solution: &ContactSolution) -> Option<&'static str> {
-    let traction: Vec<f64> = solution.traction.iter().flatten().copied().collect();
-    let numbers = [
-        solution.force_scale,
-        solution.displacement_scale,
-        solution.energy,
-        solution.energy_rounding,
-        solution.contact_force,
-        solution.reaction[0],
-        solution.reaction[1],
-        solution.balance,
-        solution.kkt.worst(),
-        solution.margins.pressure.unwrap_or(0.0),
-        solution.margins.gap.unwrap_or(0.0),
-    ];
-    [
-        ("displacement", &solution.displacement),
-        ("normal displacement", &solution.normal_displacement),
-        ("multiplier", &solution.multiplier),
-        ("gap", &solution.gap),
-        ("positions", &solution.positions),
-        ("pressure", &solution.pressure),
-        ("traction", &traction),
-        ("numbers", &numbers.to_vec()),
-    ]
-    .into_iter()
-    .find(|(_, values)| values.iter().any(|v| !v.is_finite()))
-    .map(|(name, _)| name)
 }

@@ -148,7 +148,7 @@ fn constants(random: &mut SplitMix) -> Case {
 
 fn power(random: &mut SplitMix) -> Case {
     let order = order(random);
-    let (a, asked) = (exponent(random, order), tolerance(random, -6.0, -2.0));
+    let (a, asked) = (exponent(random, order), tolerance(random, -11.0, -2.0));
     let u = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
         0 => at.offset().powf(a),
         _ => (a * at.offset().ln_1p()).exp(),

@@ -10,8 +10,6 @@ mod hard;
 
 #[path = "../accuracy/constants.rs"]
 mod constants;
-#[path = "../plane/duffy.rs"]
-mod duffy;
 #[path = "../norms/errors_of_fields.rs"]
 mod errors_of_fields;
 #[path = "../accuracy/numbers.rs"]

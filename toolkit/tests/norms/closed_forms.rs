@@ -132,16 +132,6 @@ fn check_closure(what: &str, u: &Function<'_>, order: Order, squared: f64, fines
 }
 
 #[test]
-fn powers_as_closures_reach_the_tolerance_asked() {
-    for row in references().iter().filter(|row| row["function"] == "x^a") {
-        let order: Order = row["nu"].as_str().unwrap().parse().unwrap();
-        let a = number(row, "a");
-        let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
-        check_closure(&format!("x^{a}, nu {order}"), &u, order, number(row, "seminorm_sq"), 1e-11);
-    }
-}
-
-#[test]
 fn powers_of_the_logarithm_as_closures_reach_the_tolerance_asked() {
     for row in references().iter().filter(|row| row["function"] == "|ln x|^alpha") {
         let alpha = number(row, "alpha");

@@ -9,7 +9,6 @@ mod hard;
 
 mod boundaries;
 mod corners;
-mod duffy;
 mod norms;
 mod products;
 
