@@ -3,7 +3,6 @@
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::Field;
-use signorini::mesh::Hierarchy;
 use signorini::problems::{KnownSolution, Parameters, TestProblem};
 
 fn solved(scene: TestProblem, n: usize, cone: Cone) -> (ContactProblem, ContactSolution) {
@@ -50,49 +49,6 @@ fn known_contact_set_and_force_are_found() {
             off.push((solution.contact_force - exact).abs());
         }
         assert!(off[1] < 0.3 * off[0] && off[0] < 0.01, "{cone}: force off by {off:?}");
-    }
-}
-
-#[test]
-fn corner_shows_its_exponent() {
-    // Along the contact edge u ~ c r^{π/(2ω)}: slope of ln |u| over dyadic distances on a mesh graded toward
-    // the corner.
-    for angle in [90.0, 120.0, 135.0, 150.0] {
-        let setting = Parameters { angle, ..Parameters::default() };
-        let mut hierarchy = Hierarchy::new(TestProblem::Corner.mesh_with(16, &setting).unwrap());
-        hierarchy.refine_toward_point([0.0, 0.0], 16).unwrap();
-        let problem = TestProblem::Corner.on_with(hierarchy.finest().clone(), &setting).unwrap();
-        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
-        assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{angle}");
-        let near = |bound: f64| {
-            let at = problem.edge().arc().iter().rposition(|&r| r <= bound).unwrap();
-            (problem.edge().arc()[at], solution.normal_displacement[at])
-        };
-        let ((r, u), (s, v)) = (near(1e-3), near(1e-5));
-        let slope = (u / v).ln() / (r / s).ln();
-        // One grading per factor two of the distance leaves a relative error of a few per cent in u, not in
-        // its slope.
-        let exponent = 90.0 / angle;
-        assert!((slope / exponent - 1.0).abs() < 0.02, "{angle}: slope {slope}, expected {exponent}");
-    }
-}
-
-#[test]
-fn grading_toward_the_corner_pays() {
-    // Nested spaces: every added node lowers the minimum of the same energy; the load is constant on all
-    // levels.
-    let mesh = TestProblem::Corner.mesh(8).unwrap();
-    let form = signorini::fem::Form::LAPLACE;
-    let mut hierarchy = Hierarchy::new(mesh);
-    hierarchy.refine_toward_point([0.0, 0.0], 6).unwrap();
-    hierarchy.refine().unwrap();
-    let mut last = f64::INFINITY;
-    for level in hierarchy.levels() {
-        let load = vec![-1.0; level.nodes().len()];
-        let problem = ContactProblem::new(level.clone(), form.clone(), &load).unwrap();
-        let energy = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap().energy;
-        assert!(energy < last, "{energy} after {last}");
-        last = energy;
     }
 }
 

@@ -1,9 +1,9 @@
-//! Constants: bounds known by hand, values on uniform meshes, and powers of the length.
+//! Constants: bounds known by hand, and powers of the length.
 
 use crate::hard::{cases, decades, seeded};
 use crate::numbers::order;
 use fractional_sobolev::{
-    Constraint, Domain, Error, ErrorNorm, Mesh, Tolerance, gamma, interpolation_constant, projection_constant,
+    Constraint, Domain, Error, ErrorNorm, Tolerance, gamma, interpolation_constant, projection_constant,
 };
 
 #[test]
@@ -45,16 +45,4 @@ fn constants_on_an_element_have_their_powers_of_the_length() {
     let on = |h: f64| projection_constant(Domain::Interval(h), ErrorNorm::Dual, 0.3, 1e-8).unwrap().constant;
     let quotient = on(2.0).value / on(1.0).value;
     assert!((quotient / 2f64.powf(0.8) - 1.0).abs() < 1e-12, "{quotient}");
-}
-
-/// 1/(πn), from cos nπx.
-#[test]
-fn the_projection_on_a_uniform_mesh_has_wirtingers_constant() {
-    for (n, asked) in [1, 2, 3, 5, 8].into_iter().flat_map(|n| [1e-3, 1e-4].map(|asked| (n, asked))) {
-        let mesh = Domain::Mesh(Mesh::uniform(n, 1.0).unwrap());
-        let found = projection_constant(mesh, ErrorNorm::L2, 1.0, asked).unwrap().constant;
-        let exact = std::f64::consts::FRAC_1_PI / n as f64;
-        let off = (found.value - exact).abs() - 1e-14 * exact;
-        assert!(off <= found.error && off <= asked * exact, "{n} {asked}: {found}, {exact}");
-    }
 }
