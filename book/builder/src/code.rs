@@ -78,28 +78,4 @@ mod tests {
         assert_eq!(function(SOURCE, "two"), None);
         assert!(block(Path::new("/nowhere"), "x", "run").is_err());
     }
-
-    #[test]
-    fn examples_and_tests_are_named_only_when_they_exist() {
-        let directory = tempfile::tempdir().unwrap();
-        let text = "#[test]\nfn first() {}\n\nfn helper() {}\n\n#[test]\n#[ignore]\nfn second() {\n}\n";
-        std::fs::write(directory.path().join("lemma.rs"), text).unwrap();
-        let named = |file, function| test(directory.path(), file, function).ok();
-        assert_eq!(named("lemma", None).unwrap(), "lemma");
-        assert_eq!(named("lemma", Some("first")).unwrap(), "lemma::first");
-        assert_eq!(named("lemma", Some("second")).unwrap(), "lemma::second");
-        assert_eq!(named("lemma", Some("helper")), None);
-        assert_eq!(named("lemma", Some("third")), None);
-        assert_eq!(named("theorem", None), None);
-        // a module of a target, here and in the toolkit
-        for (tests, file) in [("tests", "dual/norms"), ("toolkit/tests", "plane/corners")] {
-            let path = directory.path().join(tests).join(file).with_extension("rs");
-            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-            std::fs::write(path, text).unwrap();
-            let found = test(&directory.path().join("tests"), file, Some("second")).unwrap();
-            assert_eq!(found, format!("{file}::second"));
-        }
-        assert_eq!(program(directory.path(), "lemma").unwrap(), "lemma");
-        assert!(program(directory.path(), "theorem").is_err());
-    }
 }

@@ -94,39 +94,3 @@ fn files(text: &str) -> Vec<(usize, &str)> {
         .filter(|(_, name)| is_file(name))
         .collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn examples_without_page_pages_without_example_and_dead_commands_are_named() {
-        let directory = tempfile::tempdir().unwrap();
-        for name in ["one.rs", "two.rs", "three.rs"] {
-            let path = directory.path().join("examples").join(name);
-            std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-            std::fs::write(path, "").unwrap();
-        }
-        let page = |name: &str, text: &str| Page {
-            file: name.into(),
-            html: name.replace(".md", ".html"),
-            text: text.to_owned(),
-        };
-        let pages = [
-            page("a.md", "{{table: one}} of `examples/one.rs`, `src/none.rs` and `examples/`"),
-            page("b.md", "`{{table: two}}` {{verdict: two}}"),
-            page("c.md", "{{slider: t: a = three/x, b = three/y: c}}\n\ncargo run --example four -- --x"),
-        ];
-        let found = faults(&pages, directory.path()).unwrap();
-        let closed = found.iter().filter(|f| f.what.contains("open with a picture"));
-        assert_eq!(closed.map(|f| f.file.display().to_string()).collect::<Vec<_>>(), ["a.md", "b.md"]);
-        let found: Vec<(String, usize)> =
-            found.into_iter().map(|f| (format!("{} {}", f.file.display(), f.text), f.line)).collect();
-        let expected = [("a.md src/none.rs", 1), ("c.md four", 3), ("examples/two.rs two", 1)];
-        assert!(found.contains(&("b.md b.html".to_owned(), 1)), "{found:?}");
-        for (text, line) in expected {
-            assert!(found.contains(&(text.to_owned(), line)), "{found:?}");
-        }
-        assert_eq!(found.len(), 6);
-    }
-}

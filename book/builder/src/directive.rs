@@ -236,16 +236,15 @@ mod tests {
         }
     }
 
+    fn sources(data: &Data) -> Sources<'_> {
+        let none = Path::new("none");
+        Sources { data, examples: none, tests: none, ideas: none, allowed: &[] }
+    }
+
     #[test]
     fn numbers_words_tables_and_figures_are_found() {
         let data = data();
-        let sources = Sources {
-            data: &data,
-            examples: Path::new("none"),
-            tests: Path::new("none"),
-            ideas: Path::new("none"),
-            allowed: &[],
-        };
+        let sources = sources(&data);
         let number = |value, format| Ok(Meaning::Number(Written::new(value, format)));
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
@@ -265,30 +264,9 @@ mod tests {
     #[test]
     fn what_is_unknown_is_refused() {
         let data = data();
-        let sources = Sources {
-            data: &data,
-            examples: Path::new("none"),
-            tests: Path::new("none"),
-            ideas: Path::new("none"),
-            allowed: &[],
-        };
-        let bad = [
-            "value:delta",
-            "value:gamma:x9",
-            "figure:f",
-            "figure:g:c",
-            "table:none",
-            "claim:none",
-            "finding:ex/none",
-            "finding:a",
-            "findings:none",
-            "example:none",
-            "test:none",
-            "test:none::f",
-            "what:x",
-            "",
-        ];
-        for text in bad {
+        let sources = sources(&data);
+        let bad = "value:delta|value:gamma:x9|figure:f|figure:g:c|table:none|claim:none|finding:ex/none|finding:a|findings:none|example:none|test:none|test:none::f|what:x|";
+        for text in bad.split('|') {
             assert!(resolve(text, &sources).is_err(), "{text}");
         }
     }

@@ -87,36 +87,3 @@ fn locate(what: &str, link: &str, name: &str, pages: &[Page]) -> Fault {
     let at = page.text.find(link).or_else(|| page.text.find(&written));
     Fault::new(&page.file, line_at(&page.text, at.unwrap_or(0)), what, link)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn dead_links_and_anchors_are_found() {
-        let directory = tempfile::tempdir().unwrap();
-        let write = |name: &str, text: &str| std::fs::write(directory.path().join(name), text).unwrap();
-        write("style.css", "");
-        write("b.html", "<h1 id='top'>b</h1>");
-        let good =
-            r##"<p id="here"><a href="#here"></a><a href="b.html#top"></a><link href="style.css"></p>"##;
-        let bad = r##"<a href="#there"></a><a href="b.html#no"></a><a href="c.html"></a><script src="https://x.y/z"></script>"##;
-        write("a.html", &format!("{good}{bad}<math><mi>x</math>"));
-        let source = "fine\n[x](#there)\n[y](b.md#no)\n[z](c.md)\n";
-        let page = Page { file: "a.md".into(), html: "a.html".into(), text: source.to_owned() };
-        let mut found: Vec<(usize, String)> =
-            faults(directory.path(), &[page]).unwrap().into_iter().map(|f| (f.line, f.what)).collect();
-        found.sort();
-        let words: Vec<(usize, &str)> = found.iter().map(|(line, what)| (*line, what.as_str())).collect();
-        assert_eq!(
-            words,
-            [
-                (1, "formula is not well-formed"),
-                (1, "link out of the book"),
-                (2, "dead anchor"),
-                (3, "dead anchor"),
-                (4, "dead link"),
-            ]
-        );
-    }
-}

@@ -78,15 +78,23 @@ impl Fixture {
     fn build(&self) -> Result<(), Error> {
         build(&self.layout(), &Data::read(&self.layout().generated())?).map(|_| ())
     }
+}
 
-    /// Replaces text in a file and expects a fault that begins with `place` and contains `words`.
-    fn expect(path: &str, from: &str, to: &str, place: &str, words: &str) {
-        let fixture = Self::new();
-        let text = fixture.read(path);
+/// File, text in it, what it is replaced by: a fault at this page and line with these words.
+fn expect(rows: &[(&str, &str, &str, &str, &str)]) {
+    let file = |name: &str| match name.contains('/') {
+        true => name.to_owned(),
+        false => format!("book/src/{name}.md"),
+    };
+    for (path, from, to, place, words) in rows {
+        let fixture = Fixture::new();
+        let text = fixture.read(&file(path));
         assert!(text.contains(from), "{from}");
-        fixture.write(path, &text.replace(from, to));
+        fixture.write(&file(path), &text.replace(from, to));
         let message = fixture.build().expect_err(to).to_string();
-        let found = message.lines().any(|line| line.starts_with(place) && line.contains(words));
+        let (page, line) = place.split_once(':').unwrap();
+        let place = format!("{}:{}:", file(page), line.trim_end_matches(':'));
+        let found = message.lines().any(|line| line.starts_with(&place) && line.contains(words));
         assert!(found, "expected {place} ... {words}, got\n{message}");
     }
 }
@@ -208,27 +216,29 @@ fn plain_pages_are_written_and_compared() {
 
 #[test]
 fn faults_of_formulas_fail() {
-    let (first, second) = ("book/src/first.md", "book/src/second.md");
-    Fixture::expect(first, "\\le C", "\\nosuch C", "book/src/first.md:5:", "`\\nosuch`");
-    Fixture::expect(first, "\\le C", "\\frac{", "book/src/first.md:5:", "does not parse");
-    Fixture::expect(second, "$\\eqref{bound}$", "$\\eqref{nowhere}$", "book/src/second.md:5:", "`nowhere`");
-    Fixture::expect(first, "\\label{bound}", "", "book/src/second.md:5:", "`bound`");
-    Fixture::expect(second, "the verdict", "$x + the verdict", "book/src/second.md:5:", "closing dollar");
+    expect(&[
+        ("first", "\\le C", "\\nosuch C", "first:5", "`\\nosuch`"),
+        ("first", "\\le C", "\\frac{", "first:5", "does not parse"),
+        ("second", "$\\eqref{bound}$", "$\\eqref{nowhere}$", "second:5", "`nowhere`"),
+        ("first", "\\label{bound}", "", "second:5", "`bound`"),
+        ("second", "the verdict", "$x + the verdict", "second:5", "closing dollar"),
+    ]);
 }
 
 #[test]
 fn faults_of_keys_fail() {
-    let (first, second) = ("book/src/first.md", "book/src/second.md");
-    Fixture::expect(first, "value: gamma:", "value: delta:", "book/src/first.md:9:", "`value: delta: s4`");
-    Fixture::expect(first, "s4}}", "z4}}", "book/src/first.md:9:", "unknown format z4");
-    Fixture::expect(first, "ex/chart", "ex/none", "book/src/first.md:3:", "unknown figure");
-    Fixture::expect(second, "{{idea: wave: A wave}}", "", "book/src/second.md:1:", "open with a picture");
-    Fixture::expect(second, "ex/other", "ex/none", "book/src/second.md:13:", "unknown figure");
-    Fixture::expect(second, ": Two charts", "", "book/src/second.md:13:", "without a caption");
-    Fixture::expect(second, "verdict: ex", "verdict: no", "book/src/second.md:5:", "unknown example");
-    Fixture::expect(second, "ex.rs:run", "ex.rs:walk", "book/src/second.md:8:", "no such anchor");
-    Fixture::expect(second, "ex: walk", "ex: swim", "book/src/second.md:11:", "no such function");
-    Fixture::expect("src/book.rs", "second.md", "", "src/book.rs:2:", "not what its list says");
+    expect(&[
+        ("first", "value: gamma:", "value: delta:", "first:9", "`value: delta: s4`"),
+        ("first", "s4}}", "z4}}", "first:9", "unknown format z4"),
+        ("first", "ex/chart", "ex/none", "first:3", "unknown figure"),
+        ("second", "{{idea: wave: A wave}}", "", "second:1", "open with a picture"),
+        ("second", "ex/other", "ex/none", "second:13", "unknown figure"),
+        ("second", ": Two charts", "", "second:13", "without a caption"),
+        ("second", "verdict: ex", "verdict: no", "second:5", "unknown example"),
+        ("second", "ex.rs:run", "ex.rs:walk", "second:8", "no such anchor"),
+        ("second", "ex: walk", "ex: swim", "second:11", "no such function"),
+        ("src/book.rs", "second.md", "", "src/book.rs:2:", "not what its list says"),
+    ]);
 }
 
 #[test]
@@ -313,23 +323,12 @@ fn a_claim_that_is_undecided_fails_where_it_is_made() {
 
 #[test]
 fn unknown_directives_fail() {
-    let (first, second) = ("book/src/first.md", "book/src/second.md");
-    Fixture::expect(
-        first,
-        "{{value: gamma: s4}}",
-        "{{valve: gamma}}",
-        "book/src/first.md:9:",
-        "unknown directive",
-    );
-    Fixture::expect(first, "{{value: gamma: s4}}", "{{}}", "book/src/first.md:9:", "unknown directive");
-    Fixture::expect(first, "{{table: ex}}", "{{table: none}}", "book/src/first.md:11:", "unknown example");
-    Fixture::expect(
-        second,
-        "{{verdict: ex}}",
-        "{{verdict: ex: f2}}",
-        "book/src/second.md:5:",
-        "unknown directive",
-    );
+    expect(&[
+        ("first", "{{value: gamma: s4}}", "{{valve: gamma}}", "first:9", "unknown directive"),
+        ("first", "{{value: gamma: s4}}", "{{}}", "first:9", "unknown directive"),
+        ("first", "{{table: ex}}", "{{table: none}}", "first:11", "unknown example"),
+        ("second", "{{verdict: ex}}", "{{verdict: ex: f2}}", "second:5", "unknown directive"),
+    ]);
 }
 
 #[test]
@@ -349,30 +348,13 @@ fn a_figure_that_is_missing_or_torn_fails_where_it_is_shown() {
 
 #[test]
 fn examples_tests_and_commands_that_do_not_exist_fail() {
-    let second = "book/src/second.md";
-    Fixture::expect(
-        second,
-        "{{example: ex}}",
-        "{{example: no}}",
-        "book/src/second.md:15:",
-        "unknown example",
-    );
-    Fixture::expect(second, "lemma::holds", "theorem::holds", "book/src/second.md:15:", "unknown test file");
-    Fixture::expect(second, "lemma::holds", "lemma::fails", "book/src/second.md:15:", "no such test");
-    Fixture::expect(
-        second,
-        "--example ex",
-        "--example no",
-        "book/src/second.md:15:",
-        "unknown example: `no`",
-    );
-    Fixture::expect(
-        second,
-        "Backed by",
-        "Backed by `src/no.rs`,",
-        "book/src/second.md:15:",
-        "does not exist: `src/no.rs`",
-    );
+    expect(&[
+        ("second", "{{example: ex}}", "{{example: no}}", "second:15", "unknown example"),
+        ("second", "lemma::holds", "theorem::holds", "second:15", "unknown test file"),
+        ("second", "lemma::holds", "lemma::fails", "second:15", "no such test"),
+        ("second", "--example ex", "--example no", "second:15", "unknown example: `no`"),
+        ("second", "Backed by", "Backed by `src/no.rs`,", "second:15", "does not exist: `src/no.rs`"),
+    ]);
     let fixture = Fixture::new();
     fixture.write("examples/alone.rs", "fn main() {}\n");
     let message = fixture.build().unwrap_err().to_string();
@@ -381,44 +363,28 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
 
 #[test]
 fn formulas_in_unmarked_places_fail() {
-    let first = "book/src/first.md";
-    Fixture::expect(first, "# First", "# First $x$", "book/src/first.md:1:", "formula in a heading");
+    expect(&[("first", "# First", "# First $x$", "first:1", "formula in a heading")]);
     let twice = "$\\begin{equation} x \\label{bound} \\end{equation}$ by $\\eqref{bound}$";
-    Fixture::expect(
-        "book/src/second.md",
-        "$\\eqref{bound}$",
-        twice,
-        "book/src/second.md:5:",
-        "label given twice",
-    );
+    expect(&[("second", "$\\eqref{bound}$", twice, "second:5", "label given twice")]);
 }
 
 #[test]
 fn faults_of_links_fail() {
-    let first = "book/src/first.md";
-    Fixture::expect(first, "second.md#two", "third.md", "book/src/first.md:9:", "dead link: `third.");
-    Fixture::expect(
-        first,
-        "second.md#two",
-        "second.md#three",
-        "book/src/first.md:9:",
-        "dead anchor: `second.html#three`",
-    );
-    Fixture::expect(
-        first,
-        "second.md#two",
-        "https://example.org",
-        "book/src/first.md:9:",
-        "link out of the book",
-    );
+    expect(&[
+        ("first", "second.md#two", "third.md", "first:9", "dead link: `third."),
+        ("first", "second.md#two", "second.md#three", "first:9", "dead anchor: `second.html#three`"),
+        ("first", "second.md#two", "https://example.org", "first:9", "link out of the book"),
+    ]);
 }
 
 #[test]
 fn decimals_typed_by_hand_fail_unless_allowed() {
-    let first = "book/src/first.md";
-    Fixture::expect(first, "It is", "It is 0.2916 or", "book/src/first.md:9:", "`0.2916`");
-    Fixture::expect(first, "\\le C", "\\le 1.5", "book/src/first.md:6:", "`1.5`");
+    expect(&[
+        ("first", "It is", "It is 0.2916 or", "first:9", "`0.2916`"),
+        ("first", "\\le C", "\\le 1.5", "first:6", "`1.5`"),
+    ]);
     let fixture = Fixture::new();
+    let first = "book/src/first.md";
     fixture.write(first, &fixture.read(first).replace("It is", "It is 0.2916 or"));
     fixture.write("book/allowed-decimals.txt", "0.2916 # for this test\n");
     fixture.build().unwrap();
