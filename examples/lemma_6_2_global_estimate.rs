@@ -13,7 +13,7 @@
 //! much is missing. Unequal meshes rest on the sum of squares alone.
 //!
 //! With the full norm, ‖·‖₁² = ‖·‖₀² + |·|₁², the second line needs h ≤ h*(ν) < ∞, the length at which the best constant is 1:
-//! at least 5.4, its limit for ν → 0 (Lemma 6.1). On elements of length h = 2/C₀ the quotient is at least h C₀(mesh) =
+//! above 5.4 for every ν (Lemma 6.1). On elements of length h = 2/C₀ the quotient is at least h C₀(mesh) =
 //! 2 C₀(mesh)/C₀ > 1: there the line as printed fails, whatever Γ.
 //!
 //! Refuted if C₀, C₁ or the constant of the full norm at h = 1 is above 1, if the best constant of a mesh is above that of one

@@ -15,6 +15,7 @@ mod edge_interior_point;
 mod edge_problem;
 mod interior_point;
 mod multigrid;
+mod npy;
 mod operator;
 mod problem;
 mod products;
@@ -27,6 +28,7 @@ mod units;
 mod vtk;
 
 pub use multigrid::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};
+pub use npy::npy;
 pub use problem::ContactProblem;
 pub use settings::{Settings, Start};
 pub use solution::{ContactSolution, Seconds};

@@ -246,7 +246,7 @@ fn the_file_holds_the_contact_edges() {
         mesh: Some(repository("examples/data/groove.msh")),
         load: "0.2*y, -0.5 - 0.3*x".to_owned(),
         levels: 2,
-        csv: Some(directory.clone()),
+        files: Some(directory.clone()),
         ..Default::default()
     };
     let found = outcome(&options).unwrap();
