@@ -1,5 +1,6 @@
 //! Extreme eigenvalues of (Gram, mass) on intervals, against dense matrices and a value from the literature.
 
+use crate::common::SplitMix;
 use fractional_sobolev::closed_forms::fractional_laplacian_constant;
 use fractional_sobolev::{Error, Gram, Mesh, Result};
 use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
@@ -8,12 +9,8 @@ use nalgebra::{Cholesky, DMatrix, SymmetricEigen};
 const DENSE: f64 = 1e-13;
 
 fn unequal(count: usize, decades: f64) -> Result<Mesh> {
-    let mut state = 1u64;
-    let mut next = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (state >> 11) as f64 / (1u64 << 53) as f64
-    };
-    Mesh::from_lengths((0..count).map(|_| 10f64.powf(decades * next())).collect())
+    let mut random = SplitMix::new(1);
+    Mesh::from_lengths((0..count).map(|_| 10f64.powf(decades * random.uniform())).collect())
 }
 
 fn dense_eigenvalues(form: &Gram) -> Result<Vec<f64>> {

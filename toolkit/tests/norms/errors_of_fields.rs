@@ -1,17 +1,8 @@
 //! u − u_h in H^ν: against closures with every node as a break, closed forms, and laws of many elements.
 
+use crate::common::SplitMix;
 use crate::hard::cases;
 use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Position, Tolerance};
-
-/// Random numbers of (0, 1).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-}
 
 fn order(nu: f64) -> Order {
     Order::new(nu).unwrap()
@@ -65,29 +56,31 @@ impl Sample {
     }
 }
 
-fn random_field(random: &mut Random, sample: &Sample, count: usize) -> Function<'static> {
-    let mut nodes: Vec<f64> = (1..count).map(|_| random.next()).chain([0.0, 1.0]).collect();
-    if sample.c > 0.0 && random.next() < 0.5 {
+fn random_field(random: &mut SplitMix, sample: &Sample, count: usize) -> Function<'static> {
+    let mut nodes: Vec<f64> = (1..count).map(|_| random.uniform()).chain([0.0, 1.0]).collect();
+    if sample.c > 0.0 && random.uniform() < 0.5 {
         nodes.push(sample.c);
     }
     nodes.sort_by(f64::total_cmp);
     nodes.dedup_by(|b, a| *b - *a < 1e-6);
     *nodes.last_mut().unwrap() = 1.0;
-    let off = 0.02 * random.next();
-    let values: Vec<f64> =
-        nodes.iter().map(|&x| sample.value((x - sample.c).abs(), x) + off * (random.next() - 0.5)).collect();
+    let off = 0.02 * random.uniform();
+    let values: Vec<f64> = nodes
+        .iter()
+        .map(|&x| sample.value((x - sample.c).abs(), x) + off * (random.uniform() - 0.5))
+        .collect();
     Function::linears(&Mesh::from_nodes(&nodes).unwrap(), &values).unwrap()
 }
 
 #[test]
 fn random_errors_agree_with_closures_at_every_tolerance() {
-    let mut random = Random(11);
+    let mut random = SplitMix::new(11);
     for case in 0..cases(100) {
-        let nu = 0.05 + 0.85 * random.next();
-        let a = (nu - 0.5).max(-0.4) + 0.15 + 1.5 * random.next();
-        let c = if random.next() < 0.3 { 0.0 } else { 0.1 + 0.8 * random.next() };
-        let sample = Sample { c, a: a.max(0.05), b: random.next(), w: 8.0 * random.next() };
-        let elements = 1 + (random.next() * 7.0) as usize;
+        let nu = 0.05 + 0.85 * random.uniform();
+        let a = (nu - 0.5).max(-0.4) + 0.15 + 1.5 * random.uniform();
+        let c = if random.uniform() < 0.3 { 0.0 } else { 0.1 + 0.8 * random.uniform() };
+        let sample = Sample { c, a: a.max(0.05), b: random.uniform(), w: 8.0 * random.uniform() };
+        let elements = 1 + (random.uniform() * 7.0) as usize;
         let field = random_field(&mut random, &sample, elements);
         let (u, closure) = (sample.function(), sample.by_closure(&field));
         let exact = Estimate::or_best(closure.seminorm(order(nu), asked(1e-8))).unwrap();

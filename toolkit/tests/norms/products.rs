@@ -1,5 +1,6 @@
 //! Fast products with Gram matrices against the dense matrices.
 
+use crate::common::SplitMix;
 use fractional_sobolev::{Gram, Mesh, Order};
 
 /// Asked of the operators.
@@ -7,20 +8,10 @@ const ASKED: f64 = 1e-12;
 /// Required of the product, relative to its largest entry and, entry by entry, to |A| |x|.
 const PRODUCT_TOLERANCE: f64 = 1e-10;
 
-fn random(count: usize) -> Vec<f64> {
-    // A linear congruential sequence (Knuth's MMIX constants), fixed seed.
-    let mut state = 0x2012_2400_u64;
-    (0..count)
-        .map(|_| {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
-        })
-        .collect()
-}
-
 fn check(what: &str, operator: &Gram, is_uniform: bool) {
     let (matrix, n) = (operator.to_dense().unwrap(), operator.len());
-    let x = random(n);
+    let mut random = SplitMix::new(2012);
+    let x: Vec<f64> = (0..n).map(|_| random.between(-0.5, 0.5)).collect();
     let y = operator.apply(&x).unwrap();
     let (mut largest, mut worst, mut worst_entry) = (0.0f64, 0.0f64, 0.0f64);
     for i in 0..n {
