@@ -7,6 +7,7 @@
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use crate::numeric::check::{require_entry, require_finite_at, require_length};
+use crate::numeric::scale::unit_of;
 
 /// The boundary of a polygon, or an open polygonal curve, with elements on every side.
 #[doc(alias("polygon", "boundary mesh", "BEM"))]
@@ -157,8 +158,10 @@ impl Curve {
     }
 
     fn cross(&self, i: usize, j: usize) -> bool {
-        let end = |k: usize| self.vertices[(k + 1) % self.vertices.len()];
-        let ([a, b], [c, d]) = ([self.vertices[i], end(i)], [self.vertices[j], end(j)]);
+        // In units of the curve, products of four coordinates stay in the range of binary64.
+        let unit = unit_of(self.vertices.iter().flatten());
+        let vertex = |k: usize| self.vertices[k % self.vertices.len()].map(|x| x / unit);
+        let ([a, b], [c, d]) = ([vertex(i), vertex(i + 1)], [vertex(j), vertex(j + 1)]);
         let turn = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
             (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
         };
@@ -234,6 +237,16 @@ impl Curve {
         }
         let end = self.vertices[(place.side + 1) % self.vertices.len()];
         [0, 1].map(|k| end[k] - place.to_end * side.direction[k])
+    }
+
+    /// How far rounding may move a point along its side near the first and the last vertex of the side: an ulp of
+    /// the largest coordinate of the vertex that varies along the side.
+    pub(super) fn blurs(&self, side: usize) -> [f64; 2] {
+        [0, 1].map(|end| {
+            let vertex = self.vertices[(side + end) % self.vertices.len()];
+            let varying = vertex.iter().zip(self.sides[side].direction).filter(|(_, slope)| *slope != 0.0);
+            f64::EPSILON * varying.fold(0.0, |most: f64, (x, _)| most.max(x.abs()))
+        })
     }
 
     /// The relative position of the sides of two elements.

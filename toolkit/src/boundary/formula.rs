@@ -28,9 +28,19 @@ use std::sync::atomic::{AtomicU64, Ordering};
 const RATIO: f64 = 0.3;
 /// Gauss points of an element and layers at a vertex, from coarse to fine: 0.3^160 is 1e-84 of a side.
 const STEPS: [(usize, usize); 5] = [(8, 10), (12, 20), (16, 40), (20, 80), (24, 160)];
+/// What lies below the last layer at a vertex where x is rounded, over the part of its element.
+const BELOW: f64 = 10.0;
+/// Ratio of changes above which a slower decrease is not assumed.
+const SLOWEST: f64 = 0.95;
+/// Ratio of the growth of squares over twice as many layers: 2 − O(w) for contributions e^{−wt}, t = ln(1/distance).
+const DOUBLES: f64 = 1.9999;
+/// Share of a square above which its growth is not that of rounding.
+const GROWTH: f64 = 1e-6;
+/// Message: the layers at a vertex do not decrease.
+const ENDLESS: &str = "the contributions near a vertex do not decay";
 /// Message: what limits the accuracy.
-const LIMIT: &str = "rules graded to the vertices do not settle: declare kinks and jumps as vertices, and stay away from the \
-     order at which the norm is infinite";
+const LIMIT: &str = "rules graded to the vertices do not settle: declare kinks and jumps as vertices, move a singular vertex to \
+     the origin, where x is exact, and stay away from the order at which the norm is infinite";
 
 /// A function on the boundary of a polygon.
 pub(crate) struct CurveFormula<'a> {
@@ -44,6 +54,14 @@ impl std::fmt::Debug for CurveFormula<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("CurveFormula").field("vertices", &self.vertices).finish_non_exhaustive()
     }
+}
+
+/// The end of a side to which an element belongs: the rounding of its points, away from the vertex, and whether the
+/// element lies at the vertex with fewer layers than asked.
+#[derive(Clone, Copy)]
+struct End {
+    blur: f64,
+    is_cut: bool,
 }
 
 /// |u|²_ν and ‖u‖², both over the square of `size`, with what rounding leaves in the first.
@@ -70,8 +88,9 @@ impl<'a> CurveFormula<'a> {
     /// |u|_ν, 0 < ν < 1.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`] with the best value where the
-    /// rules do not settle: kinks inside a side, narrow angles, an infinite norm.
+    /// [`Error::NotFinite`] for a value that is not finite; [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the
+    /// best value where the rules do not settle: kinks inside a side, strong singularities at vertices where x is
+    /// rounded.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let [seminorm, _] = self.settle(order, tolerance, [1.0, 0.0])?;
         accept("seminorm", seminorm, tolerance, LIMIT)
@@ -95,45 +114,84 @@ impl<'a> CurveFormula<'a> {
         accept("norm", norm, tolerance, LIMIT)
     }
 
-    /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares changes little enough.
+    /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares changes little enough;
+    /// else the best of them.
     fn settle(
         &self,
         order: impl Into<Option<Order>>,
         tolerance: Tolerance,
         weights: [f64; 2],
     ) -> Result<[Estimate; 2]> {
-        let kernel = order.into().map(PowerKernel::new);
+        let order = order.into();
+        let kernel = order.map(PowerKernel::new);
         let one_minus = kernel.as_ref().map_or(1.0, |kernel| kernel.one_minus);
         let units = [self.unit.powf(0.5 * one_minus), self.unit.sqrt()];
-        let (mut work, mut before) = (Work::default(), None::<[f64; 2]>);
-        let mut found = [Estimate::new(0.0, 0.0, work)?; 2];
+        let (mut work, mut squared, mut unit) = (Work::default(), Vec::new(), None);
+        let mut found: Vec<[Estimate; 2]> = Vec::new();
         for (n, layers) in STEPS {
             let squares = self.squares(kernel.as_ref(), n, layers, tolerance.work())?;
             work.points += squares.points;
             let rounding = 0.5 * squares.rounding / squares.seminorm.max(f64::MIN_POSITIVE) + ENTRY_ROUNDING;
             let roots = [squares.seminorm.sqrt(), squares.l2.sqrt()];
-            let values = [0, 1].map(|k| squares.size * units[k] * roots[k]);
+            let share = squares.size / *unit.get_or_insert(squares.size);
+            squared.push(squares.seminorm * share * share);
+            let mut now = [0.0; 2].map(|_| Estimate { value: 0.0, error: 0.0, work });
             for k in 0..2 {
-                let change = before.map_or(values[k], |before| (before[k] - values[k]).abs());
-                found[k] = Estimate::new(values[k], change + rounding * values[k], work)?;
+                let value = squares.size * units[k] * roots[k];
+                let floor = rounding * value;
+                let steps: Vec<f64> = found.iter().map(|before| before[k].value).chain([value]).collect();
+                now[k] = Estimate::new(value, distance_to_limit(&steps, floor) + floor, work)?;
             }
-            before = Some(values);
-            let largest = values[0].max(values[1]).max(f64::MIN_POSITIVE);
-            let sum = |of: fn(&Estimate) -> f64| -> f64 {
-                let parts = found.iter().zip(weights);
-                parts.map(|(part, weight)| weight * (part.value / largest) * (of(part) / largest)).sum()
-            };
-            let is_settled = sum(|part| part.error) <= tolerance.relative() * sum(|part| part.value);
-            if is_settled || work.points > tolerance.work() {
+            found.push(now);
+            if relative(&now, weights) <= tolerance.relative() {
+                return Ok(now);
+            }
+            if work.points > tolerance.work() {
                 break;
             }
         }
-        Ok(found)
+        if let (Some(order), true) = (order, diverges(&squared)) {
+            return Err(Error::InfiniteNorm { order: order.value(), why: ENDLESS });
+        }
+        // Two steps may agree by accident: the later ones count.
+        let last = found.len().saturating_sub(1);
+        for early in 0..last {
+            let later = found[early + 1..].to_vec();
+            for (k, part) in found[early].iter_mut().enumerate() {
+                part.error =
+                    later.iter().map(|after| (after[k].value - part.value).abs()).fold(part.error, f64::max);
+            }
+        }
+        let best = found.iter().min_by(|a, b| relative(a, weights).total_cmp(&relative(b, weights)));
+        best.map_or(Ok([Estimate::new(0.0, 0.0, work)?; 2]), |best| {
+            Ok(best.map(|part| Estimate { work, ..part }))
+        })
+    }
+
+    /// The mesh with this many layers at every vertex, fewer where the elements reach the rounding of coordinates.
+    fn graded(&self, layers: usize) -> Result<(Curve, Vec<End>)> {
+        let count = self.vertices.len();
+        let plain = Curve::closed(&self.vertices, &vec![Mesh::uniform(1, 1.0)?; count])?;
+        let (mut meshes, mut ends) = (Vec::with_capacity(count), Vec::new());
+        for side in 0..count {
+            let (half, blurs) = (0.5 * plain.element_length(side), plain.blurs(side));
+            let resolved =
+                blurs.map(|blur| ((blur / half).ln() / RATIO.ln()).max(1.0).min(layers as f64) as usize);
+            let [first, last] = resolved.map(|layers| Mesh::geometric(layers, RATIO, half));
+            let mut lengths = first?.lengths().to_vec();
+            lengths.extend(last?.lengths().iter().rev());
+            let end = |k: usize| match k.checked_sub(resolved[0] + 1) {
+                None => End { blur: blurs[0], is_cut: k == 0 && resolved[0] < layers },
+                Some(k) => End { blur: -blurs[1], is_cut: k == resolved[1] && resolved[1] < layers },
+            };
+            ends.extend((0..lengths.len()).map(end));
+            meshes.push(Mesh::from_lengths(lengths)?);
+        }
+        Ok((Curve::closed(&self.vertices, &meshes)?, ends))
     }
 
     fn squares(&self, kernel: Option<&PowerKernel>, n: usize, layers: usize, most: u64) -> Result<Squares> {
-        let mesh = Mesh::graded(&[0.0, 1.0], layers, RATIO)?;
-        let curve = Curve::closed(&self.vertices, &vec![mesh; self.vertices.len()])?;
+        let (curve, ends) = self.graded(layers)?;
         let rule = Rule::gauss_legendre(n)?;
         let value = |e: usize, t: f64| (self.f)(curve.point(curve.place(e, t)).map(|x| self.unit * x));
         let at_points = |e: usize| -> Vec<f64> {
@@ -157,11 +215,26 @@ impl<'a> CurveFormula<'a> {
             let points = (n * curve.len()) as u64;
             return Ok(Squares { seminorm: 0.0, rounding: 0.0, l2, size, points });
         };
+        // The largest change of the values by the rounding of coordinates, on the half of a side that begins or ends here.
+        let noise = |e: usize| {
+            let End { blur, .. } = ends[e];
+            if blur == 0.0 {
+                return 0.0;
+            }
+            let change = |((s, _), before): ((f64, f64), &f64)| {
+                let moved = value(e, s * curve.element_length(e) + blur) / size - before;
+                if moved.is_finite() { moved.abs() } else { 1.0 }
+            };
+            rule.iter().zip(&values[e]).map(change).fold(0.0, f64::max)
+        };
+        let noise: Vec<f64> = (0..curve.len()).into_par_iter().map(noise).collect();
         let pairs = Pairs {
             curve: &curve,
             kernel,
             value: &|e, t| value(e, t) / size,
             values: &values,
+            noise: &noise,
+            ends: &ends,
             rule,
             own: PowerWeightRule::new(2 * n, kernel.two_minus)?,
             radial: PowerWeightRule::new(2 * n, kernel.three_minus)?,
@@ -169,8 +242,7 @@ impl<'a> CurveFormula<'a> {
         };
         let sum =
             (0..curve.len()).into_par_iter().map(|e| pairs.row(e)).reduce(PairSum::default, |a, b| a + b);
-        let rounding = 8.0 * f64::EPSILON * sum.rounding;
-        Ok(Squares { seminorm: sum.value, rounding, l2, size, points: sum.points })
+        Ok(Squares { seminorm: sum.value, rounding: sum.rounding, l2, size, points: sum.points })
     }
 }
 
@@ -180,6 +252,9 @@ struct Pairs<'a> {
     kernel: &'a PowerKernel,
     value: &'a (dyn Fn(usize, f64) -> f64 + Sync),
     values: &'a [Vec<f64>],
+    /// of the values on an element, by the rounding of coordinates
+    noise: &'a [f64],
+    ends: &'a [End],
     rule: Rule,
     /// for the weights z^{1−2ν} and ξ^{2−2ν}
     own: PowerWeightRule,
@@ -188,45 +263,91 @@ struct Pairs<'a> {
     left: AtomicU64,
 }
 
-fn add(sum: &mut PairSum, weight: f64, difference: f64) {
+/// A term with the noise of its difference, beside the rounding of its values.
+fn add(sum: &mut PairSum, weight: f64, difference: f64, noise: f64) {
     sum.value += weight * difference * difference;
-    sum.rounding += (weight * difference).abs();
+    let twice = 2.0 * (noise + 4.0 * f64::EPSILON);
+    sum.rounding += weight.abs() * (difference.abs() * twice + noise * noise);
     sum.points += 1;
+}
+
+/// √ of the weighted sum of squares: its relative error.
+fn relative(found: &[Estimate; 2], weights: [f64; 2]) -> f64 {
+    let largest = found.iter().fold(f64::MIN_POSITIVE, |most, part| part.value.max(most));
+    let sum = |of: fn(&Estimate) -> f64| -> f64 {
+        let parts = found.iter().zip(weights);
+        parts.map(|(part, weight)| weight * (part.value / largest) * (of(part) / largest)).sum()
+    };
+    let (error, value) = (sum(|part| part.error), sum(|part| part.value));
+    if error == 0.0 { 0.0 } else { error / value }
+}
+
+/// The distance of the last value from its limit: all of the first, the change to the second, then the rest of a geometric
+/// series where the changes decrease slowly.
+fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
+    let change = |k: usize| (values[k] - values[k - 1]).abs();
+    match values.len() - 1 {
+        0 => values[0],
+        1 => change(1),
+        k if change(k) <= floor => change(k),
+        k => {
+            let ratio = (change(k) / change(k - 1)).min(SLOWEST);
+            change(k) * (ratio / (1.0 - ratio)).max(1.0)
+        }
+    }
+}
+
+/// True if the squares for numbers of layers that double grow by twice as much each time, or more:
+/// every layer then adds as much as the one before.
+fn diverges(squares: &[f64]) -> bool {
+    let &[.., a, b, c] = squares else { return false };
+    let (before, after) = (b - a, c - b);
+    before > GROWTH * c && after >= DOUBLES * before
 }
 
 impl Pairs<'_> {
     /// All pairs with a first element and itself or a later one.
     fn row(&self, e: usize) -> PairSum {
         let mut sum = PairSum::default();
-        self.same(e, &mut sum);
+        let mut add_part = |pair: &[usize], part: PairSum| {
+            let is_cut = pair.iter().any(|&k| self.ends[k].is_cut);
+            let rest = if is_cut { BELOW * part.value } else { 0.0 };
+            sum = sum + PairSum { rounding: part.rounding + rest, ..part };
+        };
+        add_part(&[e], self.same(e));
         for f in e + 1..self.curve.len() {
             if self.curve.follows(e, f) {
-                self.touching(e, f, &mut sum);
+                add_part(&[e, f], self.touching(e, f));
             } else if self.curve.follows(f, e) {
-                self.touching(f, e, &mut sum);
+                add_part(&[e, f], self.touching(f, e));
             } else {
                 let lengths = [e, f].map(|k| self.curve.element_length(k));
                 let relation = self.curve.relation_of(e, f);
-                self.separate([e, f], relation, lengths.map(|h| (0.0, h)), &mut sum);
+                let mut part = PairSum::default();
+                self.separate([e, f], relation, lengths.map(|h| (0.0, h)), &mut part);
+                add_part(&[], part);
             }
         }
         sum
     }
 
-    fn same(&self, e: usize, sum: &mut PairSum) {
+    fn same(&self, e: usize) -> PairSum {
+        let mut sum = PairSum::default();
         let h = self.curve.element_length(e);
         let front = 2.0 * self.kernel.scaling(h);
         for (z, v) in self.own.iter() {
             for (s, w) in self.rule.iter() {
                 let t = h * (1.0 - z) * s;
                 let difference = (self.value)(e, t + h * z) - (self.value)(e, t);
-                add(sum, front * v * w * (1.0 - z) / (z * z), difference);
+                add(&mut sum, front * v * w * (1.0 - z) / (z * z), difference, 2.0 * self.noise[e]);
             }
         }
+        sum
     }
 
     /// e ends where f begins.
-    fn touching(&self, e: usize, f: usize, sum: &mut PairSum) {
+    fn touching(&self, e: usize, f: usize) -> PairSum {
+        let mut sum = PairSum::default();
         let (p, q) = (self.curve.element_length(e), self.curve.element_length(f));
         let bend = match self.curve.relation_of(e, f) {
             Relation::Before(bend) => bend,
@@ -244,11 +365,12 @@ impl Pairs<'_> {
                         let (sigma, tau) =
                             if is_first { (xi * fixed, xi * moved) } else { (xi * moved, xi * fixed) };
                         let difference = (self.value)(e, p - sigma) - (self.value)(f, tau);
-                        add(sum, weight * v / (xi * xi), difference);
+                        add(&mut sum, weight * v / (xi * xi), difference, self.noise[e] + self.noise[f]);
                     }
                 }
             });
         }
+        sum
     }
 
     fn separate(&self, pair: [usize; 2], relation: Relation, parts: [(f64, f64); 2], sum: &mut PairSum) {
@@ -290,7 +412,7 @@ impl Pairs<'_> {
             for ((there, w), other) in there.iter().zip(vs.iter()) {
                 let distance = self.curve.apart(relation, here, *there);
                 let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
-                add(sum, 2.0 * v * w * kernel, u - other);
+                add(sum, 2.0 * v * w * kernel, u - other, self.noise[pair[0]] + self.noise[pair[1]]);
             }
         }
     }

@@ -259,6 +259,7 @@ fn faults_are_refused() {
     let bad = [[0.0, 0.0], [f64::NAN, 0.0], [0.5, 1.0]];
     assert!(matches!(Curve::closed(&bad, &meshes[..3]), Err(Error::NotFinite { .. })));
     assert!(Curve::closed(&SQUARE[..2], &meshes[..2]).is_err());
+    assert!(Curve::closed(&SQUARE.map(|vertex| vertex.map(|x| 1e-200 * x)), &meshes).is_ok());
     assert!(Curve::algebraic(&SQUARE, 3, 1.0).is_err());
     let curve = Curve::closed(&SQUARE, &meshes).unwrap();
     assert!(Function::on_curve(&curve, 1, &[0.0; 9]).is_err());
@@ -308,15 +309,30 @@ fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
         one.seminorm(0.5, 1e-8).unwrap().value == 0.0
             && (one.norm(0.5, 1e-8).unwrap().value - 6.0).abs() < 1e-12
     );
-    let jump = |[x, y]: [f64; 2]| f64::from(y == 0.0 && x > 0.0 && x < 1.0);
     let kink = |[x, y]: [f64; 2]| (x - 0.3).abs() + y;
+    let jump = |[x, y]: [f64; 2]| f64::from(y == 0.0 && x > 0.0 && x < 1.0);
+    let few = Tolerance::new(1e-8).unwrap().with_work(1 << 22);
     for refused in [
-        Function::on_polygon(&SQUARE, jump).unwrap().seminorm(0.5, 1e-6),
-        Function::on_polygon(&SQUARE, kink)
-            .unwrap()
-            .seminorm(0.5, Tolerance::new(1e-8).unwrap().with_work(1 << 22)),
+        Function::on_polygon(&SQUARE, jump).unwrap().seminorm(0.5, few),
+        Function::on_polygon(&SQUARE, kink).unwrap().seminorm(0.5, few),
     ] {
         assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
     }
+    // r^{3/10} is in H^s for s < 4/5. At another vertex than the origin its coordinates hide 1e-9 of it.
+    let power = |[x, y]: [f64; 2]| x.hypot(y).powf(0.3);
+    let limit = Function::on_polygon(&SQUARE, power).unwrap();
+    let endless = limit.seminorm(0.85, few.with_work(1 << 25));
+    assert!(matches!(endless, Err(Error::InfiniteNorm { .. })), "{endless:?}");
+    let exact = limit.seminorm(0.5, 1e-10).unwrap();
+    let moved = SQUARE.map(|[x, y]| [x + 3.0 / 7.0, y + 5.0 / 7.0]);
+    let moved = Function::on_polygon(&moved, |[x, y]| power([x - 3.0 / 7.0, y - 5.0 / 7.0])).unwrap();
+    for tolerance in [1e-4, 1e-8, 1e-10] {
+        let found = Estimate::or_best(moved.seminorm(0.5, tolerance)).unwrap();
+        assert!(
+            (found.value - exact.value).abs() <= found.error + exact.error,
+            "{tolerance}: {found} {exact}"
+        );
+    }
+    assert!(moved.seminorm(0.5, 1e-10).is_err());
     assert!(Function::on_polygon(&SQUARE, |[x, _]| 1.0 / (x - x)).unwrap().norm(0.5, 1e-6).is_err());
 }
