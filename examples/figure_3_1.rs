@@ -7,19 +7,21 @@
 //! ```
 //!
 //! (N1) less (E2) is (τ − 3/2)², the optimal one less (N1) is (τ − 3/2)(2 − τ): 0 at both ends, 1/16 at τ = 7/4. The figure has
-//! these curves only; here points are measured. Refuted if a measured order is not above (N1) by more than its ±, or if the curves
-//! differ from this sequence. Loose if every order is τ − 1 to its ±.
+//! these curves only; here points are measured, for one end of contact at two places. Refuted if a measured order is not above
+//! (N1) by more than its ±, or if a difference is not that square or product (both are positive: this is the sequence of the
+//! curves). Loose if every order is τ − 1 to its ±, which Drouet and Hild (2015) prove.
 //!
 //! Test problem: on the edge y = 0 of the unit square g ≤ 0 and a pressure λ ≥ 0, g λ = 0; u is harmonic, g on the edge, 0
 //! at y = 1, without flux at the sides. For x < a contact, λ = (a − x)^(τ−2); for x > a g = −δ^(τ−1), δ = d (2 − 2a − d)/(2
-//! − 2a), d = x − a: u in H^s for s < τ only. On N cells: g at the nodes, ∫ λ over a cell half to each node (from the last
-//! node below a up to a: all to it). `elastic`: plane strain, λ = μ = 1, periodic in x, contact but for (a, a + 1/2), no
-//! friction, δ = (x − a)(a + 1/2 − x)/(1/2). u^h: linear on n × n squares cut into triangles, h = 1/n; nodal cone: u^h ≤ 0
-//! at the nodes of the edge; midpoint cone: means over its cells ≤ 0. Squared error e²: v·A_n v is the energy of the
-//! discrete harmonic function with edge values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n)
-//! sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that
-//! minimise ½ v·A_n v − (A_N g + λ)·P v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h²
-//! + const (const: u on N cells), p is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)².
+//! − 2a), d = x − a: u in H^s for s < τ only. On N = 32·2^finest cells: g at the nodes, ∫ λ over a cell half to each node
+//! (from the last node below a up to a: all to it). `elastic`: plane strain, λ = μ = 1, periodic in x, contact but for (a,
+//! a + 1/2), no friction, δ = (x − a)(a + 1/2 − x)/(1/2), λ = r^(τ−2), r the distance to the gap, S_k by elimination. u^h:
+//! linear on n × n squares cut into triangles, h = 1/n; nodal cone: u^h ≤ 0 at the nodes of the edge; midpoint cone: means
+//! over its cells ≤ 0. Squared error e²: v·A_n v is the energy of the discrete harmonic function with edge values v; A_n =
+//! Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 −
+//! cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone, e²
+//! = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p is that of 4 d(h/2)
+//! − d(h), d(h) = e(h)² − e(h/2)².
 // x.at_most(b), at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the bound is loose.
 use example_report::prelude::*;
@@ -55,7 +57,7 @@ fn squares(kind: StripKind, tau: f64, cone: Cone, finest: u32) -> Result<Vec<f64
     Ok(squares)
 }
 
-/// p over the last two halvings; ± is its largest change since the three meshes before.
+/// p over the last two halvings; ± is its largest change since the three meshes before: a drift, as large as p is off its limit.
 fn order(squares: &[f64]) -> Measured {
     let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
     let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();

@@ -4,7 +4,7 @@
 //! near it. c = 2μ(λ + μ)/(λ + 2μ), u_N = −u_y, σ_N = σ_yy; for −Δu = f: c = 1, u_N = u, σ_N = ∂u/∂n. On the edge
 //!
 //! ```text
-//! F = σ_N + i c u_N' is the trace of a function holomorphic above the edge, and σ_N u_N' = 0 there. So F² is real, hence
+//! F = σ_N − i c u_N' is the trace of a function holomorphic above the edge, and σ_N u_N' = 0 there. So F² is real, hence
 //! analytic across the edge:  F² = σ_N² in contact,  −(c u_N')² in gaps;  ends of contact are zeros of F², so isolated.
 //! ```
 //!
@@ -13,10 +13,12 @@
 //! fitted to them: its zero predicts the end, √|slope| there is the stress intensity K (σ_N ≈ −K √r); beside it K by least
 //! squares, p ≈ K √r + K₃ r^(3/2), r from the end on the mesh. Control: |F|² has a corner at the end; no such P/Q fits it.
 //!
-//! Bodies: block, f = (0, −cos πx); membrane, f = cos 2πx + 3/10, left end of its gap (where h resolves the gap); u in closed
-//! form, contact on x < 3/10, F² = 9/4 (3/10 − x). Refuted if the zero on the coarsest mesh is h/8 off that of the finest one
-//! (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than window/4 (closed form: any pole is rounding
-//! of its fit), if |F|² is fitted within ten times of F², or if Im F² of the triangles at the edge falls slower than h^0.7.
+//! Bodies on the unit square, top fixed, sides free, λ = μ = 1: block, f = (0, −cos πx); membrane (scalar), f = cos 2πx +
+//! 3/10, left end of its gap (where h resolves the gap); u in closed form, prescribed on the other three sides, contact on
+//! x < 3/10, F² = 9/4 (3/10 − x). The diagonals run from lower left to upper right. Refuted if the zero on the coarsest
+//! mesh is h/8 off that of the finest one (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than
+//! window/4 (closed form: any pole is rounding of its fit), if for n ≥ 256 |F|² is fitted within ten times of F², or if Im
+//! F² of the triangles at the edge falls slower than h^0.7.
 
 // `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
 // otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
@@ -27,7 +29,7 @@ use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::{Lame, gradients, stresses};
 use signorini::problems::{KnownSolution, TestProblem};
 
-example! { seconds "When the contact set is finite", "F² = (σ_N + i c u_N')² is analytic on the contact edge; ends of contact are its zeros";
+example! { seconds "When the contact set is finite", "F² = (σ_N − i c u_N')² is analytic on the contact edge; ends of contact are its zeros";
     /// meshes of n × n squares, the coarsest first
     n: Vec<usize> = "64,128,256" in "[32, 2048]",
     /// samples of F² at distances 4/n .. window from the end of contact

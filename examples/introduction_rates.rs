@@ -7,9 +7,10 @@
 //! (E3) h^(3/4), τ = 2; finitely many: up to h      (E4) h, τ > 2       (N1) h^(τ²−5τ/2+2)       (N2) h |ln h|^(1/2), τ = 2
 //! ```
 //!
-//! Refuted if a measured order with its ± is below a printed exponent; (N1) is loose if for one transition, τ = 7/4, the
-//! order is above 11/16 by more than ±. Expected: min(τ − 1, 1), both cones (nodal: u^h ≤ 0 at the nodes; midpoint: means
-//! of u^h over the cells ≤ 0).
+//! Powers r^(τ−1) are in H^s for s < τ only; so is the Cantor row, whose gaps longer than l number l^(2τ−4) (page of the
+//! strip). Refuted if a measured order with its ± is below a printed exponent; (N1) is loose if for one transition, τ =
+//! 7/4, the order is above 11/16 by more than ±. A row whose ± is above 0.1 decides nothing. Expected: min(τ − 1, 1), both
+//! cones (nodal: u^h ≤ 0 at the nodes; midpoint: means of u^h over the cells ≤ 0).
 //!
 //! Problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n = 0
 //! at the sides, u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p, δ = (x − a)(b − x)/(b − a); else
@@ -20,8 +21,8 @@
 //! transition       one gap, b = 2 − a (a mirror at x = 1), p = τ − 1; e² is the mean over a = 5/12 and a = 11/24
 //! in H²            the same with p = 1, τ = 2, and g and λ (at the middle of a cell) over 2 + ln(1/δ), 2 + ln(1/r): just inside H²
 //! transitions:11   gaps ((i + 1/4)/11, (i + 3/4)/11), i = 0, .. 10, ends rounded to nodes, p = τ − 1
-//! fat-cantor:30    a gap L s^k in the middle of each of the 2^(k−1) pieces that remain, k = 1, .. 30, s = 2^(−1/(4 − 2τ)), all gaps 1/2 long,
-//!                  ends rounded, as long as it has an inner node and the pieces a cell; p = 1, λ = 1
+//! fat-cantor:30    a gap L s^k in the middle of each of the 2^(k−1) pieces that remain, k = 1, .. 30, s = 2^(−1/(4 − 2τ)), all 30 levels
+//!                  1/2 long, ends rounded; a gap without an inner node, or that leaves a piece without a cell, is left out; p = 1, λ = 1
 //! ```
 //!
 //! Squared error e²: v·A_n v is the energy of the discrete harmonic function on n × n squares cut into triangles, edge
@@ -29,7 +30,7 @@
 //! half, cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P
 //! v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p
 //! is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², at most 1.
-// x.at_most(b), x.at_least(b): with its error. Of several calls the worst counts.
+// x.at_most(b) holds if x + ± ≤ b, x.at_least(b) if x − ± ≥ b; otherwise it fails, or is undecided within ±. The worst call counts.
 // stronger: if it holds, the bound is loose. observe: shown, decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
@@ -96,7 +97,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let order = order(&squares(problem, tau, cone, options.finest)?);
             for &(label, exponent) in printed {
                 let above = order.value + order.error - exponent;
-                out.check(format!("{label}: order + ± − exponent")).at_least(above, 0.0, "printed exponent");
+                let claim = format!("{label}: order + ± − exponent");
+                let claim = if order.error <= 0.1 { out.check(claim) } else { out.observe(claim) };
+                claim.at_least(above, 0.0, "printed exponent");
             }
             if tau == 1.75 && problem == "transition" {
                 let claim = "τ = 7/4, transition: order − (N1)";

@@ -20,8 +20,9 @@
 //! u is harmonic, so f = u; the boundary carries the load g for which ∂u/∂n − g is zero on the rest of ∂Ω, where u < 0.
 //! u is in H^s for s < τ, at τ = 2 in H². Errors are root mean squares over a = 1/3 and 2/3: halving h exchanges them.
 //!
-//! Expected: the order min(τ − 1, 1). Refuted if for τ ≤ 2 the error over its printed bound grows on the last two meshes,
-//! or for τ > 2 the increments of error/h do not fall; if the error differs from `by_definition` by 0.5 %; or if two
+//! Meshes: n × n squares cut from lower left to upper right. Order: slope between the last two meshes; it decides nothing.
+//! Refuted if for τ ≤ 2 the error over its printed bound grows on the last two meshes (the quadrature, good to 1e-3, is the
+//! same on both), or for τ > 2 the increments of error/h do not fall; if the error differs from `by_definition` by 0.5 %; or if two
 //! solvers differ in J = ½ a(u, u) − l(u) for f = 4 cos πx + 4 cos πy, g = 0. The theorems are loose if for τ < 2 the error
 //! over h^q does not grow either, q half way from the printed exponent to τ − 1.
 //!
@@ -34,7 +35,7 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::gradients;
 use signorini::problems::{KnownSolution, TestProblem, TransitionPowers};
-use signorini::rates::{Bound, ConvergenceOrder, order_between};
+use signorini::rates::{Bound, order_between};
 
 example! { seconds "Remark 1", "contact on ∂Ω:  ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2), C h √|ln h|, C h  for τ <, =, > 2";
     /// regularities τ of the solution, 2 or at least 0.1 away from it
@@ -108,10 +109,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             (0..2).for_each(|k| errors[k].push((1.0 / n as f64, squares[k].sqrt())));
         }
         for ((cone, points), first) in Cone::ALL.into_iter().zip(errors).zip(first) {
-            let order = Measured::from(ConvergenceOrder::of(&points)); // of e² ≈ A h^(2p) + B h² + D h³
             let bound = Bound::Paper.through(points[0], points.iter().map(|point| point.0), tau)?;
             let ([.., c, b, a], [.., bound_b, bound_a]) = (&points[..], &bound[..]) else { continue };
             let (printed, optimal) = (order_between(*bound_b, *bound_a), (tau - 1.0).min(1.0));
+            let order = order_between(*b, *a);
             out.row(cells! { tau, cone: cone.to_string() => e_8: first.map(|e| e.0), definition: first.map(|e| e.1),
             finest: a.1, order, printed, optimal });
             if tau <= 2.0 {
@@ -124,7 +125,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             } else {
                 // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.
                 let [c, b, a] = [c, b, a].map(|(h, e)| e / h);
-                let growth = (a - b) / (b - c);
+                let growth = ((a - b) / (b - c)).abs();
                 out.check("τ > 2: growth of increments of error/h").at_most(growth, 0.99, "(4.4): bounded");
             }
             drawn.push((format!("τ = {tau}, {cone}"), points));

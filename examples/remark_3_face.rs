@@ -13,8 +13,10 @@
 //! nodal cone tends to |T|, so its quotient grows like r^(2ν−1); that of the means falls like r^(1+2ν). On a segment such a
 //! bound holds for every contact set (page `worst_contact_set`).
 //!
-//! Refuted if the nodal quotient does not grow with every halving of r, if its exponent is off 2ν − 1 by more than
-//! 0.01, or if the quotient of means is once above that of the largest gaps.
+//! So a proof face by face with both seminorms, as on a segment, fails for the nodal cone; Theorem 3.1 in three dimensions
+//! is not refuted by it. This claim is refuted if the nodal quotient does not grow with every halving of r, if its exponent
+//! is off 2ν − 1 by more than 0.01, if the quotient of means is once above that of the largest gaps, or `of_gaps` is off by
+//! 0.1 %.
 //!
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 

@@ -14,9 +14,9 @@
 //! |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over (0, 1)². The ± of a norm is the change between two orders of its rules,
 //! 1e-8 and less at the corners where 1e-6 is asked. A finite norm that is refused ends the run.
 //!
-//! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at s = 1 − 1e-8 and
-//! s = 1/2 − 1e-8; if a polygon and its triangulation cut near the corner give different norms, a norm is outside its two sectors, or polygon and
-//! inner sector differ by more than a + 1 − s relatively; or if an infinite norm is given.
+//! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at s = 1 − 1e-8 and s = 1/2
+//! − 1e-8; if a polygon and its triangulation cut near the corner give different norms, a norm is outside its two sectors,
+//! or polygon and inner sector differ by more than a + 1 − s relatively; or if an infinite norm is given.
 //!
 //! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.9 --gap 0.3,1e-4 --corner 0.8`
 

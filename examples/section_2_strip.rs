@@ -93,7 +93,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("unknowns", "unknowns", "of the two-dimensional problem");
     out.column("error", "‖u − u^h‖", "energy norm, its square a finite sum over the waves");
     out.column("intervals", "intervals", "runs of consecutive nodes in contact");
-    out.column("steps", "steps", "linear problems; each mesh starts from the contact set of the one before");
+    out.column("steps", "steps", "linear problems");
     out.column("inner", "inner", "most inner iterations in a step");
     for strip in &options.problem {
         let name = strip.name();
@@ -103,8 +103,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for n in (3..=finest).map(|k| 1 << k) {
             let (operator, unknowns) = problem.operator(n)?; // S_k
             let load = problem.load(n)?; // b: A g + λ of the fine edge, tested with the hat functions of this one
-            // Primal-dual active set on the edge; each linear problem by conjugate gradients to 1e-13, preconditioned by the
-            // inverse of |d²/dx²|^(1/2) on each gap (sine transforms). kkt: equations, signs, g λ, over the largest terms.
+            // Primal-dual active set on the edge, from the contact set of the mesh before (first: none); each linear
+            // problem by conjugate gradients to 1e-13, preconditioned by the inverse of |d²/dx²|^(1/2) on each gap (sine
+            // transforms). kkt: equations, signs, g λ, over the largest terms.
             let u = operator.solve_contact(&load, cone, coarser.as_ref(), 1e-13)?;
             let error = problem.error(n, &u.values)?; // the formula of the header, wave by wave: rounding only
             let inner = u.inner_iterations.iter().copied().max().unwrap_or(0);

@@ -8,10 +8,10 @@
 //! u ~ r^(τ−1) at the corner, in H^s for s < τ only. Other bodies have the τ of their own corners: `block`, plane strain,
 //! λ = μ = 1, f = (0, −cos πx), fixed on top.
 //!
-//! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right, every triangle cut into four again and again: 4, 8, .. 2^finest
-//! squares along a side, h = 1/4, 1/8, ... e(h) = ‖u^* − u^h‖/‖u^*‖ for all but the last, whose solution is u^*; all by
-//! multigrid to 1e-10. As e² ≈ A h^(2p) + B h² + const, the order p is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over
-//! the last two halvings, 1 if larger; ±: the largest change since the two meshes before.
+//! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right, every triangle cut into four again and
+//! again: 4, 8, .. 2^finest squares along a side, h = 1/4, 1/8, ... e(h) = ‖u^* − u^h‖/‖u^*‖ for all but the last, whose
+//! solution is u^*; all by multigrid to 1e-10. As e² ≈ A h^(2p) + B h² + const, the order p is that of 4 d(h/2) − d(h),
+//! d(h) = e(h)² − e(h/2)², over the last two halvings, 1 if larger; ±: the largest change since the two meshes before.
 //!
 //! Expected: min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is below the printed exponent.
 // x.at_least(b): x ≥ b; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts. observe: decides nothing.

@@ -7,14 +7,16 @@
 //! ∫ σ_N I^h u_N     (nodal cone),       ∫ (σ_N − π σ_N)(π u_N − u_N)     (midpoint cone)      by     C h^(2τ²−5τ+4)
 //! ```
 //!
-//! None is that large: with c₂ = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) both are at most c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν for every E, so that
-//! the order of the root of the sum is at least τ − 1. Why: where σ_N(x) ≠ 0, u_N(x) = 0, and I^h u_N(x), or the mean of u_N, is
-//! ∫ k(x, y) u_N'(y) dy; only pairs with σ_N(y) = 0 = u_N'(x) count, each once, and |k| |x − y|^(1+2ν) ≤ 2 c₂ h^(2ν+1) (page
-//! `segment_constants`).
+//! None is that large: with c₂ = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) both are at most c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν for every
+//! E, so that the order of the root of the sum is at least τ − 1. Why: where σ_N(x) ≠ 0, u_N(x) = 0, and I^h u_N(x), or the
+//! mean of u_N, is ∫ k(x, y) u_N'(y) dy; only pairs with σ_N(y) = 0 = u_N'(x) count, each once, and |k| |x − y|^(1+2ν) ≤ 2
+//! c₂ h^(2ν+1) (page `segment_constants`).
 //!
-//! `share`: the largest term over c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν, norms of the whole edge, h = 1/8 .. 2^(5−depth). Data on N = 2^depth
-//! cells, g = u_N at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and densities constant on cells. In a
-//! gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r: distance to the next gap.
+//! `share`: the largest term over c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν, norms of the whole edge, h = 1/8 .. 2^(5−depth). Data on N
+//! = 2^depth cells, g = u_N at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and densities
+//! constant on cells. In a gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r: distance to the next gap. Ends are rounded
+//! to nodes but those of `transition` (its pressure ends at the last node before a); a gap without an inner node, or that
+//! leaves a piece without a cell, is left out with what it would contain.
 //!
 //! ```text
 //! transition         one gap, b = 2 − a, p = τ − 1, λ = r^(τ−2), for a = 5/12 and 11/24
