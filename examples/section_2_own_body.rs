@@ -159,6 +159,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let orders: Vec<f64> = t.windows(2).map(|t| 0.5 * (t[0] / t[1]).abs().log2().min(2.0)).collect();
     if let [.., before, last] = orders[..] {
         out.note("order", last);
+        out.note("order.error", 2.0 * (last - before).abs());
         let order = Measured::new(last, 2.0 * (last - before).abs());
         out.observe("order of the error").near(order, 0.5, 0.5, "exponents of corners");
     } else {
