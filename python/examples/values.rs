@@ -37,7 +37,7 @@ fn main() -> Result<()> {
     }
     let curve = Curve::algebraic(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], 8, 2.0)?;
     let values: Vec<f64> = curve.nodes().iter().map(|[x, y]| x * y).collect();
-    show("boundary", Function::on_curve(&curve, 1, &values)?.norm(0.5, 1e-8)?);
+    show("boundary", Function::on_curve(&curve, 1, &values)?.norm(-0.5, 1e-8)?);
     let plane =
         Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], vec![[0, 1, 3], [0, 3, 2]])?;
     show("plane", Function::on_triangles(&plane, 1, &[0.0, 1.0, 0.0, 1.0])?.norm(0.5, 1e-6)?);

@@ -113,8 +113,8 @@ pub(crate) fn error_norm(
     estimate(py, found)
 }
 
-/// The norm on the boundary of a polygon of the piecewise linear interpolant of a callable f(x, y), or of values at
-/// the nodes.
+/// The norm on the boundary of a polygon of a callable f(x, y) (s < 0: of its piecewise linear interpolant), or of values
+/// at the nodes.
 #[pyfunction]
 #[pyo3(signature = (vertices, u, s, tol, elements, exponent, seminorm))]
 #[allow(clippy::too_many_arguments)] // called by one Python function with all of them
@@ -135,6 +135,9 @@ pub(crate) fn boundary_norm(
     let found = wait(py, &shared, move || {
         let curve = Curve::algebraic(&vertices, elements, exponent)?;
         let values = match callback {
+            Some(f) if s >= 0.0 => {
+                return of(which, &Function::on_polygon(&vertices, |point| f.at_point(point))?, s, tol);
+            }
             Some(f) => curve.nodes().into_iter().map(|point| f.at_point(point)).collect(),
             None => values,
         };

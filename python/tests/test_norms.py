@@ -137,6 +137,12 @@ def test_plane_and_boundary_norms():
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     within(fs.boundary_norm(corners, lambda x, y: 1.0, 0.5), 2.0, 1e-8)
     within(fs.boundary_norm(corners, np.ones(8), -0.5, elements=2), 2.0, 1e-8)
+    ell = [(0, 0), (1, 0), (1, 1), (-1, 1), (-1, -1), (0, -1)]
+
+    def corner(x, y):
+        return np.hypot(x, y) ** (2 / 3) * np.sin(2 / 3 * (np.arctan2(y, x) % (2 * np.pi)))
+
+    within(fs.boundary_norm(ell, corner, 0.5, 1e-9, seminorm=True), 3.5771379292306, 1e-9)
 
 
 def test_poincare_against_scipy():

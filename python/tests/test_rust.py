@@ -35,7 +35,7 @@ def calls():
         "array": lambda: fs.norm(nodes * (1.0 - nodes), 0.5, nodes),
         "dual": lambda: fs.dual_norm([1.0, -1.0], 0.5, (0, 0.5, 1)),
         "error": lambda: fs.error_norm(lambda x: x * x, (0, 0.5, 1), 0.5),
-        "boundary": lambda: fs.boundary_norm(corners, lambda x, y: x * y, 0.5, elements=8, exponent=2.0),
+        "boundary": lambda: fs.boundary_norm(corners, lambda x, y: x * y, -0.5, elements=8, exponent=2.0),
         "plane": lambda: fs.plane_norm(*square, [0, 1, 0, 1], 0.5, 1e-6),
         "poincare": lambda: fs.poincare(0.5, (0, 1e-6)),
         "interpolation": lambda: fs.interpolation_constant(0.5, norm="derivative", tol=1e-9),

@@ -295,21 +295,22 @@ def boundary_norm(
     exponent: float = 1.0,
     seminorm: bool = False,
 ) -> Estimate:
-    """The norm ‖u‖_s, −1 < s < 1, of a piecewise linear function on the boundary of a polygon.
+    """The norm ‖u‖_s, −1 < s < 1, of a function on the boundary of a polygon.
 
     Parameters
     ----------
     vertices : array_like, shape (n, 2)
         Corners of the polygon in order.
     u : callable or array_like
-        A function of x and y, which is interpolated (the error is that of the norm of the interpolant), or values at the
-        nodes, from the first corner on.
+        A function of x and y, smooth on every side, which may be singular at corners (for s < 0 its piecewise linear
+        interpolant is taken, and the error is that of the norm of the interpolant); or the values of a piecewise linear
+        function at the nodes, from the first corner on.
     s, tol
         As for `norm`.
     elements : int
-        Elements of a side, an even number.
+        Elements of a side for values and for s < 0, an even number.
     exponent : float
-        Grading towards the corners: nodes at (2 k/elements)^exponent of half a side.
+        Their grading towards the corners: nodes at (2 k/elements)^exponent of half a side.
     seminorm : bool
         Whether the seminorm is returned.
 

@@ -62,6 +62,8 @@ impl std::fmt::Debug for CurveFormula<'_> {
 struct End {
     blur: f64,
     is_cut: bool,
+    /// whether the element begins or ends at the vertex
+    at_vertex: bool,
 }
 
 /// |u|²_ν and ‖u‖², both over the square of `size`, with what rounding leaves in the first.
@@ -181,8 +183,11 @@ impl<'a> CurveFormula<'a> {
             let mut lengths = first?.lengths().to_vec();
             lengths.extend(last?.lengths().iter().rev());
             let end = |k: usize| match k.checked_sub(resolved[0] + 1) {
-                None => End { blur: blurs[0], is_cut: k == 0 && resolved[0] < layers },
-                Some(k) => End { blur: -blurs[1], is_cut: k == resolved[1] && resolved[1] < layers },
+                None => End { blur: blurs[0], is_cut: k == 0 && resolved[0] < layers, at_vertex: k == 0 },
+                Some(k) => {
+                    let at_vertex = k == resolved[1];
+                    End { blur: -blurs[1], is_cut: at_vertex && resolved[1] < layers, at_vertex }
+                }
             };
             ends.extend((0..lengths.len()).map(end));
             meshes.push(Mesh::from_lengths(lengths)?);
@@ -228,10 +233,40 @@ impl<'a> CurveFormula<'a> {
             rule.iter().zip(&values[e]).map(change).fold(0.0, f64::max)
         };
         let noise: Vec<f64> = (0..curve.len()).into_par_iter().map(noise).collect();
+        // u away from vertices by interpolation in 2n Gauss points of the element, few values of a function that may be slow
+        let fine = Rule::gauss_legendre(2 * n)?;
+        let samples = |e: usize| -> Vec<f64> {
+            let h = curve.element_length(e);
+            if ends[e].at_vertex {
+                Vec::new()
+            } else {
+                fine.iter().map(|(s, _)| value(e, s * h) / size).collect()
+            }
+        };
+        let samples: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(samples).collect();
+        let signs = [1.0, -1.0].into_iter().cycle();
+        let weights: Vec<f64> =
+            fine.iter().zip(signs).map(|((s, w), sign)| sign * (s * (1.0 - s) * w).sqrt()).collect();
+        let interpolated = |e: usize, t: f64| {
+            if ends[e].at_vertex {
+                return value(e, t) / size;
+            }
+            let s = t / curve.element_length(e);
+            let [mut above, mut below] = [0.0; 2];
+            for ((x, weight), sample) in fine.points().iter().zip(&weights).zip(&samples[e]) {
+                if s == *x {
+                    return *sample;
+                }
+                let share = weight / (s - x);
+                above += share * sample;
+                below += share;
+            }
+            above / below
+        };
         let pairs = Pairs {
             curve: &curve,
             kernel,
-            value: &|e, t| value(e, t) / size,
+            value: &interpolated,
             values: &values,
             noise: &noise,
             ends: &ends,
@@ -297,12 +332,12 @@ fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
     }
 }
 
-/// True if the squares for numbers of layers that double grow by twice as much each time, or more:
+/// True if the squares for numbers of layers that double grow by twice as much each time, or more, twice in a row:
 /// every layer then adds as much as the one before.
 fn diverges(squares: &[f64]) -> bool {
-    let &[.., a, b, c] = squares else { return false };
-    let (before, after) = (b - a, c - b);
-    before > GROWTH * c && after >= DOUBLES * before
+    let &[.., a, b, c, d] = squares else { return false };
+    let (first, second, third) = (b - a, c - b, d - c);
+    first > GROWTH * d && second >= DOUBLES * first && third >= DOUBLES * second
 }
 
 impl Pairs<'_> {
