@@ -27,7 +27,7 @@ pub enum Status {
         /// Steps between the two visits.
         period: usize,
     },
-    /// The largest number of steps was reached.
+    /// The maximum number of steps was reached.
     StepLimit {
         /// Steps taken.
         steps: usize,

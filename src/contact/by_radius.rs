@@ -43,7 +43,7 @@ impl ContactProblem {
             return Err(Error::Toolkit(ToolkitError::OutOfRange {
                 name: "radius",
                 value: pair[1],
-                range: "increasing radii",
+                range: "the values above the previous radius",
             }));
         }
         let u = self.to_frame(&solution.displacement);

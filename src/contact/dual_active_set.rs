@@ -138,8 +138,9 @@ impl<'a> Iterate<'a> {
 
     /// One step toward a constraint, whose multiplier so far is `force`.
     ///
-    /// t₁ = min { λ_k/(R⁻¹d₁)_k : (R⁻¹d₁)_k > 0 }, t₂ = (c'w − g)/|d₂|², t = min(t₁, t₂): a full step if t = t₂, else
-    /// constraint k leaves. No finite t means that c is a nonpositive combination of those held: inconsistent.
+    /// t₁ = min { λ_k/(R⁻¹d₁)_k : (R⁻¹d₁)_k > 0 }, t₂ = (c'w − g)/|d₂|², t = min(t₁, t₂): a full step if
+    /// t = t₂, else constraint k leaves. No finite t means that c is a nonpositive combination of those in the
+    /// working set: inconsistent.
     fn approach(&mut self, constraint: usize, force: &mut f64) -> Approach {
         let image = self.image(constraint);
         let count = self.held.len();

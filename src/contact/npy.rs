@@ -2,8 +2,9 @@
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// The bytes of a `.npy` file (version 1.0, little-endian `float64`, rows first) with these values in so many columns; one
-/// column makes a one-dimensional array. `numpy.load` gives the same numbers, bit by bit.
+/// The bytes of a `.npy` file (version 1.0, little-endian `float64`, rows first) with these values in the
+/// given number of columns; one column makes a one-dimensional array. `numpy.load` gives the same numbers,
+/// bit by bit.
 ///
 /// ```
 /// use signorini::contact::npy;

@@ -39,12 +39,12 @@ impl ContactProblem {
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`] if some part of the body has no Dirichlet boundary;
     /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces, and for a
-    /// start from the other cone. A start from a coarser mesh, and sizes, need an edge in one piece:
-    /// [`ToolkitError::CountOutOfRange`], also for sizes on a closed edge; [`ToolkitError::LengthMismatch`]
-    /// for a contact set, sizes or a hierarchy of another length; [`ToolkitError::EntryOutOfRange`] for
-    /// sizes that are not positive; [`ToolkitError::OutOfRange`] unless the share of the error of
-    /// discretisation is in (0, 1]; the error of the progress callback. The termination of the iteration is
-    /// a status, not an error.
+    /// start from the other cone. [`ToolkitError::CountOutOfRange`] for a start from a coarser mesh or for
+    /// [`Settings::sizes`] if the edge has several pieces, and for sizes on a closed edge;
+    /// [`ToolkitError::LengthMismatch`] for a contact set, sizes or a hierarchy of another length;
+    /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive; [`ToolkitError::OutOfRange`] unless
+    /// the share of the discretisation error is in (0, 1]; the error of the progress callback. The
+    /// termination of the iteration is a status, not an error.
     pub fn solve<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {
         let Settings { solver, start, accuracy, hierarchy, progress, sizes } = how.into();
         self.require_cone(cone)?;
@@ -78,7 +78,7 @@ impl ContactProblem {
     fn by_sizes(&self, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
         self.edge.require_one_piece()?;
         if self.edge().is_closed() {
-            let range = "2 for the barrier on the edge";
+            let range = "[2, 2]: sizes require an open contact edge";
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "ends of the contact edge",
                 value: 0,

@@ -52,7 +52,7 @@ pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInt
     require_finite("radius", radii)?;
     for (k, &radius) in radii.iter().enumerate() {
         let above = if k == 0 { radius >= 0.0 } else { radius > radii[k - 1] };
-        require_entry("radius", k, radius, "increasing radii >= 0", above)?;
+        require_entry("radius", k, radius, "the values >= 0 above the previous radius", above)?;
     }
     let mut found: Vec<RadialInterval> = Vec::new();
     for (i, &radius) in radii.iter().enumerate().filter(|(_, radius)| **radius > 0.0) {

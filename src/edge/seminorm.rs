@@ -28,7 +28,7 @@ impl SeminormForm {
         if traces == Traces::Constants && order.offset() >= 0.0 {
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
                 order: order.value(),
-                why: "a jump is not in H^nu for nu >= 1/2",
+                why: "a function with a jump is not in H^nu for nu >= 1/2",
             }));
         }
         let partition = Mesh::uniform(cells, 1.0)?;

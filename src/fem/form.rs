@@ -12,7 +12,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, doubled_area};
 
-/// Lamé's constants of the plane problem.
+/// The Lamé constants of the plane problem.
 ///
 /// Both have the unit of a stress; σ = λ (div u) I + 2 μ ε(u).
 ///

@@ -129,7 +129,7 @@ impl Hierarchy {
             return Err(Error::Toolkit(ToolkitError::OutOfRange {
                 name: "distance of the point from the nodes",
                 value: nearest,
-                range: "rounding: refinement is toward a node",
+                range: "rounding: the point must be a node",
             }));
         }
         for _ in 0..times {

@@ -7,8 +7,8 @@
 //! outline.
 //!
 //! All rings are similar, and the stiffness of P1 elements in the plane does not change with scale, so that
-//! the matrix is as accurate at r = 1e−100 as at r = 1. Coordinates near the origin keep all digits. Cost:
-//! O(n · rings).
+//! the matrix is as accurate at r = 1e−100 as at r = 1. Coordinates near the origin have full relative
+//! accuracy. Cost: O(n · rings).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;

@@ -123,7 +123,7 @@ pub(super) fn regularity_with_ends(
             if slot.replace((other, side)).is_some() {
                 return Err(Error::Toolkit(ToolkitError::Node {
                     node: mesh.number(node),
-                    reason: "is where several pieces of the boundary touch",
+                    reason: "is common to several pieces of the boundary",
                 }));
             }
         }
@@ -133,7 +133,7 @@ pub(super) fn regularity_with_ends(
         let [Some((next, mut first)), Some((last, second))] = ends else {
             return Err(Error::Toolkit(ToolkitError::Node {
                 node: mesh.number(node),
-                reason: "ends the boundary",
+                reason: "is an end point of the boundary, which must consist of closed curves",
             }));
         };
         let place = mesh.nodes()[node];
@@ -231,7 +231,7 @@ fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
         }
         _ => Err(Error::Toolkit(ToolkitError::Node {
             node: mesh.number(node),
-            reason: "lies between two materials, whose exponents are not computed",
+            reason: "lies between two materials: exponents of such corners are not computed",
         })),
     }
 }

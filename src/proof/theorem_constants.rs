@@ -36,7 +36,7 @@ const ACCURACY: f64 = 1e-5;
 /// Relative amount by which results are rounded up: more than the rounding of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-13;
 
-/// The constants of one τ, all rounded up.
+/// The constants for one τ, all rounded up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TheoremConstants {
     /// τ.

@@ -83,7 +83,7 @@ pub fn worst_ratio(
             return Ok(Estimate::new(value, change, work)?);
         }
     }
-    let why = "the largest number of bisections is reached";
+    let why = "the maximum number of bisections is reached";
     let best = Estimate::new(before, change, work)?;
     Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
 }

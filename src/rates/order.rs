@@ -43,7 +43,7 @@ pub struct ConvergenceOrder {
     pub order: f64,
     /// The uncertainty of p.
     pub uncertainty: f64,
-    /// The most likely model of the terms besides the leading one.
+    /// The most likely model of the terms beyond the leading one.
     pub model: ErrorModel,
     /// Coarsest and finest mesh size used.
     pub regime: (f64, f64),
@@ -129,7 +129,7 @@ impl ConvergenceOrder {
         Self { order, uncertainty, model: found.model, regime: (points[0].0, points[points.len() - 1].0) }
     }
 
-    /// The order between the last two of the levels (h, e), coarsest first, for values that are known with an error.
+    /// The order between the last two of the levels (h, e), coarsest first, for values with known errors.
     ///
     /// Its uncertainty is 3.5 times its change from the previous pair plus the contribution of the errors
     /// of the values; the uncertainty of the first order is the order itself. `None` for fewer than two

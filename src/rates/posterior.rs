@@ -19,7 +19,7 @@ use super::line::Line;
 use nalgebra::DMatrix;
 use std::fmt;
 
-/// The model of the terms besides the leading one.
+/// The model of the terms beyond the leading one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ErrorModel {
     /// e² = A h^{2p} (1 + slowly vanishing terms).

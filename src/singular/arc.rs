@@ -39,8 +39,8 @@ pub struct ArcExponent {
 
 impl Wedge {
     /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ|
-    /// should stay below half of it. By increasing real part, each as often as its multiplicity, conjugates
-    /// both.
+    /// should stay below half of it. Ordered by increasing real part, repeated according to multiplicity,
+    /// with both members of each conjugate pair.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -194,8 +194,8 @@ fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     (values, slopes)
 }
 
-/// The eigenvalues of a square matrix, conjugates both, in no order. `None` where the iteration does not
-/// converge. Cost O(n³).
+/// All eigenvalues of a square matrix, in no particular order. `None` where the iteration does not converge.
+/// Cost O(n³).
 fn general_eigenvalues(a: &Mat<f64>) -> Option<Vec<c64>> {
     let size = a.nrows();
     let (mut real, mut imaginary) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, 1));

@@ -51,7 +51,7 @@ impl ContactZone {
         Ok(Self { kappa, epsilon, length })
     }
 
-    /// ε = ln κ/(2π): clamped and free sides meet with r^{1/2 ± iε}.
+    /// ε = ln κ/(2π): the leading exponents at a flat transition from clamped to free are 1/2 ± iε.
     pub fn epsilon(&self) -> f64 {
         self.epsilon
     }

@@ -1,4 +1,5 @@
-//! sin and cos of complex numbers over binary64 and over double-double, where close roots keep their digits.
+//! sin and cos of complex numbers over binary64 and over double-double, for the accurate computation of close
+//! zeros.
 //!
 //! sin(x + iy) = sin x cosh y + i cos x sinh y. In double-double: x less the nearest multiple of π/2, then
 //! Taylor series up to the power 31; hyperbolic functions by their series up to 1, by the exponential beyond.

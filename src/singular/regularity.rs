@@ -1,11 +1,10 @@
 //! The exponents admitted by the sign conditions of contact, and the regularity of a solution at a corner.
 //!
-//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an
-//! open part of the contact edge and the corner itself is held (the other side clamped or closed) u_N ≤ 0.
-//! The term that leads the sum must satisfy this for one sign of c. A complex exponent changes sign
-//! infinitely often and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have
-//! u_N σ_N alternating in sign: r^{1/2} violates a sign condition with either sign, r^{3/2} satisfies both
-//! with one sign.
+//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an open
+//! part of the contact edge and the other side (clamped or closed) fixes the corner itself, u_N ≤ 0. The term
+//! that leads the sum must satisfy this for one sign of c. A complex exponent changes sign infinitely often
+//! and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have u_N σ_N alternating
+//! in sign: r^{1/2} violates a sign condition with either sign, r^{3/2} satisfies both with one sign.
 //!
 //! r^λ U(θ), not a polynomial, lies in H^s for s < 1 + Re λ. So u ∈ H^τ for τ < 1 + Re λ with the first
 //! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that
@@ -70,7 +69,7 @@ impl Wedge {
     }
 
     /// The quantity that must not be positive on each side: σ_N in contact, u_N where it is open and the
-    /// corner held.
+    /// other side fixes the corner.
     fn signs(&self, mode: &Mode) -> [f64; 2] {
         let sides = [self.sides().0, self.sides().1];
         [0, 1].map(|k| {

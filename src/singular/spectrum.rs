@@ -62,8 +62,8 @@ impl Exponent {
 
     /// True if all its functions are polynomials in x and y: an integer exponent without logarithm.
     ///
-    /// A harmonic function of integer degree is one, and so are κφ − z conj φ′ − conj ψ with φ, ψ powers
-    /// z^k.
+    /// Harmonic functions of integer degree are polynomials, and so are κφ − z conj φ′ − conj ψ with φ, ψ
+    /// powers z^k.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -97,8 +97,8 @@ impl Spectrum {
 }
 
 impl Wedge {
-    /// All exponents with 0 < Re λ < 3; those within 1e-12 of 0 or 3 do not count, and exponents within
-    /// 1e-12 of each other, relative, are one. The error of each is the rounding of its characteristic
+    /// All exponents with 0 < Re λ < 3. Those within 1e-12 of 0 or 3 are excluded; exponents that agree to a
+    /// relative distance of 1e-12 are identified. The error of each is the rounding of its characteristic
     /// function, taken in double-double, and of the result; opening and Poisson's ratio are taken as exact.
     /// Cost: a millisecond.
     ///
@@ -113,8 +113,8 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when a count fails on all paths tried: three zeros nearer than 1e-5 of each
-    /// other.
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when the count of zeros fails
+    /// on all paths tried, which can happen for three zeros within 1e-5 of each other.
     pub fn exponents(&self) -> Result<Spectrum> {
         let mut work = Work::default();
         let mut found: Vec<(Zero, Mode)> = Vec::new();
@@ -195,7 +195,7 @@ impl Wedge {
 }
 
 impl Spectrum {
-    /// All zeros, conjugates both, each as often as its multiplicity.
+    /// All zeros, repeated according to multiplicity, with both members of each conjugate pair.
     ///
     /// As (Re λ, Im λ), as many as [`Spectrum::zeros`] counts.
     ///

@@ -3,8 +3,8 @@
 //! A rectangle with one or two zeros is left to the iteration, which must end inside with as many different
 //! zeros as were counted; otherwise it is cut. A cut through a zero is moved. f is real on the real axis: a
 //! rectangle symmetric about it with one zero has a real one. Two zeros start from the parabola at the
-//! center; every step solves f + f′d + f″d²/2 = 0, which converges also for nearly double zeros. In
-//! double-double two zeros that binary64 data bring as near as 1e-8 of each other keep their sixteen
+//! center; every step solves f + f′d + f″d²/2 = 0, which converges also for nearly double zeros. Two zeros
+//! may be as close as 1e-8 for binary64 data; double-double arithmetic then still gives them to sixteen
 //! digits.
 
 use super::count::{Rectangle, zeros};

@@ -162,8 +162,7 @@ impl BestConstant {
         self.others.as_ref().ok_or_else(refused)?(norm)
     }
 
-    /// A function for which the constant, or for the embedding the lower bound, is attained; `None` where none is
-    /// known.
+    /// A function that attains the constant (for the embedding, the lower bound); `None` where none is known.
     #[doc(alias("eigenfunction", "worst function"))]
     pub fn extremal(&self) -> Option<&Extremal> {
         self.extremal.as_ref()

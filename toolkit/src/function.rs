@@ -369,10 +369,11 @@ impl<'a> Function<'a> {
     /// |f|²_s = ∫_Γ ∫_Γ (f(x) − f(y))² / |x − y|^{1+2s} ds ds,   0 < s < 1,   |x − y| the distance in the plane.
     /// ```
     ///
-    /// Its norms are those of f; those of [`Function::on_curve`] are exact for the values, and miss f by the error of
-    /// interpolation. The error is the change to a coarser mesh, plus rounding. At a vertex other than the origin x is rounded, and
-    /// what that hides of a singularity is part of the error: a strong one keeps its digits with its vertex at the
-    /// origin. Cost: a third of a second for a smooth function on six sides, ten for singularities near the limit of H^s.
+    /// Its norms are those of f; those of [`Function::on_curve`] are norms of the interpolant of f, and their
+    /// error does not include the interpolation error. The error is the change to a coarser mesh, plus
+    /// rounding. At a vertex other than the origin x is rounded; the effect on a singularity there is part of
+    /// the error. Place the vertex of a strong singularity at the origin. Cost: a third of a second for a
+    /// smooth function on six sides, ten seconds for singularities near the limit of H^s.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -411,8 +412,8 @@ impl<'a> Function<'a> {
 
     /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm.
     ///
-    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2 `-order` and [`Order::plus_one`] keep all
-    /// digits of the distance from these.
+    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2 `-order` and [`Order::plus_one`] represent the
+    /// distance from these to full relative accuracy.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Order};

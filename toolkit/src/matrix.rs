@@ -229,12 +229,12 @@ impl Gram {
 
     /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of iterations.
     ///
-    /// By conjugate gradients; the preconditioner is the same power of the tridiagonal pencil of (u′, v′)
-    /// and L², by 10 to 40 tridiagonal solves. The number of iterations depends neither on the number of
-    /// elements nor on their lengths: about 15 for eight digits. Except for [`Gram::zero_outside`]
-    /// constants have seminorm zero: then b must have the sum zero, and x is the solution of mean zero. The
-    /// error of xᵀA x includes the rounding of the entries of A, which exceeds the tolerance where elements
-    /// are very short and s is near 1.
+    /// By conjugate gradients; the preconditioner is the same power of the tridiagonal pencil of (u′, v′) and
+    /// L², by 10 to 40 tridiagonal solves. The number of iterations depends neither on the number of elements
+    /// nor on their lengths: about 15 for eight digits. Except for [`Gram::zero_outside`] constants have
+    /// seminorm zero: then the entries of b must sum to zero, and x is the solution of mean zero. The error
+    /// of xᵀA x includes the rounding of the entries of A, which exceeds the tolerance where elements are
+    /// very short and s is near 1.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -361,8 +361,8 @@ impl Gram {
         }
     }
 
-    /// A as a dense matrix: on an interval by closed forms, exact to rounding at O(N²) kernel values; on a grid from N
-    /// products.
+    /// A as a dense matrix: on an interval by closed forms, exact to rounding, at a cost of O(N²) kernel
+    /// evaluations; on a grid from N products.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::apply`].

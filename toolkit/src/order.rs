@@ -78,7 +78,7 @@ impl Order {
         -2.0 * self.offset
     }
 
-    /// The order 1 + ν of a norm or seminorm, with all digits of ν − 1/2.
+    /// The order 1 + ν of a norm or seminorm, with ν − 1/2 to full relative accuracy.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh, Order};
@@ -160,7 +160,8 @@ fn unreadable(text: &str) -> Error {
     }
 }
 
-/// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 keeps its digits.
+/// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 has full
+/// relative accuracy.
 ///
 /// Given as a plain number, an [`Order`] ν for s = ν, `-ν`, or [`Order::plus_one`].
 ///
@@ -184,7 +185,7 @@ pub enum SobolevOrder {
     OnePlus(Order),
 }
 
-/// The order −ν of a dual norm, with all digits of ν − 1/2.
+/// The order −ν of a dual norm, with ν − 1/2 to full relative accuracy.
 impl std::ops::Neg for Order {
     type Output = SobolevOrder;
 

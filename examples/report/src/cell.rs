@@ -1,4 +1,4 @@
-//! Entries of a row, and how numbers are written.
+//! Entries of a row, and the formatting of numbers.
 
 use crate::Measured;
 use fractional_sobolev::{Estimate, Order, Tolerance};
@@ -9,21 +9,22 @@ use signorini::rates::ConvergenceOrder;
 const TEN: usize = 10;
 const FIVE: usize = 5;
 const TWO: usize = 2;
-/// A column of numbers that are all this short is written as it stands: parameters that somebody chose.
+/// Largest number of characters of a number printed in full: a column of chosen parameters is not rounded if
+/// all its numbers are at most this long.
 const SHORT: usize = 7;
 
 /// One entry.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
-    /// A number without an error: a parameter, or one whose error is nothing beside what is shown.
+    /// A number without an error: a parameter, or one whose error is negligible at the digits shown.
     Number(f64),
     /// A number with its error; takes two columns.
     Measured(Measured),
     /// A count.
     Integer(i64),
-    /// Words.
+    /// Text.
     Text(String),
-    /// A number by its name: 1/2 + 1e-12 keeps its offset.
+    /// A number printed by its name, such as 1/2 + 1e-12.
     Named(String, f64),
     /// Nothing to report.
     Missing,
@@ -53,7 +54,7 @@ impl Cell {
         }
     }
 
-    /// As few characters as identify it: for keys.
+    /// The shortest text that identifies the number, for keys.
     pub(crate) fn short(&self) -> String {
         match self {
             // A hyphen stands for every sign: the minus of an exponent is spelled out.
@@ -94,7 +95,7 @@ impl<T: Into<Cell>> From<Option<T>> for Cell {
     }
 }
 
-/// The cells of a row: what it is about, and what was found.
+/// The cells of a row: parameters and results.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Cells {
     pub(crate) about: Vec<(&'static str, Cell)>,
@@ -107,7 +108,7 @@ impl Cells {
         Self { about, found }
     }
 
-    /// What the row is about in one word: `nu0.25.theta1e-3`.
+    /// The key of the row, from its parameters: `nu0.25.theta1e-3`.
     pub fn key(&self) -> String {
         let parts: Vec<String> =
             self.about.iter().map(|(name, cell)| format!("{name}{}", cell.short())).collect();
@@ -130,7 +131,7 @@ impl Cells {
     }
 }
 
-/// A number as briefly as identifies it.
+/// The shortest text that identifies a number.
 pub(crate) fn shortest(value: f64) -> String {
     let [plain, scientific] = [value.to_string(), format!("{value:e}")];
     if value.is_infinite() {
@@ -143,7 +144,7 @@ pub(crate) fn shortest(value: f64) -> String {
     }
 }
 
-/// So many significant digits, plain where that is short.
+/// The given number of significant digits, in plain notation where that is short.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return if value.is_nan() { "–".to_owned() } else { shortest(value) };
@@ -161,7 +162,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// Significant digits of a value that its error leaves, two of them doubtful; at most `most`.
+/// The number of significant digits of a value justified by its error, two of them uncertain; at most `most`.
 fn digits(measured: Measured, most: usize) -> usize {
     let left = (measured.value.abs() / measured.error).log10();
     if left.is_finite() { (left.floor() as i64 + 2).clamp(1, most as i64) as usize } else { most }
@@ -182,7 +183,7 @@ pub(crate) fn measured_text(measured: Measured) -> String {
     format!("{} ± {}", significant(value, digits(measured, FIVE)), significant(error, 2))
 }
 
-/// A bound: as it stands where that is short, else five digits, without zeros at the end.
+/// A bound: in full if that is short, else to five digits, without trailing zeros.
 pub(crate) fn bound_text(value: f64) -> String {
     let short = shortest(value);
     if value.is_finite() && short.chars().count() > SHORT {

@@ -1,25 +1,25 @@
-//! A comparison that decides a sentence.
+//! Claims, each with the comparison that decides it.
 
 use crate::Measured;
 use crate::cell::{bound_text, measured_text};
 use crate::words::slug;
 use serde_json::{Value, json};
 
-/// What a comparison says.
+/// The result of a comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Decision {
-    /// True by proof; no number could say otherwise.
+    /// True by proof; no number is compared.
     ByProof,
     /// The relation is satisfied, errors included.
     Holds,
-    /// Errors reach across the bound, or there is no number.
+    /// Undecided within the errors, or there is no number.
     Undecided,
     /// The relation is violated, errors included.
     Fails,
 }
 
 impl Decision {
-    /// The mark in front of the line.
+    /// The mark at the beginning of the printed line.
     pub fn mark(self) -> char {
         match self {
             Decision::ByProof => '∎',
@@ -29,7 +29,7 @@ impl Decision {
         }
     }
 
-    /// As in the values that the book reads.
+    /// The name in the file of values that the book reads.
     pub fn word(self) -> &'static str {
         match self {
             Decision::ByProof => "by proof",
@@ -40,18 +40,18 @@ impl Decision {
     }
 }
 
-/// What a check does to the status of the statement.
+/// The effect of a check on the status of the statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
     /// Must hold.
     Claim,
-    /// The paper's own form: where it fails, the statement is false as printed.
+    /// The paper's own form: if it fails, the statement is false as printed.
     AsPrinted,
-    /// Another growth: where it holds, the statement is not sharp.
+    /// A different rate of growth: if it holds, the statement is not sharp.
     NotSharp,
-    /// A stronger statement: where it holds, the paper's is loose.
+    /// A stronger statement: if it holds, the paper's is loose.
     Stronger,
-    /// Decides nothing.
+    /// No effect on the status.
     Observed,
 }
 
@@ -73,7 +73,7 @@ enum Relation {
     Near(f64),
 }
 
-/// A sentence with the comparison that decided it.
+/// A claim with the comparison that decides it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Checked {
     pub(crate) claim: String,
@@ -83,12 +83,12 @@ pub struct Checked {
     bound: Measured,
     pub(crate) source: String,
     proof: Option<String>,
-    /// How often it was reported.
+    /// The number of times it was reported.
     pub(crate) cases: usize,
 }
 
 impl Checked {
-    /// The sentence in letters, digits and hyphens: by this name a page quotes it.
+    /// The claim in letters, digits and hyphens: the key under which a page quotes the check.
     pub fn key(&self) -> String {
         slug(&self.claim)
     }
@@ -98,7 +98,7 @@ impl Checked {
         &self.claim
     }
 
-    /// What it does to the status.
+    /// Its effect on the status.
     pub fn role(&self) -> Role {
         self.role
     }
@@ -113,7 +113,7 @@ impl Checked {
         self.value
     }
 
-    /// The decision; the only place where one is taken.
+    /// The result of the comparison.
     pub fn decision(&self) -> Decision {
         if self.proof.is_some() {
             return Decision::ByProof;
@@ -130,7 +130,7 @@ impl Checked {
         }
     }
 
-    /// How far the value is on the wrong side.
+    /// The amount by which the relation is violated.
     fn excess(&self) -> f64 {
         let distance = self.value.value - self.bound.value;
         match self.relation {
@@ -145,7 +145,7 @@ impl Checked {
         }
     }
 
-    /// The same check with its value moved to where the decision is `wanted`: how faults are planted.
+    /// The same check with its value moved so that the decision is `wanted`, for fault injection.
     #[must_use]
     pub fn moved(&self, wanted: Decision) -> Self {
         let scale = self.bound.value.abs().max(f64::MIN_POSITIVE);
@@ -196,7 +196,7 @@ impl Checked {
         [measured_text(self.value), format!("{sign} {}{tolerance}", bound_text(self.bound.value))]
     }
 
-    /// Sentence with its comparison.
+    /// The claim with its comparison.
     pub fn words(&self) -> String {
         if self.proof.is_some() {
             self.claim.clone()
@@ -205,7 +205,7 @@ impl Checked {
         }
     }
 
-    /// Everything, with all digits.
+    /// The check as a JSON object, with all digits of its numbers.
     pub fn json(&self) -> Value {
         let mut object = json!({
             "finding": self.key(),
@@ -238,7 +238,7 @@ impl Checked {
         object
     }
 
-    /// Which of two cases of one sentence is shown: the worse one.
+    /// The order of two cases of one check, of which the worse one is shown.
     fn is_worse_than(&self, other: &Self) -> bool {
         let order = self.decision().cmp(&other.decision());
         let margin = |check: &Self| check.excess() + check.value.error + check.bound.error;
@@ -246,8 +246,8 @@ impl Checked {
     }
 }
 
-/// A sentence that waits for its comparison.
-#[must_use = "a sentence without a comparison decides nothing"]
+/// A claim whose comparison is still to be given.
+#[must_use = "a claim without a comparison has no effect"]
 pub struct Claim<'a> {
     checks: &'a mut Vec<Checked>,
     claim: String,
@@ -280,7 +280,7 @@ impl<'a> Claim<'a> {
         self.compared(value.into(), Relation::Near(tolerance), expected.into(), source);
     }
 
-    /// A yes or no: the number of cases in which it does not hold is at most zero.
+    /// A condition without a number, recorded as: number of violations at most zero.
     pub fn holds(self, is_true: bool, source: &str) {
         self.compared(f64::from(u8::from(!is_true)).into(), Relation::AtMost, 0.0.into(), source);
     }

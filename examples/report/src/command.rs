@@ -39,7 +39,7 @@ pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode
     }
 }
 
-/// Where the outcome goes.
+/// The destinations of the outcome.
 struct Asked {
     json: bool,
     out: Option<PathBuf>,
@@ -87,7 +87,7 @@ impl Asked {
     }
 }
 
-/// Counts the seconds of a run on a terminal, from its third second until it is dropped.
+/// Displays the elapsed seconds on a terminal, from the third second until it is dropped.
 struct Clock(Option<Sender<()>>, Option<JoinHandle<()>>);
 
 impl Clock {
@@ -120,7 +120,7 @@ impl Drop for Clock {
     }
 }
 
-/// A directory that can be written, created if need be: found out before the work, not after it.
+/// Creates a directory if it does not exist and checks that it is writable, before the computation.
 fn writable_directory(directory: &Path) -> Result<&Path> {
     std::fs::create_dir_all(directory).map_err(|error| Error::file(directory, error))?;
     require_writable(&directory.join(".write-probe")).map_err(|error| match error {

@@ -1,21 +1,21 @@
-//! Why an example has no outcome.
+//! The error type of the examples.
 
 /// Result with the report's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// Why an example has no outcome: exit code 2, one line.
+/// The error of an example that has no outcome: a one-line message and exit code 2.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
-    /// The library refused the question.
+    /// An error of the library.
     #[error(transparent)]
     Library(#[from] signorini::Error),
     /// A picture could not be drawn.
     #[error("picture: {reason}")]
     Figure {
-        /// What went wrong.
+        /// Description of the error.
         reason: String,
     },
-    /// An option that does not fit, alone or together with another.
+    /// An option that is invalid or incompatible with another one.
     #[error("{0}")]
     Option(String),
     /// A file that could not be read or written.
@@ -23,26 +23,26 @@ pub enum Error {
     File {
         /// The file.
         path: String,
-        /// What the system said.
+        /// The message of the system.
         reason: String,
     },
 }
 
 impl Error {
-    /// An option with what is wrong with it.
+    /// The error for an option, with the reason.
     pub fn option(name: &str, what: &str) -> Self {
         Self::Option(format!("--{}: {what}", name.replace('_', "-")))
     }
 
-    /// Nothing where the condition holds.
+    /// Checks a condition on an option.
     ///
     /// # Errors
-    /// The option with what is wrong with it.
+    /// [`Error::Option`] with the reason if the condition does not hold.
     pub fn unless(condition: bool, name: &str, what: &str) -> Result<()> {
         if condition { Ok(()) } else { Err(Self::option(name, what)) }
     }
 
-    /// A file with what the system said.
+    /// The error for a file, with the message of the system.
     pub fn file(path: &std::path::Path, reason: impl ToString) -> Self {
         Self::File { path: path.display().to_string(), reason: reason.to_string() }
     }

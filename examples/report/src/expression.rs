@@ -1,7 +1,8 @@
 //! Functions of x and y from the command line: `"-cos(pi*x) - 0.5"`.
 //!
-//! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in parentheses; angles in
-//! radians, `log` and `ln` natural. What has two readings is refused: `2*-x`, `2^3^2`, `sin x`, `2x`, `x y`.
+//! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in parentheses;
+//! angles in radians, `log` and `ln` natural. Ambiguous expressions are rejected: `2*-x`, `2^3^2`, `sin x`,
+//! `2x`, `x y`.
 
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -21,7 +22,7 @@ const ONE: [(&str, Of1); 21] = by_name![
     cbrt, log10, ln
 ];
 const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
-/// Longest text, and deepest parentheses.
+/// Largest length of a text and largest depth of parentheses.
 const LONGEST: usize = 2000;
 const DEEPEST: usize = 50;
 
@@ -30,10 +31,10 @@ const DEEPEST: usize = 50;
 pub struct Expression(Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>);
 
 impl Expression {
-    /// The function that a text means.
+    /// Parses a function.
     ///
     /// # Errors
-    /// [`Error::Option`] with the text and what is wrong with it.
+    /// [`Error::Option`] with the text and the reason.
     pub fn parse(text: &str) -> Result<Self> {
         if text.len() > LONGEST {
             return Err(Error::Option(format!("an expression of more than {LONGEST} characters")));
@@ -122,7 +123,7 @@ impl Reader<'_> {
         self.chain(first, [('*', |a, b| a * b), ('/', |a, b| a / b)], Self::power)
     }
 
-    /// What follows by one of two signs, from the left.
+    /// Terms joined by either of two operators, from left to right.
     fn chain(
         &mut self,
         first: Expression,
@@ -164,7 +165,7 @@ impl Reader<'_> {
         }
     }
 
-    /// The next so many bytes.
+    /// The next `length` bytes.
     fn word(&mut self, length: usize) -> &str {
         let (word, rest) = self.rest.split_at(length);
         self.rest = rest;
@@ -207,7 +208,7 @@ impl Reader<'_> {
         }
     }
 
-    /// ( sum {, sum} ), with so many arguments.
+    /// ( sum {, sum} ), with the given number of arguments.
     fn arguments<const N: usize>(&mut self, of: &str) -> Checked<[Expression; N]> {
         self.takes('(');
         let mut arguments = vec![self.sum()?];

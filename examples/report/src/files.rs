@@ -3,10 +3,10 @@
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};
 
-/// Writes the file; what is there and is no plain file (a device, a pipe) is written to as it stands.
+/// Writes the file; a device or a pipe is written to directly.
 ///
 /// # Errors
-/// [`Error::File`] with what the system said; nothing is left behind.
+/// [`Error::File`] with the message of the system; nothing is left behind.
 pub(crate) fn write_whole(path: &Path, text: &str) -> Result<()> {
     let failed = |error: std::io::Error| Error::file(path, error);
     if path.exists() && !path.is_file() {
@@ -19,10 +19,10 @@ pub(crate) fn write_whole(path: &Path, text: &str) -> Result<()> {
     })
 }
 
-/// Finds a place that cannot be written before the work, not after it.
+/// Checks, before the computation, that a file can be written.
 ///
 /// # Errors
-/// [`Error::File`] with what the system said.
+/// [`Error::File`] with the message of the system.
 pub(crate) fn require_writable(path: &Path) -> Result<()> {
     let failed = |error: std::io::Error| Error::file(path, error);
     if path.exists() {

@@ -1,4 +1,5 @@
-//! Matrices of continuous piecewise linear functions Σ vᵢ φᵢ, and the eigenvalue that "from the definition" asks for.
+//! Matrices of continuous piecewise linear functions Σ vᵢ φᵢ, and the eigenvalue problems for constants
+//! computed from their definition.
 
 use crate::{Error, Result};
 use fractional_sobolev::Mesh;
@@ -31,9 +32,10 @@ pub fn mean_zero_basis(mesh: &Mesh, zone: Range<f64>) -> DMatrix<f64> {
     basis.remove_column(pivot)
 }
 
-/// The matrix of v ↦ |V|₁², V the discrete harmonic function of the five-point stencil on n × n squares of the unit square with
-/// edge values v, V = 0 on the side opposite and natural sides. The wave cos kπx has the energy S_k Σ cos² (end nodes by
-/// half), S_k = sinh η coth nη, cosh η = 2 − cos(kπ/n): the stencil, row by row.
+/// The matrix of v ↦ |V|₁², V the discrete harmonic function of the five-point stencil on n × n squares of
+/// the unit square with edge values v, V = 0 on the side opposite and natural sides. The mode cos kπx has the
+/// energy S_k Σ cos² (end nodes by half), S_k = sinh η coth nη, cosh η = 2 − cos(kπ/n): the stencil, row by
+/// row.
 pub fn harmonic_energy(n: usize) -> DMatrix<f64> {
     let half = |i: usize| if i == 0 || i == n { 0.5 } else { 1.0 };
     let angle = |k: usize| k as f64 * PI / n as f64;
@@ -54,7 +56,8 @@ pub fn constrained_minimiser(
     b: &DVector<f64>,
     below: &DMatrix<f64>,
 ) -> Result<DVector<f64>> {
-    let inverse = a.clone().try_inverse().ok_or_else(|| Error::Option("a singular system".to_owned()))?;
+    let inverse =
+        a.clone().try_inverse().ok_or_else(|| Error::Option("the linear system is singular".to_owned()))?;
     let (d, free) = (below * &inverse * below.transpose(), below * &inverse * b);
     let mut q = DVector::<f64>::zeros(free.len());
     for s in (0..free.len()).cycle().take(20_000 * free.len()) {

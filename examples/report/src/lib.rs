@@ -1,4 +1,4 @@
-//! What an example reports: rows, checks, pictures; and its options.
+//! Reports of the examples (rows, checks, pictures) and their options.
 //!
 //! An example is one file. [`example!`] declares label, statement and options; `run(&Options, &mut Report)` is
 //! the loop. Table, checks, status, JSON, charts and the numbers that the book quotes follow from what the loop
@@ -6,21 +6,21 @@
 //!
 //! | verb | meaning |
 //! | --- | --- |
-//! | `out.row(cells! { nu, theta => gamma, over_law: gamma / law })` | one row: what it is about `=>` what was found |
+//! | `out.row(cells! { nu, theta => gamma, over_law: gamma / law })` | one row: parameters `=>` results |
 //! | `out.check("no gamma exceeds its bound").at_most(value, bound, "where the bound comes from")` | must hold; also `at_least`, `near(value, expected, tolerance, ..)`, `holds(bool, ..)` |
 //! | `out.as_printed("(5.2) as theta -> 1")` | the paper's own form, which may fail: then the statement is false as printed |
-//! | `out.stronger("order tau - 1")` | a stronger statement: where it holds, the paper's is loose |
-//! | `out.not_sharp("growth is a square root less")` | another growth: where it holds, the paper's is not sharp |
-//! | `out.observe("pre-asymptotic order")` | compared and shown; decides nothing |
+//! | `out.stronger("order tau - 1")` | a stronger statement: if it holds, the paper's is loose |
+//! | `out.not_sharp("growth is a square root less")` | a different rate of growth: if it holds, the paper's is not sharp |
+//! | `out.observe("pre-asymptotic order")` | compared and shown; no effect on the status |
 //! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
-//! | `out.note("sharpness", value)` | a number worth quoting |
+//! | `out.note("sharpness", value)` | a number to be quoted |
 //! | `out.order("h", "error")` | order of convergence over the rows like the last one |
 //! | `out.plot(..)`, `out.chart(..)`, `out.bodies(..)` | SVG, written where `--out` says so |
 //!
 //! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
 //! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if
-//! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps the case that
-//! is worst: failed before undecided before held, and of equals the one nearest to its bound.
+//! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps its worst
+//! case: failed before undecided before satisfied, and among equals the one nearest to its bound.
 //!
 //! **Verdict** of a statement, from its checks alone: *fails* or *undecided* where a check does (exit code 1), else
 //! *false as printed*, *not sharp*, *loose*, *true*; *open* where no number was compared.
@@ -53,7 +53,7 @@ pub use outcome::{Outcome, Verdict};
 pub use plot::{Axes, Plot};
 pub use report::Report;
 
-/// What an example needs.
+/// The items that examples use.
 pub mod prelude {
     pub use crate::{
         Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example, harmonic_energy,
@@ -87,7 +87,7 @@ macro_rules! example {
     ($cost:ident $label:literal, $statement:literal;
         $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
     ) => {
-        /// What may be asked of this example.
+        /// The options of this example.
         #[derive(Debug, Clone)]
         pub struct Options {
             $($(#[doc = $help])+ pub $field: $kind,)*
@@ -121,7 +121,7 @@ macro_rules! example {
             }
         }
 
-        /// Runs the example and closes its report.
+        /// Runs the example and returns its outcome.
         pub fn outcome(options: &Options) -> $crate::Result<$crate::Outcome> {
             let mut out = $crate::Report::of::<Options>();
             run(options, &mut out)?;
@@ -137,7 +137,7 @@ macro_rules! example {
     };
 }
 
-/// Cells of a row: what it is about, `=>`, what was found. `name` alone stands for `name: name`.
+/// Cells of a row: parameters, `=>`, results. `name` alone stands for `name: name`.
 ///
 /// ```
 /// use example_report::{Cells, cells};

@@ -9,7 +9,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Measured {
     /// The number.
     pub value: f64,
-    /// What it may be off by, ≥ 0.
+    /// The absolute error bound, ≥ 0.
     pub error: f64,
 }
 
@@ -19,7 +19,7 @@ impl Measured {
         Self { value, error: error.abs() }
     }
 
-    /// No number: whatever is compared with it stays undecided.
+    /// No number: every comparison with it is undecided.
     pub const NONE: Self = Self { value: f64::NAN, error: f64::NAN };
 
     /// |v|.

@@ -21,16 +21,16 @@ pub trait Declarations: Sized {
     /// All options.
     fn declared() -> Vec<Declared>;
 
-    /// The options from the text of each.
+    /// Parses all options.
     ///
     /// # Errors
-    /// The first one that cannot be read.
+    /// The first option that cannot be parsed.
     fn read(given: &dyn Fn(&str) -> String) -> Result<Self>;
 
     /// The options of an empty command line.
     ///
     /// # Panics
-    /// When a default cannot be read: a mistake of the declaration.
+    /// A default that cannot be parsed: an error of the declaration.
     fn of_defaults() -> Self {
         let declared = Self::declared();
         let default = |name: &str| {
@@ -83,10 +83,10 @@ impl Declared {
         }
     }
 
-    /// Refuses a text that is not a value of this option.
+    /// Checks that a text is a value of this option.
     pub(crate) fn check(&self, text: &str) -> Result<()> {
         if self.list && text.trim().is_empty() && !self.default.is_empty() {
-            return Err(Error::option(self.name, "no value"));
+            return Err(Error::option(self.name, "a value is missing"));
         }
         (self.check)(text, self.range).map_err(|what| Error::option(self.name, &what))
     }
@@ -110,7 +110,7 @@ impl Declared {
         if self.default.is_empty() { argument } else { argument.default_value(self.default) }
     }
 
-    /// For the pages of the book; `None` for what they do not offer.
+    /// The description for the pages of the book; `None` for an option that they do not offer.
     fn json(&self) -> Option<Value> {
         let offered = !matches!(self.kind, "file" | "text");
         let mut option = json!({
@@ -140,7 +140,7 @@ impl Declared {
     }
 }
 
-/// `--describe`: what may be asked, so that a page can offer fields and sliders.
+/// `--describe`: the options, from which a page makes its input fields and sliders.
 pub(crate) fn describe<P: Declarations>() -> Value {
     let options: Vec<Value> = P::declared().iter().filter_map(Declared::json).collect();
     json!({"about": format!("{}: {}", P::LABEL, P::STATEMENT), "cost": P::COST, "options": options})
@@ -189,20 +189,20 @@ fn ends(range: &str) -> Option<(f64, f64)> {
     Some((low.trim().parse().ok()?, high.trim().parse().ok()?))
 }
 
-/// A type that an option may have.
+/// The types of options.
 pub trait OptionValue: Sized {
-    /// The word by which a page knows how to offer it.
+    /// The kind of input field on a page.
     const KIND: &'static str;
-    /// Whether several values, apart by commas, are expected.
+    /// True if a comma-separated list is expected.
     const LIST: bool = false;
 
-    /// Reads the text of the command line.
+    /// Parses the text of the command line.
     ///
     /// # Errors
-    /// In words, what is wrong with it.
+    /// The reason, as text.
     fn read(text: &str) -> std::result::Result<Self, String>;
 
-    /// The words it may be; empty where it is a number.
+    /// The admissible names; empty for a number.
     fn choices() -> Vec<String> {
         Vec::new()
     }
@@ -213,7 +213,7 @@ pub trait OptionValue: Sized {
     }
 }
 
-/// Types that are read by their own `FromStr`: the word for the page, the number, and the words it may be.
+/// Types that are read by their own `FromStr`: the kind for the page, the number, and the admissible names.
 macro_rules! option_value {
     ($($kind:ty, $word:literal $(, at $place:expr)? $(, of $words:expr)?;)*) => {
         $(impl OptionValue for $kind {

@@ -1,4 +1,4 @@
-//! What an example found: rows, checks, status; as JSON for the book.
+//! Results of an example: rows, checks, status; as JSON for the book.
 
 use crate::cell::{Cells, column};
 use crate::check::{Checked, Decision, Role};
@@ -9,27 +9,27 @@ use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// What the checks say of the statement.
+/// The status of a statement, from its checks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// Every check holds.
     True,
     /// True, and a stronger statement is true too.
     Loose,
-    /// True, and the growth is another one.
+    /// True, but the rate of growth is different.
     NotSharp,
-    /// True in a repaired form; what is printed fails.
+    /// True in a corrected form; false as printed.
     FalseAsPrinted,
     /// No number was compared.
     Open,
-    /// Errors reach across the bound of a check.
+    /// A check is undecided within the errors.
     Undecided,
     /// A check fails.
     Fails,
 }
 
 impl Verdict {
-    /// The word for it.
+    /// The name of the status.
     pub fn word(self) -> &'static str {
         match self {
             Verdict::True => "true",
@@ -42,7 +42,7 @@ impl Verdict {
         }
     }
 
-    /// The status that these checks give.
+    /// The status that follows from these checks.
     pub fn of(checks: &[Checked]) -> Self {
         let has = |role: Role, decision: Decision| {
             checks.iter().any(|c| c.role() == role && c.decision() == decision)
@@ -70,7 +70,7 @@ impl Verdict {
     }
 }
 
-/// Everything an example has to say.
+/// The results of an example: rows, checks, quoted numbers and pictures.
 #[derive(Debug, Clone)]
 pub struct Outcome {
     pub(crate) label: String,
@@ -91,7 +91,7 @@ impl Outcome {
         &self.label
     }
 
-    /// What the checks say.
+    /// The status that follows from the checks.
     pub fn status(&self) -> Verdict {
         Verdict::of(&self.checks)
     }
@@ -101,12 +101,12 @@ impl Outcome {
         &self.checks
     }
 
-    /// The check of this key.
+    /// The check with this key.
     pub fn check(&self, key: &str) -> Option<&Checked> {
         self.checks.iter().find(|check| check.key() == key)
     }
 
-    /// The outcome with one check replaced: what tests plant.
+    /// The outcome with one check replaced, for fault injection in tests.
     #[must_use]
     pub fn with_check(&self, at: usize, check: Checked) -> Self {
         let mut changed = self.clone();
@@ -114,10 +114,12 @@ impl Outcome {
         changed
     }
 
-    /// Moves the number of each check across its bound and back: its mark, the status and the exit code follow.
+    /// Fault injection: moves the number of each check across its bound and back, and verifies that its mark,
+    /// the status and the exit code change accordingly.
     ///
     /// # Errors
-    /// [`Error::Option`] with the first check that does not turn them, has no source or no key of its own.
+    /// [`Error::Option`] with the first check for which they do not change, or which has no source or no
+    /// unique key.
     pub(crate) fn turns(&self) -> Result<()> {
         let fault = |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
         let keys: BTreeSet<String> = self.checks.iter().map(Checked::key).collect();
@@ -146,7 +148,7 @@ impl Outcome {
         Ok(())
     }
 
-    /// Whether status and exit code are what one check of this role and decision asks for, where all others hold.
+    /// True if status and exit code agree with one check of this role and decision when all others hold.
     fn follows(&self, role: Role, decision: Decision) -> bool {
         let (status, code) = (self.status(), self.exit_code());
         match (role, decision) {
@@ -290,8 +292,8 @@ impl Outcome {
         lines.map(|line| format!("{line}\n")).collect()
     }
 
-    /// All of it but the pictures as one JSON object: `label`, `claim`, `measured`, `verdict`, `confirmed`,
-    /// `findings`, `values` by key, and the table as it is printed (`columns`, `rows`).
+    /// The outcome without its pictures as one JSON object: `label`, `claim`, `measured`, `verdict`,
+    /// `confirmed`, `findings`, `values` by key, and the table as it is printed (`columns`, `rows`).
     pub fn json(&self) -> String {
         let values: Map<String, Value> =
             self.values().into_iter().map(|(key, value)| (key, json!(value))).collect();
@@ -314,7 +316,7 @@ impl Outcome {
         .to_string()
     }
 
-    /// The checks that a number decided, in words.
+    /// The checks that a number decided, as text.
     fn measured(&self) -> String {
         let told = self
             .checks

@@ -1,4 +1,4 @@
-//! What the loop of an example reports.
+//! The report of an example.
 
 use crate::cell::Cells;
 use crate::check::{Checked, Claim, Role};
@@ -43,20 +43,21 @@ impl Report {
         }
     }
 
-    /// A title, and what it means, for the column of that name; without it the title is the name, Greek letters by
-    /// their names and `_over_` as a slash. The meaning stands below the table.
+    /// Sets the title and the meaning of the column of that name; without it the title is the name, Greek
+    /// letters by their names and `_over_` as a slash. The meaning stands below the table.
     pub fn column(&mut self, name: &'static str, title: &'static str, meaning: &'static str) {
         if !self.columns.iter().any(|(known, ..)| *known == name) {
             self.columns.push((name, title, meaning));
         }
     }
 
-    /// One row; each number of what was found is quoted as `name.row`, for example `gamma.nu0.25.theta1e-3`.
+    /// Adds a row; each number among its results can be quoted as `name.row`, for example
+    /// `gamma.nu0.25.theta1e-3`.
     pub fn row(&mut self, cells: Cells) {
         self.rows.push(cells);
     }
 
-    /// A sentence that must hold.
+    /// A claim that must hold.
     pub fn check(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.checks, claim.into(), Role::Claim)
     }
@@ -66,17 +67,17 @@ impl Report {
         Claim::new(&mut self.checks, claim.into(), Role::AsPrinted)
     }
 
-    /// A statement stronger than the paper's: where it holds, the paper's is loose.
+    /// A statement stronger than the paper's: if it holds, the paper's is loose.
     pub fn stronger(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.checks, claim.into(), Role::Stronger)
     }
 
-    /// Another growth than the paper's: where it holds, the paper's is not sharp.
+    /// A rate of growth different from the paper's: if it holds, the paper's is not sharp.
     pub fn not_sharp(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.checks, claim.into(), Role::NotSharp)
     }
 
-    /// A comparison worth showing that decides nothing.
+    /// A comparison that is shown but has no effect on the status.
     pub fn observe(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.checks, claim.into(), Role::Observed)
     }
@@ -86,17 +87,17 @@ impl Report {
         Claim::new(&mut self.checks, claim.into(), Role::Claim).by_proof(page);
     }
 
-    /// A number worth quoting, under this key.
+    /// Records a number to be quoted under this key.
     pub fn note(&mut self, key: impl Into<String>, value: impl Into<Measured>) {
         self.notes.push((key.into(), value.into().value));
     }
 
-    /// A last line: what explains a number that surprises.
+    /// A remark printed last, to explain an unexpected number.
     pub fn remark(&mut self, words: impl Into<String>) {
         self.remark = words.into();
     }
 
-    /// The numbers of these two columns over the last rows that are about the same but for `x`.
+    /// The numbers of these two columns in the last consecutive rows whose parameters differ in `x` only.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
         let Some(last) = self.rows.last() else { return Vec::new() };
         let same = |row: &&Cells| {
@@ -109,8 +110,8 @@ impl Report {
         points
     }
 
-    /// Order of convergence p of y ≈ C xᵖ over the rows like the last one ([`ConvergenceOrder::of`]); no number
-    /// where there are too few levels.
+    /// Order of convergence p of y ≈ C xᵖ over the rows of [`Report::series`] ([`ConvergenceOrder::of`]); no
+    /// number where there are too few levels.
     pub fn order(&self, x: &str, y: &str) -> Measured {
         ConvergenceOrder::of(&self.series(x, y)).into()
     }
@@ -128,7 +129,7 @@ impl Report {
         }
     }
 
-    /// The chart of that name, begun where there is none; curves are added to what this returns.
+    /// The chart of that name, created if it does not exist; add curves to the chart returned.
     pub fn plot(&mut self, name: &str, title: &str, axes: Axes) -> &mut Plot {
         let is_known = |picture: &Picture| matches!(picture, Picture::Plot(plot) if plot.name == name);
         let at = self.pictures.iter().position(is_known).unwrap_or(self.pictures.len());
@@ -141,12 +142,12 @@ impl Report {
         }
     }
 
-    /// Whether pictures are wanted: what only a picture needs is computed then.
+    /// True if pictures were requested, so that data used by pictures only must be computed.
     pub fn draws(&self) -> bool {
         self.draws
     }
 
-    /// A chart of its own.
+    /// Adds a chart that is not made from rows.
     pub fn chart(&mut self, name: impl Into<String>, chart: Chart) {
         self.pictures.push(Picture::Chart(name.into(), chart));
     }
@@ -170,7 +171,7 @@ impl Report {
         Ok(())
     }
 
-    /// u_N and −σ_N of a contact solution along its contact edges, each over its largest value.
+    /// u_N and −σ_N of a contact solution along its contact edges, each divided by its maximum.
     pub fn contact_edge(
         &mut self,
         name: impl Into<String>,

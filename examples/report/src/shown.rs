@@ -6,14 +6,14 @@ use crate::outcome::Verdict;
 use comfy_table::{CellAlignment, Table, presets};
 use std::fmt::Write as _;
 
-/// The widest a line gets; less where the variable COLUMNS says so.
+/// Largest width of a line; smaller if the variable COLUMNS is.
 const WIDTH: usize = 100;
-/// More rows than this are shown by their first and last ones.
+/// Largest number of rows shown; of more rows only the first and last ones are.
 const ROWS: usize = 24;
 const ENDS: usize = 11;
-/// The widest a source stands beside its check; a longer one has a line of its own.
+/// Largest width of a source printed beside its check; a longer one is printed on a separate line.
 const SOURCE: usize = 32;
-/// More checks than this: those that hold beyond it are counted.
+/// Largest number of checks shown; further checks that hold are only counted.
 const CHECKS: usize = 12;
 
 impl Outcome {
@@ -149,13 +149,13 @@ impl Outcome {
     }
 }
 
-/// The sentence.
+/// The claim.
 fn claim(check: &Checked) -> String {
     let failed = check.role() == Role::AsPrinted && check.decision() == Decision::Fails;
     format!("{}{}", if failed { "as printed: " } else { "" }, check.claim())
 }
 
-/// Where the bound comes from, and of how many cases the worst is shown.
+/// The source of the bound, and the number of cases of which the worst is shown.
 fn source(check: &Checked) -> String {
     let cases = if check.cases > 1 { format!("worst of {}", check.cases) } else { String::new() };
     let parts = [check.source().to_owned(), cases];

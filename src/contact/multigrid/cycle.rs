@@ -14,7 +14,7 @@ struct Work {
     x: Vec<f32>,
     b: Vec<f32>,
     residual: Vec<f32>,
-    /// Prescribed, and held by contact.
+    /// Unknowns prescribed, and unknowns fixed by contact.
     fixed: Vec<bool>,
     /// Places of u_N along the contact edge, and whether they are prescribed.
     normals: Vec<(usize, bool)>,

@@ -1,4 +1,4 @@
-//! The error of discretisation from the energies of nested levels.
+//! The discretisation error from the energies of nested levels.
 //!
 //! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact
 //! term; with an order p estimated from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k −

@@ -29,7 +29,7 @@ impl ContactProblem {
     ) -> Result<ContactSolution> {
         if let Accuracy::OfDiscretisation(share) = accuracy {
             Error::require(
-                "share of the error of discretisation",
+                "share of the discretisation error",
                 share,
                 "(0, 1]",
                 share > 0.0 && share <= 1.0,

@@ -47,7 +47,7 @@ pub(super) fn mend<L: Level>(
 struct Patch {
     /// Nodes of the edge; the first and the last one represent the part outside, if there is one.
     edge: Range<usize>,
-    /// Their unknowns of u_N, and whether they are held.
+    /// Their unknowns of u_N, and whether they are fixed.
     kept: Vec<(usize, bool)>,
     /// Unknown of the body to unknown of the patch, with a sign.
     number: BTreeMap<usize, (usize, f64)>,

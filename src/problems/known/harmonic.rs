@@ -9,7 +9,7 @@
 //! ([`TransitionPowers`]). The term −s y gives u < 0 on the other sides and is represented exactly by the
 //! elements.
 //!
-//! * *three sides held*: −Δu = 0, u is prescribed on them;
+//! * *three Dirichlet sides*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
 //!   they are open. The normal, and with it the load, is discontinuous at the corners; u is continuous.
 

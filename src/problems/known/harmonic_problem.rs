@@ -109,8 +109,8 @@ mod tests {
     use super::*;
     use crate::mesh::doubled_area;
 
-    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node that is not held: u solves the problem of its
-    /// loads.
+    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node off the Dirichlet boundary: u solves the problem
+    /// of its loads.
     #[test]
     fn the_loads_are_those_of_u() {
         let n = 4;

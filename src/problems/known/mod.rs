@@ -84,7 +84,7 @@ impl KnownSolution {
         Self { formula: Formula::ThreeHalves }
     }
 
-    /// Contact before 3/10, a gap beyond; scalar without Lamé's constants, else elastic.
+    /// Contact for x < 3/10 and a gap for x > 3/10; scalar for `None`, else elastic.
     ///
     /// F = (z − 3/10)^{3/2}: u = −Re F (scalar); 2μ u_x = −α Im F − y Re F', 2μ u_y = β Re F + y Im F', α = μ/(λ + μ),
     /// β = 1 + α (elastic, zero volume load and zero shear on the edge).
@@ -100,7 +100,7 @@ impl KnownSolution {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: false, lame }) }
     }
 
-    /// Contact before 3/10 and beyond 7/10; scalar without Lamé's constants, else elastic.
+    /// Contact for x < 3/10 and for x > 7/10; scalar for `None`, else elastic.
     ///
     /// F = ((z − 3/10)(7/10 − z))^{3/2} in the formulas of [`KnownSolution::one_transition`]; symmetric about x = 1/2.
     ///
@@ -116,7 +116,7 @@ impl KnownSolution {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: true, lame }) }
     }
 
-    /// r^p about the transition 2/5, contact before it; scalar without Lamé's constants, else elastic.
+    /// r^p about the transition at x = 2/5, contact for x < 2/5; scalar for `None`, else elastic.
     ///
     /// u_N = −c r^p in the gap, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N.
     ///
@@ -136,7 +136,8 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Power(Power::new(p, lame)?) })
     }
 
-    /// The powers of a transition at `position`, contact beyond it, the other three sides held; scalar.
+    /// A scalar solution with the given powers at a transition at `position`, contact to its right, and
+    /// Dirichlet conditions on the other three sides.
     ///
     /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); gap 0 ≤ x < a, contact a ≤ x ≤ 1;
     /// u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
@@ -178,7 +179,7 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Harmonic(Harmonic::new(powers, position, true)?) })
     }
 
-    /// Lamé's constants; none for a scalar solution.
+    /// The Lamé constants; `None` for a scalar solution.
     pub fn lame(&self) -> Option<Lame> {
         match self.formula {
             Formula::ThreeHalves | Formula::Harmonic(_) => None,
@@ -290,7 +291,7 @@ impl KnownSolution {
     /// use signorini::{cone::Cone, contact::Solver, problems::KnownSolution};
     /// let u = KnownSolution::one_transition(None);
     /// let solution = u.problem(8)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// // total contact force ∫ (3/2) √(3/10 − x) dx = (3/10)^{3/2}, up to the error of discretisation
+    /// // total contact force ∫ (3/2) √(3/10 − x) dx = (3/10)^{3/2}, up to the discretisation error
     /// assert!((solution.contact_force - 0.3f64.powf(1.5)).abs() < 0.05);
     /// # Ok::<(), signorini::Error>(())
     /// ```

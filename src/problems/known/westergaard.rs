@@ -31,7 +31,7 @@ const POINTS: [usize; 4] = [6, 10, 14, 20];
 pub(super) struct Westergaard {
     /// Contact before 3/10 and beyond 7/10; else before 3/10 only.
     pub(super) two_transitions: bool,
-    /// Lamé's constants; none for the scalar problem.
+    /// The Lamé constants; `None` for the scalar problem.
     pub(super) lame: Option<Lame>,
 }
 

@@ -44,8 +44,9 @@ pub(super) struct ExactElastic {
 }
 
 impl ExactElastic {
-    /// The test problem as exact solution on the strip of height `height.0/height.1`; periodic sides,
-    /// frictionless. `coarsest` is the smallest number of cells for which errors are computed.
+    /// The problem on the strip of height `height.0/height.1` whose exact solution has the edge data of
+    /// the test problem; periodic sides, frictionless. `coarsest` is the smallest number of cells for which errors are
+    /// computed.
     ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the

@@ -22,7 +22,7 @@ pub(crate) fn power_of_two(cells: usize) -> Result<()> {
         Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "the powers of two from 2",
+            range: "the powers of two >= 2",
         }))
     }
 }
@@ -34,7 +34,7 @@ pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "the numbers n with n·height whole",
+            range: "the numbers n for which n·height is an integer",
         }));
     }
     let layers = cells * up / down;

@@ -64,12 +64,12 @@ impl FromStr for StripKind {
     }
 }
 
-/// Complementary data as exact solution on a unit square strip.
+/// A contact problem on the strip of height 1 whose exact solution has given complementary edge data.
 ///
 /// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse
 /// problem is the Galerkin problem of the reference. The errors |u − u_h|_a depend on the edge values only:
-/// with d = u_N − P u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the surplus of the coarse
-/// strip's energy in the interior.
+/// with d = u_N − P u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the excess of the energy
+/// of the coarse strip over that of the fine one.
 ///
 /// ```
 /// use signorini::cone::Cone;

@@ -48,7 +48,8 @@ pub(super) struct ExactEdge {
 }
 
 impl ExactEdge {
-    /// The test problem as exact solution on the strip of height `height.0/height.1`; natural sides.
+    /// The problem on the strip of height `height.0/height.1` whose exact solution has the edge data of
+    /// the test problem; natural sides.
     ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic test problem, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two

@@ -157,7 +157,8 @@ impl EdgeOperator {
 
     /// A g: the nodal forces that hold the edge in the shape g.
     ///
-    /// Cost: two real transforms of length P, O(n log n). Relative rounding about ε log₂ P in the Euclidean norm.
+    /// Cost: two real transforms of length P, O(n log n). Relative rounding error about ε log₂ P in the
+    /// Euclidean norm.
     ///
     /// ```
     /// use signorini::strip::Strip;

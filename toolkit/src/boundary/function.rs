@@ -113,7 +113,7 @@ impl BoundaryFunction {
             return Estimate::new(0.0, 0.0, Work::default());
         }
         if self.constants && !order.is_below_half() {
-            let why = "a jump is not in H^nu for nu >= 1/2";
+            let why = "a function with a jump is not in H^nu for nu >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         if n > MOST {

@@ -37,8 +37,8 @@ impl SingularFunction<'_> {
     ///
     /// The function is replaced by a piecewise polynomial graded to its breakpoints; the L² norm of the
     /// difference bounds the dual norm of the difference and is part of the error. Functions of
-    /// [`SingularFunction::from_positions`] keep their digits at singularities; those of
-    /// [`SingularFunction::new`] lose them. Cost: some dozens of pieces per breakpoint, then that of the
+    /// [`SingularFunction::from_positions`] are evaluated accurately at singularities; those of
+    /// [`SingularFunction::new`] are not. Cost: some dozens of pieces per breakpoint, then that of the
     /// piecewise polynomial.
     ///
     /// # Errors

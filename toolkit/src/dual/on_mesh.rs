@@ -161,6 +161,6 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
     let rest = gains.iter().rev().take(SETTLED).sum::<f64>();
     let work = Work { iterations: gains.len() as u64, ..Work::default() };
     let best = Estimate::new(value.value(), rest, work)?;
-    let why = "conjugate gradients reached the largest number of steps";
+    let why = "conjugate gradients reached the maximum number of steps";
     Err(Error::not_met("square of the dual norm", tolerance.relative(), best, why))
 }

@@ -93,7 +93,7 @@ impl FieldError<'_> {
         let difference = Difference { function: &unit.u, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
         if !order.is_below_half() && cells.jumps_apart() {
-            let why = "a jump of the field is not in H^nu for nu >= 1/2";
+            let why = "a field with a jump is not in H^nu for nu >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         let back = |squared: Estimate| unit.seminorm(order, squared.sqrt()?);

@@ -46,8 +46,9 @@ impl Position<'_> {
         self.offset
     }
 
-    /// |x − c_k| for any breakpoint c_k, with all its digits: |offset| for the nearest one, for the others
-    /// the sum of offset and the distance of two breakpoints. One formula then serves all breakpoints.
+    /// |x − c_k| for any breakpoint c_k, to full relative accuracy: |offset| for the nearest one, for the others
+    /// the sum of the offset and the distance of the two breakpoints. The same formula for u can then be used
+    /// at all breakpoints.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -60,7 +61,7 @@ impl Position<'_> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// NaN if there is no breakpoint k, which the norms report.
+    /// NaN if there is no breakpoint k; the norms then return an error.
     pub fn distance_to(&self, k: usize) -> f64 {
         if k == self.anchor { self.offset.abs() } else { self.from(k).abs() }
     }
@@ -191,7 +192,7 @@ impl<'a> SingularFunction<'a> {
         for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            let range = "the numbers above the previous breakpoint by 1e-290 and by 1e-290 of the interval";
+            let range = "(c + 1e-290 max(1, length), inf), c the previous breakpoint";
             require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })

@@ -4,10 +4,10 @@
 //! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,
 //! x = c_a ± δ(t), y = c_b ± ε(t′).
 //!
-//! On the own side t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with
-//! the difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0
-//! and decays as its breakpoint allows ([`super::arm_integral`]). Distances keep their digits: δ(e^s − 1)
-//! on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
+//! On the own side t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the
+//! difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and
+//! decays as its breakpoint allows ([`super::arm_integral`]). Distances have full relative accuracy:
+//! δ(e^s − 1) on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;

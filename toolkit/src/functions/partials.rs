@@ -80,7 +80,7 @@ impl Partials {
         self.sum().is_finite() && self.final_rate().is_some_and(|rate| rate * self.end() > BEGUN)
     }
 
-    /// True if True if ℓ is not smaller at the end than in the middle.
+    /// True if ℓ is not smaller at the end than in the middle.
     pub(super) fn still_grows(&self) -> bool {
         self.growth().is_some_and(|[_, after]| after.of_density >= -1e-9)
     }

@@ -106,7 +106,10 @@ pub(crate) fn require_constants_finite(order: Order) -> Result<()> {
     if order.is_below_half() {
         return Ok(());
     }
-    Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
+    Err(Error::InfiniteNorm {
+        order: order.value(),
+        why: "a function with a jump is not in H^nu for nu >= 1/2",
+    })
 }
 
 /// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.

@@ -188,7 +188,7 @@ fn found(
     result: Option<crate::numeric::block_iteration::Smallest>,
     tolerance: Tolerance,
 ) -> Result<Estimate> {
-    let failed = Error::Solver { reason: "no basis of the block iteration".to_owned() };
+    let failed = Error::Solver { reason: "the block eigenvalue iteration broke down".to_owned() };
     let found = result.ok_or(failed)?;
     let work = Work { iterations: found.steps as u64, ..Work::default() };
     let value = found.value.abs();
@@ -200,6 +200,6 @@ fn found(
         "eigenvalue",
         tolerance.relative(),
         estimate,
-        "the block iteration reached the largest number of steps",
+        "the block iteration reached the maximum number of steps",
     ))
 }

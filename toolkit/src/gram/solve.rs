@@ -72,6 +72,6 @@ pub(crate) fn solve(
         "energy",
         tolerance.relative(),
         energy,
-        "conjugate gradients reached the largest number of steps",
+        "conjugate gradients reached the maximum number of steps",
     ))
 }

@@ -66,7 +66,7 @@ impl PiecewisePolynomial {
         let value = scale * (total.powf(1.0 / q) * root);
         let relative = (error / sum.value() + 32.0 * f64::EPSILON) / q + 8.0 * f64::EPSILON;
         let work = Work { points, ..Work::default() };
-        let why = "rounding, or the largest number of bisections, limits the accuracy";
+        let why = "rounding, or the maximum number of bisections, limits the accuracy";
         accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance, why)
     }
 

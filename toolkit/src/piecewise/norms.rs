@@ -24,7 +24,7 @@ impl PiecewisePolynomial {
     ///
     /// Few elements are summed pair by pair, exact to rounding, at O(N²) kernel values: constants and
     /// continuous linears through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which uses that
-    /// constants have seminorm zero and so keeps its digits when u is nearly constant. More elements are
+    /// constants have seminorm zero and so remains accurate when u is nearly constant. More elements are
     /// summed
     ///
     /// - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding error is
@@ -138,6 +138,9 @@ impl PiecewisePolynomial {
         if order.is_below_half() || self.is_continuous() {
             return Ok(());
         }
-        Err(Error::InfiniteNorm { order: order.value(), why: "a jump is not in H^nu for nu >= 1/2" })
+        Err(Error::InfiniteNorm {
+            order: order.value(),
+            why: "a function with a jump is not in H^nu for nu >= 1/2",
+        })
     }
 }

@@ -30,7 +30,7 @@ fn exact_difference(a: f64, b: f64) -> (f64, f64) {
 }
 
 /// (b − a) × (c − a), twice the signed area of a triangle: the error is some units of 1e-32 of the product of
-/// the two lengths, so that a sliver of aspect 1e6 keeps its digits.
+/// the two lengths, so that it is accurate for a triangle of aspect ratio 1e6.
 pub(super) fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     let ((bx, bx_low), (by, by_low)) = (exact_difference(b[0], a[0]), exact_difference(b[1], a[1]));
     let ((cx, cx_low), (cy, cy_low)) = (exact_difference(c[0], a[0]), exact_difference(c[1], a[1]));
@@ -41,8 +41,8 @@ pub(super) fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     high + (high_low + (first_low - second_low) + low)
 }
 
-/// The distance of a point from the segment ab, computed from the nearer end, so that small distances keep
-/// their digits.
+/// The distance of a point from the segment ab, computed from the nearer end, so that small distances have
+/// full relative accuracy.
 pub(super) fn distance_from_segment(p: Point, a: Point, b: Point) -> f64 {
     let (first, second) = (minus(p, a), minus(p, b));
     let is_nearer = dot(first, first) <= dot(second, second);

@@ -13,7 +13,7 @@ const PIECES: usize = 1 << BITS;
 const MANTISSA: u32 = 52;
 /// The bits of 1.
 const ONE: u64 = 1.0f64.to_bits();
-/// Exponents k from the first on, so many, are tabulated.
+/// The first tabulated exponent k, and the number of them.
 const FIRST: i32 = -12;
 const EXPONENTS: usize = 64;
 /// Terms of the series after the first.

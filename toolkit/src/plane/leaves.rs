@@ -41,7 +41,7 @@ type Points = Vec<([f64; 2], f64)>;
 
 /// The error for two triangles without a common node that are too close to be separated by bisection.
 pub(super) fn too_near(distance: f64, size: f64) -> Error {
-    let range = "distances of triangles without a common node that integrals can resolve";
+    let range = "the range that the quadrature resolves for triangles without a common node";
     Error::OutOfRange { name: "distance over length", value: distance / size, range }
 }
 

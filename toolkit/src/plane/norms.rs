@@ -143,7 +143,7 @@ impl PlaneFunction {
             }
             accuracy *= (SHARPER * goal / found.relative_error()).max(LEAST_SHARPER);
         }
-        let why = "no rule gave a value";
+        let why = "no quadrature rule gave a finite value";
         let best = best.ok_or(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, why))?;
         Estimate::new(best.value, best.error, work)
     }

@@ -66,8 +66,8 @@ pub struct Gamma {
 }
 
 impl Gamma {
-    /// A function for which the constant is attained, from the space on which the value was computed, or
-    /// continued from larger orders like the value.
+    /// A function for which the constant is attained: in the space in which the value was computed or, where
+    /// the value is extrapolated from larger orders, extrapolated likewise.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Gamma, gamma};

@@ -78,7 +78,7 @@ impl Continuation {
         let work = points.iter().fold(Work::default(), |sum, point| sum + point.work);
         let found = Estimate::new(all.exp(), reached * all.exp(), work)?;
         if reached > asked {
-            let why = "rounding of the constants at larger orders, from which it is continued";
+            let why = "rounding of the constants at larger orders, from which the value is extrapolated";
             return Err(Error::not_met("Poincare constant", asked, found, why));
         }
         Ok(found)

@@ -26,9 +26,9 @@ const NEAR_HALF: f64 = 0.01;
 /// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
 /// A = 3/(2π²), L = ln(1/θ). At ν = 1/2 c, d, e come from the dual norm N of u ↦ mean_E u − mean u: with r
-/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
-/// mean-free functions). Within 0.01 below 1/2, and above where no point condition is within reach of f64,
-/// the same expansion holds with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
+/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on mean-free
+/// functions). Within 0.01 below 1/2, and above 1/2 if γ₀ cannot be computed in binary64, the same
+/// expansion holds with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -40,7 +40,7 @@ const NEAR_HALF: f64 = 0.01;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a place outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or
+/// [`Error::OutOfRange`] for a point outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or
 /// the dual norms do not reach the tolerance.
 #[doc(alias("asymptotics", "limit law"))]
 pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
@@ -99,7 +99,7 @@ enum Form {
 }
 
 impl Law {
-    /// The value of γ_θ by the law.
+    /// The value of γ_θ predicted by the law.
     ///
     /// ```
     /// use fractional_sobolev::{Law, law};
@@ -141,7 +141,7 @@ impl Law {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists; [`Error::ToleranceNotMet`] when the
-    /// rounding of 1 − 2ν, 9e-16/(1 − 2ν) relative, forbids the tolerance.
+    /// rounding of 1 − 2ν, 9e-16/(1 − 2ν) relative, exceeds the tolerance.
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),

@@ -23,11 +23,11 @@ const ROUNDING: f64 = 1e-14;
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
-/// when the rounding of p = 1 − 2ν, 9e-16/p relative, forbids the tolerance.
+/// when the rounding of p = 1 − 2ν, 9e-16/p relative, exceeds the tolerance.
 pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
-        let why = "rounding of the order nu limits the digits of 1 - 2 nu";
+        let why = "rounding of the order nu limits the accuracy of 1 - 2 nu";
         return Err(Error::not_met("limit of the Poincare constant", asked, limit, why));
     }
     Ok(limit)

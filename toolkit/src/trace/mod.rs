@@ -125,7 +125,7 @@ pub fn trace_quotient(
     if found.relative_error() <= tolerance.relative() {
         return Ok(found);
     }
-    Err(Error::not_met("quotient of a trace", tolerance.relative(), found, "finite elements of fixed degree"))
+    Err(Error::not_met("trace quotient", tolerance.relative(), found, "finite elements of fixed degree"))
 }
 
 /// C(s) of the half-plane.

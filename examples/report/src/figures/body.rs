@@ -12,7 +12,7 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::fem::stresses;
 use std::fmt::Write as _;
 
-/// Sizes in user units: the picture, its margins, the tallest body, the colour bar with its words below.
+/// Sizes in user units: the picture, its margins, the tallest body, the colour bar with its labels below.
 const WIDTH: f64 = 640.0;
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 40.0;
@@ -152,7 +152,7 @@ fn spans<'a>(points: impl Iterator<Item = &'a Point>) -> [(f64, f64); 2] {
     points.fold(none, |[x, y], p| [(x.0.min(p[0]), x.1.max(p[0])), (y.0.min(p[1]), y.1.max(p[1]))])
 }
 
-/// From places in the plane to user units of a picture.
+/// The map from points of the plane to user units of a picture.
 struct View {
     left: f64,
     top: f64,
@@ -210,7 +210,7 @@ impl View {
     }
 }
 
-/// u_N and −σ_N along the contact edges, each over its largest value.
+/// u_N and −σ_N along the contact edges, each divided by its maximum.
 pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, title: &str) -> Chart {
     let edge = problem.edge();
     let title = format!("{title}: displacement and pressure on the contact edge, {} cone", solution.cone);
@@ -235,8 +235,8 @@ pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, t
     chart
 }
 
-/// u_N and −σ_N along an edge, each over its largest value, with the segments shaded that are in the first case, in
-/// the second one, or in both, of Figure 3.2 or 4.1.
+/// u_N and −σ_N along an edge, each divided by its maximum, with the segments shaded that are in the first
+/// case, in the second one, or in both, of Figure 3.2 or 4.1.
 pub fn edge_trace(edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Chart {
     let title = format!("{} segments of a contact edge", cases.iter().map(Vec::len).sum::<usize>());
     let mut chart = Chart::new(title, Axis::linear("x"), Axis::linear("share of the largest value"));

@@ -157,7 +157,7 @@ impl Fan<'_> {
                 return Err(Error::OutOfRange {
                     name: "distance of edges seen from a common corner",
                     value: 0.0,
-                    range: "distances that integrals can resolve",
+                    range: "the range that the quadrature resolves",
                 });
             }
             patience -= 1;

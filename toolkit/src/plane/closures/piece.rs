@@ -1,4 +1,5 @@
-//! Triangles and parts of triangles, relative to a base point so that small offsets keep their digits.
+//! Triangles and parts of triangles, relative to a base point so that small offsets have full relative
+//! accuracy.
 //!
 //! A triangle at a declared corner c is {c + ρ e(t)}, 0 < ρ < 1, e(t) on the edge opposite c. Cut at ρ =
 //! 1/2 it is divided into a smaller such triangle and a strip of two triangles on which the function is

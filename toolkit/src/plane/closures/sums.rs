@@ -22,11 +22,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Numbers of points of the rules, in turn.
 const POINTS: [usize; 6] = [4, 6, 9, 13, 18, 24];
-/// Points and cells of the approaches of a corner, from the shortest to the longest; 92 cells reach 1e-100.
+/// Points and cells of the radial rules at a corner, from the shortest to the longest; 92 cells reach 1e-100.
 const SHORT: [usize; 4] = [2, 4, 7, 12];
 const CELLS: [usize; 7] = [1, 3, 7, 15, 30, 55, 92];
 const CELL_POINTS: [usize; 3] = [6, 9, 13];
-/// Places (t, t', τ) at which approaches are compared.
+/// Points (t, t', τ) at which radial rules are compared.
 const PROBES: [[f64; 3]; 5] =
     [[0.5, 0.5, 0.4], [0.1, 0.8, 0.7], [0.9, 0.3, 0.2], [0.3, 0.4, 0.9], [0.6, 0.05, 0.05]];
 /// Part of the tolerance that the radial rule and depths may use.
@@ -197,8 +197,8 @@ impl<'a> ClosureSum<'a> {
         if self.view.function.jumps() { declared.min(0.0) } else { declared }
     }
 
-    /// The shortest approach of a corner that gives all probes what the longest gives them, and by how much
-    /// it may be off; when there is none, the longest, and what it gains over a shorter one.
+    /// The shortest radial rule at a corner that agrees with the longest one at all probe points, and its
+    /// error; if there is none, the longest one and its difference from a shorter one.
     fn approach_of(&self, corner: usize, pieces: &[Piece], quantity: Quantity) -> Result<(Approach, f64)> {
         let fan: Vec<&Piece> = pieces.iter().filter(|piece| piece.corner() == Some(corner)).collect();
         let sides: Vec<Side<'_>> =
@@ -292,7 +292,7 @@ impl<'a> ClosureSum<'a> {
     }
 }
 
-/// An approach with more cells, if any, and more points.
+/// A radial rule with more cells, if any, and more points.
 fn longer(Approach { cells, points }: Approach, level: usize) -> Approach {
     Approach { cells: if cells > 0 { cells + level } else { 0 }, points: points + level.div_ceil(2) }
 }

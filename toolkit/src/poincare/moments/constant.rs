@@ -20,8 +20,8 @@ use crate::quadrature::Rule;
 /// The moment M = sup ∫ m w / |w|_ν over the functions w that vanish on a zone at one end of (0,1).
 ///
 /// x is the distance from the free end, e the length of the complement of the zone, and m is 1, x or e − x
-/// ([`Moment`]). The zone is a range at either end: `e..1.0` keeps the digits of a short e, `0.0..z` those
-/// of a short zone.
+/// ([`Moment`]). The zone is a range at either end: `e..1.0` represents a short e to full relative accuracy,
+/// `0.0..z` a short zone.
 ///
 /// # Method
 ///
@@ -132,10 +132,10 @@ impl MomentConstant {
     ///
     /// # Method
     ///
-    /// On the zone's complement scaled to (0, 1) the seminorm is (v, Av) with A an integral operator, k its
-    /// potential of the zone; for every v, with the residual r = m − A v,
-    /// ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. Measured gap: 1e-15
-    /// to 3e-9 of M. Cost: a million values of the basis for one ν; those of the last ν are kept.
+    /// On the zone's complement scaled to (0, 1) the seminorm is (v, Av) with A an integral operator and k
+    /// the potential of the zone; for every v, with the residual r = m − A v,
+    /// ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. Measured gap: 1e-15 to 3e-9 of M. Cost: a million
+    /// evaluations of basis functions for each ν; those of the last ν are cached.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the length of the complement lies
@@ -168,7 +168,7 @@ fn on(order: Order, constraint: &Constraint, moment: Moment, tolerance: Toleranc
     }
 }
 
-/// Lengths that keep their digits, and leave a part of positive length.
+/// Lengths represented to full relative accuracy, with a complement of positive length.
 const SHORTEST: f64 = 1e-300;
 const LONGEST: f64 = 1.0 - 1e-15;
 

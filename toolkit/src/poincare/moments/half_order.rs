@@ -137,7 +137,7 @@ struct Root {
 }
 
 impl Root {
-    /// Newton's method for d, so that d itself keeps its digits.
+    /// Newton's method for d, so that d itself has full relative accuracy.
     fn new(n: usize) -> Self {
         let above = (n as f64 + 0.5) * PI;
         // cot z = tan d, and z tan d = 1.

@@ -147,7 +147,7 @@ fn inner_rule(nu: f64) -> Result<Vec<(f64, f64)>> {
     Ok(rule)
 }
 
-/// Distance from ν = 1/2 beyond which the formula of the exponent keeps its digits; it need not be exact.
+/// Distance from ν = 1/2 beyond which the formula of the exponent is accurate; it need not be exact.
 const CANCELLED: f64 = 1e-6;
 
 /// The β in (max(1, 2ν), min(2, 1+2ν)) with A s^β = 0 on the half line,

@@ -48,8 +48,8 @@ pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result
 /// v is the least squares solution of r = 0 in that weight over the functions of `strong_basis`.
 ///
 /// The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
-/// Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million values
-/// of the basis for one ν, all e.
+/// Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million
+/// evaluations of basis functions for each ν, for all e together.
 struct StrongForm {
     nu: f64,
     points: Vec<Collocation>,

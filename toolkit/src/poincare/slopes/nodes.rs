@@ -120,7 +120,7 @@ fn node(space: &SlopeSpace, local: Option<&Local>, p: f64, i: usize, (xi, w): (f
     }
 }
 
-/// Degree of eˣ on (−1, 1) to so many digits: its Chebyshev coefficients are about 2^{1−k}/k!.
+/// Degree of eˣ on (−1, 1) to the given number of digits: its Chebyshev coefficients are about 2^{1−k}/k!.
 fn exponential_degree(digits: f64) -> f64 {
     let (mut degree, mut logarithm) = (0.0, 0.0);
     while logarithm < digits && degree < 30.0 {
