@@ -2,7 +2,8 @@
 //!
 //! u solves Signorini's problem, u^h the discrete one: P1 elements on squares of size h cut into triangles, u^h ≤ 0 at the
 //! nodes of the contact edge (nodal cone) or in the mean over each segment (midpoint cone); ∫ is over the contact edge,
-//! σ_N ≤ 0 the stress there, I^h u interpolates u at the nodes, π is the mean over each segment. With ‖·‖ the energy norm
+//! σ_N ≤ 0 the stress there, I^h u has the values of u at the nodes of the edge and least energy inside (at most that of the
+//! interpolant, so that C ≤ 2 asks more), π is the mean over each segment. With ‖·‖ the energy norm
 //!
 //! ```text
 //! ‖u − u^h‖² ≤ C (‖u − I^h u‖² + ∫ σ_N (I^h u − u))                     nodal cone, Section 3

@@ -111,7 +111,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;
     out.check("order of the wave").near(order, 1.5, 0.02, "Remark 2");
     out.check("order of one function, at best").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
-    out.check("order left by Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
+    out.check("order that Falk's lemma gives").near(order / 2.0, 0.75, 0.02, "half of 3/2");
     out.observe("order of the smooth function").near(order_of_smooth, 2.0, 0.02, "no aliasing");
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
     out.plot("remark_2_dual_norm_counterexample", "Remark 2: aliasing in a dual norm", axes)

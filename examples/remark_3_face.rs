@@ -114,7 +114,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over = (pressure * slope).recip();
             let r = 0.5f64.powi(halvings as i32 + 1);
             let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
-            out.check("`of_gaps` over |σ|_ν").near(ratio, 1.0, 1e-3, "sides of gaps");
+            out.check("`of_gaps`/|σ|_ν").near(ratio, 1.0, 1e-3, "sides of gaps");
             let (nodal, mean) = (over * -of_sigma, over * (of_sigma * of_u / areas.iter().sum::<f64>()));
             if let Some([last, _]) = before.last() {
                 out.check("nodal: quotient over the one of 2r").at_least(nodal / *last, 1.0, "no bound");

@@ -100,7 +100,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let [.., long, short] = logs.as_slice() {
             // Exponent of L in q between the last two L, for this α; of all α the smallest is shown.
             let growth = out.exponent("log", "quotient");
-            out.check("power of L in q, least α").at_least(growth, 0.0, "a bound as in (5.3)");
+            out.check("exponent of L in q, smallest α").at_least(growth, 0.0, "a bound as in (5.3)");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
                 out.check("α = 1: slope of q² over L").near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");

@@ -122,7 +122,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
         let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
         let is_right = found.is_some() == (room > 0.0);
-        out.check("a step has a norm for s < 1/2 only").holds(is_right, "1/(1 − 2s)");
+        out.check("step in H^s for s < 1/2 only").holds(is_right, "1/(1 − 2s)");
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
@@ -149,8 +149,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("two triangulations, relative distance").at_most(apart, AT_CORNERS, "tolerance");
             let [inner, outer] = polygon.radii.map(|radius| on_sector(s, &polygon, gap, radius));
             let (over, outer) = (inner? / norm, Measured::from(norm) / outer?);
-            out.check("inner sector over polygon").at_most(over, 1.0, "a part has a part");
-            out.check("polygon over outer sector").at_most(outer, 1.0, "a part has a part");
+            out.check("norm on inner sector / on polygon").at_most(over, 1.0, "a part has a part");
+            out.check("norm on polygon / on outer sector").at_most(outer, 1.0, "a part has a part");
             let share = (-over + 1.0) / gap;
             out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "R^(a+1−s), R < e r");
             out.row(cells! { w: polygon.name, s, room: gap => norm, over: over.value });
@@ -160,7 +160,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     for gap in [0.0, -1e-9, -0.2] {
         let refused = matches!(on_polygon(s, &polygons()[0], gap, false), Err(Refusal::InfiniteNorm { .. }));
-        out.check("no norm for a + 1 − s ≤ 0").holds(refused, "rings do not decay");
+        out.check("infinite norm for a + 1 − s ≤ 0").holds(refused, "rings do not decay");
     }
     let axes = Axes::LogLog("a + 1 − s", "|w|_s");
     let plot = out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes);

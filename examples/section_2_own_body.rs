@@ -135,17 +135,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let allowed = 1e-8 + 10.0 * rounding;
         // (2.5) and the equations: penetration over the largest displacement, pull over the largest push, their product,
         // and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
-        out.check("not below the floor: B u ≤ 0").at_most(u.kkt.gap, 1e-10, "(2.5)");
-        out.check("floors do not pull: λ ≥ 0").at_most(u.kkt.sign, 1e-10, "(2.5)");
+        out.check("no penetration: B u ≤ 0").at_most(u.kkt.gap, 1e-10, "(2.5)");
+        out.check("contact forces not negative: λ ≥ 0").at_most(u.kkt.sign, 1e-10, "(2.5)");
         out.check("force only in contact: λ B u = 0").at_most(u.kkt.complementarity, 1e-10, "(2.5)");
         out.check("equations at free nodes").at_most(u.kkt.balance, 1e-10, "(2.1)");
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over the size of their terms.
         out.check("sum of load, clamp and floors").at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
         out.check("two solvers, change of J").at_most(apart(other.energy, u.energy), allowed, "eight digits");
-        out.check("turned, change of J").at_most(apart(turned.energy, u.energy), allowed, "eight digits");
+        out.check("rotated body, relative change of J").at_most(
+            apart(turned.energy, u.energy),
+            allowed,
+            "eight digits",
+        );
         let force = apart(turned.contact_force, u.contact_force);
-        out.check("turned, change of the force").at_most(force, allowed, "eight digits");
+        out.check("rotated body, change of the force").at_most(force, allowed, "eight digits");
         if let (Cone::Nodal, Some((_, before))) = (options.cone, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
             let rise = if rise.is_nan() { 0.0 } else { rise };

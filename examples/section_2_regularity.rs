@@ -129,8 +129,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let exponent = Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
             cells = (Some(exponent), border);
             let off = (exponent.value - (found.tau - 1.0)).abs();
-            out.check("|λ read − λ| over ±").at_most(off / exponent.error, 1.0, "±: two meshes, shells");
-            out.check("± of λ read").at_most(exponent.error, 0.05, "open, closed: 0.18 apart");
+            out.check("|λ measured − λ|/±").at_most(off / exponent.error, 1.0, "±: two meshes, shells");
+            out.check("± of λ measured").at_most(exponent.error, 0.05, "open, closed: 0.18 apart");
         }
         out.row(cells! { problem: problem.to_string() => corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
             read: cells.0, border: cells.1 });

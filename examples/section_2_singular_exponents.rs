@@ -133,7 +133,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     let flat = Wedge::new(PI, "D-N".parse()?, medium)?.exponents()?;
     let oscillation = flat.exponents.first().map(|exponent| Measured::from(exponent.im));
-    out.check("D-N on one line: first Im λ").near(
+    out.check("D-N, ω = π: Im λ of the first").near(
         oscillation,
         (3.0 - 4.0 * options.poisson).ln() / (2.0 * PI),
         1e-12,

@@ -120,7 +120,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     "loop in this file",
                 );
             }
-            out.check("conditions of contact, scaled").at_most(u.kkt.worst(), 1e-10, "(2.5)");
+            out.check("largest scaled KKT residual").at_most(u.kkt.worst(), 1e-10, "(2.5)");
             out.check("inner iterations of a step").at_most(inner, 30.0, "for all n and sets");
             out.row(cells! { problem: name, n => unknowns: unknowns as usize, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });

@@ -73,14 +73,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ∫ r²/k; v, a polynomial on each graded cell, by least squares of r.
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
-            out.check("K, κ, κ̄, over the strong form").near(ratio, 1.0, 1e-8, "residuals");
+            out.check("K, κ, κ̄ / middle of strong-form bounds").near(ratio, 1.0, 1e-8, "residuals");
             let quotient = value.recip() * definition;
             out.check("`moment_on_mesh` over K, κ, κ̄").near(quotient, 1.0, 0.01, "matrices");
         }
-        out.check("κ over κ̄").at_most(kappa / midpoint, 1.0, "one gap");
-        out.check("κ̄ over K").at_most(midpoint / product, 1.0, "norms");
-        out.check("K over c").at_most(product / c, 1.0, "potentials");
-        out.check("κ̄ over c₂").at_most(midpoint / pairs, 1.0, "pairs");
+        out.check("κ/κ̄").at_most(kappa / midpoint, 1.0, "one gap");
+        out.check("κ̄/K").at_most(midpoint / product, 1.0, "norms");
+        out.check("K/c").at_most(product / c, 1.0, "potentials");
+        out.check("κ̄/c₂").at_most(midpoint / pairs, 1.0, "pairs");
         out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
         // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν

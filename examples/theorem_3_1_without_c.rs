@@ -98,7 +98,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     out.check("error over C h |u|₂, c = 2/27, 1/8").at_most(ratio, 1.0, "C by proof");
                     let ratio = measured / bounds[2][0];
                     out.stronger("error over C h |u|₂ with κ, K/2").at_most(ratio, 1.0, "one transition");
-                    out.stronger("error over the bound of the edge, κ, K/2").at_most(
+                    out.stronger("error / bound with |u|₂ at the edge").at_most(
                         measured / bounds[2][1],
                         1.0,
                         "|u|₂ at the edge",

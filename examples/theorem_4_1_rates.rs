@@ -54,12 +54,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let data = |a: f64, cells: usize| TransitionPowers::of_regularity(tau).data(a, cells);
         let coarse = data(5.0 / 12.0, 256)?;
         let (definition, library) = (by_definition(&coarse, 32)?, errors(&coarse, 5)?[2]);
-        out.check("by_definition over the library, h = 1/32").near(
-            definition / library,
-            1.0,
-            1e-6,
-            "N = 256",
-        );
+        out.check("by_definition/library, h = 1/32").near(definition / library, 1.0, 1e-6, "N = 256");
         let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
         let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();

@@ -52,7 +52,7 @@ fn by_definition(nu: Order, a: f64) -> Result<f64> {
     let square = |hats: Range<usize>, weight: DVector<f64>| -> Result<f64> {
         let b = (&mass * weight).rows(hats.start, hats.len()).into_owned();
         let a = gram.view((hats.start, hats.start), (hats.len(), hats.len())).into_owned();
-        let singular = || Error::option("tau", "a Gram matrix lost its sign");
+        let singular = || Error::option("tau", "the Gram matrix is not positive definite to rounding");
         Ok(b.dot(&a.cholesky().ok_or_else(singular)?.solve(&b)))
     };
     let ones = DVector::from_element(n + 1, 1.0);
@@ -112,9 +112,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = second(theta) / (first(h, theta) * logarithm);
         let reference = *coarsest.get_or_insert(quotient);
         let compared = quotient / reference;
-        out.check("second over first bound, printed θ").near(compared, 1.0, 1e-9, "that at h = 1/8");
+        out.check("second/first bound, printed θ").near(compared, 1.0, 1e-9, "that at h = 1/8");
         out.check("truth over bound, at the crossing").at_most(best / second(at), 1.0, "a bound is no less");
-        out.check("truth over bound, sharp").at_most(best / second(at_sharp), 1.0, "a bound is no less");
+        out.check("term / bound, sharp θ").at_most(best / second(at_sharp), 1.0, "a bound is no less");
     }
     let [printed, cross, there, sharp] =
         ["bound", "crossing", "at_crossing", "sharp"].map(|column| out.exponent("h", column));

@@ -111,7 +111,10 @@ pub fn search(cone: Cone, form: &DMatrix<f64>, sets: usize) -> Result<f64> {
             contact[random(n)..].iter_mut().for_each(|cell| *cell = !*cell);
         }
         let ratio = by_definition(cone, &contact, form);
-        largest = largest.max(ratio.ok_or_else(|| Error::option("tau", "a Gram matrix lost its sign"))?);
+        largest =
+            largest.max(ratio.ok_or_else(|| {
+                Error::option("tau", "the Gram matrix is not positive definite to rounding")
+            })?);
     }
     Ok(largest)
 }
@@ -146,13 +149,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let [nodal, midpoint] = share;
         out.row(cells! { set: set.to_string() => nodal, midpoint });
-        out.check("largest share, all sets").at_most(nodal.max(midpoint), 1.0, "by proof");
+        out.check("term / its bound, all sets").at_most(nodal.max(midpoint), 1.0, "by proof");
     }
     out.proof("the bound on every segment", "segment_constants");
     // One segment: the maximum over the length of the gap, both factors dual norms (page `segment_constants`); ± of the library.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
     out.note("kappa", kappa);
-    out.check("κ, worst gap at an end, over c₂").at_most(kappa / c_2, 1.0, "by proof");
+    out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "by proof");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let gap =
