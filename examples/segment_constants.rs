@@ -86,7 +86,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (product * (24.0 / left) - 1.0) / left;
         out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
-        out.row(cells! { nu => c, pairs, product, by_definition: definition[0], kappa, contact: e[1], midpoint: midpoint.value });
+        out.row(
+            cells! { nu => c, pairs, product, by_definition: definition[0], kappa, midpoint: midpoint.value },
+        );
     }
     out.proof("c in place of 1/2, for every E", "segment_constants");
     for (name, title, meaning) in [
@@ -95,7 +97,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ("product", "K", "product of L1 norms, every E"),
         ("by_definition", "on a mesh", "K by `moment_on_mesh`"),
         ("kappa", "κ", "term, one gap"),
-        ("contact", "e", "where κ is reached"),
         ("midpoint", "κ̄", "midpoint cone, every E"),
     ] {
         out.column(name, title, meaning);
