@@ -51,18 +51,3 @@ fn bad_lengths_are_refused() {
         assert!(matches!(law.bracket(log), Err(Error::OutOfRange { .. })), "{log}");
     }
 }
-
-/// γ² = A L + c + d/γ² + e/γ⁴: what is left after each term is of the order of the next.
-#[test]
-fn every_term_of_the_expansion_is_seen() {
-    let [a, c, d, e] = law(Order::HALF, 0.0, 1e-10).unwrap().expansion.unwrap().map(|term| term.value);
-    assert!((a / END_SLOPE - 1.0).abs() < 1e-14);
-    for theta in [1e-20f64, 1e-80, 1e-300] {
-        let zone = Constraint::mean_zero_on(0.0..theta);
-        let square = gamma(Order::HALF, zone, 1e-10).unwrap().constant.value.powi(2);
-        let rest = square + a * theta.ln() - c;
-        assert!((rest / (d / square) - 1.0).abs() < 2.0 * (e / d).abs() / square, "theta {theta:e}: {rest}");
-        let explained = rest / ((d + e / square) / square);
-        assert!((explained - 1.0).abs() < 1e-3, "theta {theta:e}: {explained}");
-    }
-}

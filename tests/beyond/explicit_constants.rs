@@ -57,27 +57,6 @@ fn the_bound_is_above_the_error_for_every_tau_and_both_cones() {
     }
 }
 
-/// p² |r^{p−1} sin((p−1)φ)|² is the first component; p = 3/2 about φ: both components have the same part of a
-/// full turn only together, so the sum is compared with the limit s → 1, π/2 of the integral of |D²|².
-#[test]
-fn the_norm_of_the_gradient_has_its_components_and_its_limit() {
-    let (p, radius) = (1.5, 1.3);
-    for s in [0.3, 0.7] {
-        let whole = Function::sector_power(p, p, PI, radius).unwrap();
-        let whole = whole.seminorm(order(s).plus_one(), Tolerance::balanced()).unwrap();
-        let sine = Function::sector_power(p - 1.0, p - 1.0, PI, radius).unwrap();
-        let sine = p * sine.seminorm(order(s), Tolerance::balanced()).unwrap().value;
-        // cos(φ/2) is sin(φ/2) seen from the other side of the half disc.
-        let exact = 2f64.sqrt() * sine;
-        assert!((whole.value / exact - 1.0).abs() < 1e-10, "{s}: {} {exact}", whole.value);
-    }
-    let s = 1.0 - 1e-8;
-    let near = Function::sector_power(p, p, PI, radius).unwrap();
-    let near = near.seminorm(order(s).plus_one(), Tolerance::fast()).unwrap().value;
-    let limit = 0.5 * PI * p * p * (p - 1.0) * PI * radius.powf(2.0 * p - 2.0);
-    assert!((1e-8 * near * near / limit - 1.0).abs() < 1e-6);
-}
-
 /// Between the seminorm on the side where it lives and that with the jump to zero beyond.
 #[test]
 fn seminorms_of_the_edge_scale_and_hold_those_of_their_side() {
@@ -134,29 +113,6 @@ fn the_norm_has_its_limit_at_tau_two() {
         let limit = known.body_seminorm(2.0, Tolerance::fast()).unwrap().value;
         assert!((gap * near * near / (0.5 * PI * limit * limit) - 1.0).abs() < 1e-6, "{p}");
     }
-}
-
-/// Lamé's constants times c: u over c, errors over √c; β/(2μ) is what stands beside the slope.
-#[test]
-fn everything_scales_with_the_stiffness() {
-    let known = |factor: f64| {
-        let lame = Lame::new(1.3 * factor, 0.7 * factor).unwrap();
-        KnownSolution::power(0.81, Some(lame)).unwrap()
-    };
-    let error = |factor| {
-        let known = known(factor);
-        let problem = known.problem(8).unwrap();
-        let u = problem.solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
-        known.error_norms(&problem, &u.displacement).unwrap().energy
-    };
-    assert!((error(1.0) / (10.0 * error(100.0)) - 1.0).abs() < 1e-9);
-    let slope = |known: KnownSolution| {
-        known.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order(0.2), Tolerance::fast()).unwrap().value
-    };
-    let lame = known(1.0).lame().unwrap();
-    let ratio = (lame.lambda() + 2.0 * lame.mu()) / (2.0 * lame.mu() * (lame.lambda() + lame.mu()));
-    let scalar = slope(KnownSolution::power(0.81, None).unwrap());
-    assert!((slope(known(1.0)) / scalar / ratio - 1.0).abs() < 1e-12);
 }
 
 #[test]

@@ -48,28 +48,6 @@ fn no_order_has_less_than_the_sorted_one() {
     }
 }
 
-/// Pairs of an A (0) and a C (2) at distance at most `reach`.
-fn pairs(word: &[u8], reach: usize) -> usize {
-    let near =
-        |i: usize| word[i + 1..].iter().take(reach).filter(move |&&b| word[i].abs_diff(b) == 2).count();
-    (0..word.len()).map(near).sum()
-}
-
-#[test]
-fn every_word_has_the_pairs_of_the_induction() {
-    for length in 1..=9u32 {
-        for code in 0..3u32.pow(length) {
-            let word: Vec<u8> = (0..length).map(|k| (code / 3u32.pow(k) % 3) as u8).collect();
-            let count = |letter: u8| word.iter().filter(|&&l| l == letter).count();
-            let [a, m, c] = [0, 1, 2].map(count);
-            for reach in 1..length as usize {
-                let least: usize = (1..=a).map(|p| (1..=c).filter(|q| p + q + m <= reach + 1).count()).sum();
-                assert!(pairs(&word, reach) >= least, "{word:?} at reach {reach}");
-            }
-        }
-    }
-}
-
 /// That check of the example, at this size.
 fn holds(functions: usize, unions: usize, key: &str) {
     let outcome = example::outcome(&example::Options { functions, unions, ..Default::default() }).unwrap();
@@ -85,26 +63,6 @@ fn random_functions_of_each_family_lose_seminorm() {
 #[test]
 fn random_unions_are_no_worse_than_the_interval_at_the_end() {
     holds(1, if crate::MANY { 1010 } else { 100 }, "unions-gamma-e-gamma-0-theta");
-}
-
-#[test]
-fn dual_norms_and_points_have_their_worst_place_at_the_end() {
-    let tolerance = Tolerance::new(1e-6).unwrap();
-    for nu in [0.2, 0.5, 0.7, 0.9] {
-        let order = Order::new(nu).unwrap();
-        let zones = Zones::union(&[0.1..0.12, 0.5..0.55]).unwrap();
-        for condition in CONDITIONS {
-            let norm =
-                |zone| gamma(order, condition(zone), tolerance).unwrap().bounds().unwrap().dual_norm.value;
-            let end = norm(Zones::from_start_and_length(0.0, zones.length()).unwrap());
-            assert!(norm(zones.clone()) < end, "nu {nu}");
-        }
-        if nu > 0.5 {
-            let points = [0.0, 0.05, 0.2, 0.5]
-                .map(|a| gamma(order, Constraint::vanishing_at(a), tolerance).unwrap().constant.value);
-            assert!(points[1..].iter().all(|point| point < &points[0]), "nu {nu}: {points:?}");
-        }
-    }
 }
 
 #[test]

@@ -1,10 +1,9 @@
-//! Files and processes: places that cannot be written, a full disk, directories in place of files, two
-//! processes in one directory. Nothing half-written is ever read as whole.
+//! Files and processes: places that cannot be written, directories in place of files, a run that says it lives.
 
 use crate::program::program;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Output, Stdio};
+use std::process::{Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 /// An example that takes no time, and what it draws.
@@ -75,52 +74,6 @@ fn places_that_cannot_be_written_are_refused() {
     }
     assert_eq!(scratch.names(), ["directory".to_owned(), "file".to_owned()].into());
     assert_eq!(std::fs::read_to_string(scratch.at("file")).unwrap(), "kept");
-}
-
-#[cfg(unix)]
-#[test]
-fn a_full_disk_and_a_directory_in_place_of_a_figure_are_errors() {
-    let drawn = Scratch::new("drawn");
-    assert_eq!(run(&["--out", &drawn.at("")]).status.code(), Some(0));
-    assert!(!drawn.names().is_empty(), "{QUICK} draws something");
-    for name in drawn.names() {
-        let scratch = Scratch::new("blocked");
-        std::fs::create_dir(scratch.at(&name)).unwrap();
-        is_refused(&run(&["--out", &scratch.at("")]), &name);
-        if Path::new("/dev/full").exists() {
-            let scratch = Scratch::new("full");
-            std::os::unix::fs::symlink("/dev/full", scratch.at(&name)).unwrap();
-            is_refused(&run(&["--out", &scratch.at("")]), &name);
-        }
-    }
-    if Path::new("/dev/full").exists() {
-        is_refused(&run(&["--values", "/dev/full"]), "/dev/full");
-    }
-}
-
-#[test]
-fn several_processes_write_into_one_directory_and_leave_whole_files() {
-    let alone = Scratch::new("alone");
-    let write = |scratch: &Scratch| {
-        let arguments = ["--out", &scratch.at("")[..], "--values", &scratch.at("values.json")];
-        command(QUICK, &arguments).spawn().unwrap()
-    };
-    assert!(write(&alone).wait().unwrap().success());
-    let together = Scratch::new("together");
-    let mut processes: Vec<Child> = (0..8).map(|_| write(&together)).collect();
-    // Whenever the values can be read they are whole.
-    while processes.iter_mut().any(|process| process.try_wait().unwrap().is_none()) {
-        if let Ok(text) = std::fs::read_to_string(together.at("values.json")) {
-            serde_json::from_str::<serde_json::Value>(&text).unwrap_or_else(|e| panic!("{e}: {text}"));
-        }
-    }
-    assert!(processes.iter_mut().all(|process| process.wait().unwrap().success()));
-    assert_eq!(together.names(), alone.names());
-    for name in alone.names() {
-        let [one, other] = [&alone, &together].map(|scratch| std::fs::read(scratch.at(&name)).unwrap());
-        let is_same = one == other || name == "values.json" && one.len().abs_diff(other.len()) < 1000;
-        assert!(is_same, "{name}");
-    }
 }
 
 /// On a terminal, which `script` of util-linux is; nothing is asked of a machine without it.

@@ -127,26 +127,3 @@ fn arrows_between_rooms_point_downwards_and_in_no_circle() {
         assert_eq!(circle(found), Vec::<String>::new(), "{source}");
     }
 }
-
-#[test]
-fn the_reader_of_sources_sees_circles_and_arrows() {
-    let directory = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("rooms-{}", std::process::id()));
-    let put = |name: &str, text: &str| {
-        let path = directory.join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
-    };
-    put("lib.rs", "pub mod a;\npub mod b;\nmod c;\npub use c::{Three, four};\n");
-    put("a/one.rs", "use super::Two;\nuse super::super::c;\n// crate::nothing\n");
-    put("a/two.rs", "pub fn make() { crate::b::go(); }\n");
-    put("b.rs", "use crate::{c::{x, y}, four};\n#[cfg(test)]\nmod tests { use crate::a::One; }\n");
-    put("c.rs", "use std::fmt;\n");
-    let mut found = arrows(&directory);
-    let of = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<BTreeSet<_>>();
-    assert_eq!((&found["a"], &found["b"]), (&of(&["b", "c"]), &of(&["c"])));
-    assert!(upwards(&found, &["c", "b", "a"]).is_empty() && circle(found.clone()).is_empty());
-    assert_eq!(upwards(&found, &["c", "a", "b"]), ["a -> b"]);
-    found.get_mut("c").unwrap().insert("a".to_owned());
-    assert_eq!(circle(found), ["a", "b", "c"]);
-    std::fs::remove_dir_all(directory).unwrap();
-}

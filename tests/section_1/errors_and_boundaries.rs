@@ -34,15 +34,6 @@ fn the_limit_in_the_order_one_is_that_of_derivatives() {
 }
 
 #[test]
-fn other_orders_have_duality_alone() {
-    for nu in [0.2, 0.8] {
-        let nu = Order::new(nu).unwrap();
-        let found = polygons::outcome(&polygons::Options { nu, n: vec![4, 8] }).unwrap();
-        assert!(found.status() == Verdict::True && found.checks().len() == 1, "{}", found.text(false));
-    }
-}
-
-#[test]
 fn cosines_on_the_circle_agree_with_quadrature() {
     // 2 pi int (1 - cos k t) (2 sin t/2)^(-1-2nu), with t = pi v^m, m large enough for a smooth integrand.
     for (k, nu) in [(1, 0.1), (1, 0.5), (2, 0.3), (5, 0.7), (3, 0.9)] {

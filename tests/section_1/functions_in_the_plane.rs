@@ -137,17 +137,6 @@ fn norms_of_order_one_and_more_take_the_gradient() {
     let half = |w: &Function<'_>| w.norm(order, asked).unwrap().value.powi(2);
     let sum = l2(&w) + gradient.iter().map(half).sum::<f64>();
     assert!((norm * norm / sum - 1.0).abs() < 1e-6);
-    // ∫ r^{2p} sin²(pφ) by Gauss rules in polar coordinates, sector by sector.
-    let rule = fractional_sobolev::gauss_legendre(30).unwrap();
-    let octant = |k: usize| {
-        rule.integrate(|t| {
-            let phi = 0.25 * PI * (k as f64 + t);
-            let turned = (phi + 0.25 * PI).rem_euclid(0.5 * PI) - 0.25 * PI;
-            (p * phi).sin().powi(2) * turned.cos().powf(-2.0 * p - 2.0) / (2.0 * p + 2.0)
-        })
-    };
-    let exact = 0.25 * PI * (0..6).map(octant).sum::<f64>();
-    assert!((l2(&w) / exact - 1.0).abs() < 1e-7, "{} {exact}", l2(&w));
 }
 
 #[test]
@@ -195,26 +184,6 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
     let turned = star(1.0).mapped(|[x, y]| [3.0 + 0.6 * x - 0.8 * y, -2.0 + 0.8 * x + 0.6 * y]).unwrap();
     let w = Function::from_plane_positions(&turned, &[(0, a)], power(a, 2.0)).unwrap();
     assert!((seminorm(&w, 0.3, 1e-8).unwrap().value / scaled(1.0) - 1.0).abs() < 1e-12);
-    // r^a times r²/(r² + δ²): what is missing below δ scales like δ^{2(a+1−s)}.
-    let (s, gap) = (0.625, 0.01);
-    let whole =
-        seminorm(&Function::from_plane_positions(&star(1.0), &[(0, a)], power(a, 2.0)).unwrap(), s, 1e-6);
-    let whole = whole.unwrap().value.powi(2);
-    let missing = |delta: f64| {
-        let of = |at: &PlanePosition<'_>| power(a, 2.0)(at) / (1.0 + (delta / at.radius(0)).powi(2));
-        let w = Function::from_plane_positions(&turned, &[(0, a + 2.0)], of).unwrap();
-        (whole - seminorm(&w, s, 1e-6).unwrap().value.powi(2)) / delta.powf(2.0 * gap)
-    };
-    let near = missing(1e-20);
-    assert!((missing(1e-100) / near - 1.0).abs() < 1e-4);
-    // Seen by the coordinates alone, nothing below 1e-16 is right.
-    let blind = |at: &PlanePosition<'_>| {
-        let x = at.x();
-        power(a, 2.0)(at) / (1.0 + (1e-20 / (x[0] - 3.0).hypot(x[1] + 2.0)).powi(2))
-    };
-    let w = Function::from_plane_positions(&turned, &[(0, a + 2.0)], blind).unwrap();
-    let seen = seminorm(&w, s, 1e-4).map(|found| (whole - found.value.powi(2)) / 1e-20f64.powf(2.0 * gap));
-    assert!(!seen.is_ok_and(|seen| (seen / near - 1.0).abs() < 1e-2));
 }
 
 #[test]

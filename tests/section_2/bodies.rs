@@ -58,25 +58,6 @@ fn both_formats_of_gmsh_hold_the_same_body() {
 }
 
 #[test]
-fn clockwise_surfaces_are_turned_and_single_triangles_are_not() {
-    let text = |triangles: [&str; 2]| {
-        format!(
-            "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"contact\"\n1 2 \"clamped\"\n\
-             $EndPhysicalNames\n$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n$Elements\n6\n\
-             1 1 2 1 1 1 2\n2 1 2 2 2 2 3\n3 1 2 2 2 3 4\n4 1 2 2 2 4 1\n5 2 2 0 1 {}\n6 2 2 0 1 {}\n$EndElements\n",
-            triangles[0], triangles[1]
-        )
-    };
-    let good = parse_msh(&text(["1 2 3", "1 3 4"])).unwrap();
-    let turned = parse_msh(&text(["1 3 2", "1 4 3"])).unwrap();
-    assert_eq!(good.boundary(), turned.boundary());
-    let Err(Error::AtLine { cause, .. }) = parse_msh(&text(["1 2 3", "1 4 3"])) else {
-        panic!("is inverted")
-    };
-    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 1, .. })), "{cause}");
-}
-
-#[test]
 fn binary_files_are_refused_with_what_to_do() {
     let directory = std::env::temp_dir().join(format!("signorini-binary-{}", std::process::id()));
     std::fs::create_dir_all(&directory).unwrap();
@@ -220,23 +201,6 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         let error = outcome(&options).expect_err(why);
         assert!(error.contains(why) && !error.contains('\n'), "{error}");
     }
-}
-
-#[test]
-fn scalar_bodies_and_materials_have_their_effect() {
-    let force = |options: Options| {
-        let found = outcome(&Options { levels: 1, ..options }).unwrap();
-        assert_eq!(found.exit_code(), 0, "{}", found.text(false));
-        found.numbers("force")[0]
-    };
-    let load =
-        |load: &str, young: f64| Options { load: load.to_owned(), young: vec![young], ..Default::default() };
-    assert!(force(load("1 - x", 2.5)) > 0.0);
-    // Contact does not change when load and constants grow together; force does.
-    let (soft, hard) = (force(load("0.15, 0.2 - 0.3*x", 2.5)), force(load("15, 20 - 30*x", 250.0)));
-    assert!((hard / soft - 100.0).abs() < 1e-9, "{hard} {soft}");
-    let groove = Some(repository("examples/data/groove.msh"));
-    assert!(force(Options { mesh: groove, ..load("0, -0.5", 2.5) }) > 0.0);
 }
 
 #[test]

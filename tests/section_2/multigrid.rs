@@ -222,31 +222,6 @@ fn data_that_are_no_number_are_errors() {
     }
 }
 
-/// Digits that rounding does not leave: the answer says so, with an estimate of the error that is true.
-#[test]
-fn a_tolerance_out_of_reach_ends_with_a_word() {
-    for cone in Cone::ALL {
-        let problem = TestProblem::Leaning.problem(64).unwrap();
-        let found = multigrid(&problem, cone, None, 1e-15);
-        let exact = direct(&problem, cone);
-        assert_eq!(report(&found).fallback, Some(Fallback::NotReached), "{cone}: {:?}", found.status);
-        assert!(apart(&problem, &found, &exact) <= 1e-12 * problem.energy_norm(&exact.displacement).unwrap());
-    }
-}
-
-#[test]
-fn without_load_nothing_moves_and_huge_loads_do_no_harm() {
-    let mesh = unit_square(16, SideParts::HANGING).unwrap();
-    for (load, form) in [(0.0, Form::LAPLACE), (-1e140, Form::LAPLACE), (1e-140, Form::LAPLACE)] {
-        let values = vec![load; mesh.nodes().len()];
-        let problem = ContactProblem::new(mesh.clone(), form, &values).unwrap();
-        let found = multigrid(&problem, Cone::Nodal, None, 1e-10);
-        let exact = direct(&problem, Cone::Nodal);
-        assert_eq!(found.contact_set, exact.contact_set, "{load}");
-        assert!((found.energy - exact.energy).abs() <= 1e-10 * exact.energy.abs(), "{load}");
-    }
-}
-
 /// From nothing known: three linear systems on a level at most, every scene, and a corner beside which single
 /// segments touch by turns. Signs alone took five there, and the projection onto the cone sixty. Where
 /// elimination takes over there is one mesh, and four.

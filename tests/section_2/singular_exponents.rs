@@ -246,31 +246,6 @@ fn signs_of_contact_leave_three_halves() {
     assert!(said[0].1 == SignCondition::Signed && (tau - 1.5).abs() < DIGITS, "{said:?} {tau}");
 }
 
-/// C-C: λ = |kπ/ω ± 1|. Odd k is odd about the bisector, presses on one side and pulls on the other, and is
-/// out; even k is left. One closed side alone excludes no real exponent, and every complex one.
-#[test]
-fn closed_corners_keep_even_fields() {
-    for angle in [0.9, 1.3, 2.0, 2.6, 3.4, 4.0, 5.2, 5.9] {
-        let turns: Vec<(f64, bool)> = (-8..=8)
-            .flat_map(|k| [1.0, -1.0].map(|s| ((f64::from(k) * PI / angle + s).abs(), k % 2 == 0)))
-            .collect();
-        let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, SideCondition::Closed));
-        for exponent in wedge.exponents().unwrap().exponents.iter().filter(|e| !e.is_polynomial()) {
-            let same = |turn: &&(f64, bool)| (turn.0 - exponent.re.value).abs() < 1e-9;
-            let is_even = turns.iter().filter(same).any(|turn| turn.1);
-            let expected = if is_even { SignCondition::Signed } else { SignCondition::Excluded };
-            assert_eq!(wedge.sign_condition(exponent), expected, "{angle}: {exponent:?}");
-        }
-        for other in [SideCondition::Free, SideCondition::Clamped] {
-            let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, other));
-            for exponent in wedge.exponents().unwrap().exponents {
-                let is_out = wedge.sign_condition(&exponent) == SignCondition::Excluded;
-                assert!(is_out == exponent.is_complex(), "{angle} {other:?}: {exponent:?}");
-            }
-        }
-    }
-}
-
 /// Contact decides: the same polygon, open or closed at its clamped corner, has two exponents, and squares do
 /// not see which one it is where the gap is small.
 /// Sides at the corner responsible, distance of what is read from its exponent over the uncertainty, the latter, border.

@@ -2,16 +2,10 @@
 
 use crate::common::SplitMix;
 use faer::Mat;
-use signorini::Error;
-use signorini::ToolkitError;
 use signorini::cone::{Cone, Ends};
 use signorini::fem::Lame;
 use signorini::problems::StripData;
 use signorini::strip::{EdgeData, EdgeOperator, LateralCondition, Reference, Strip, StripKind, StripProblem};
-
-#[path = "../../examples/section_2_strip.rs"]
-#[allow(dead_code)]
-mod example;
 
 /// KKT figures of a solution that counts as solved.
 const KKT: f64 = 1e-10;
@@ -80,20 +74,6 @@ fn random_loads_have_the_energy_of_the_dense_solver() {
     }
 }
 
-#[test]
-fn random_loads_are_solved_on_the_ring() {
-    let mut random = SplitMix::new(256);
-    let strip = Strip::elastic(256, 256, Lame::new(1.0, 1.0).unwrap()).unwrap();
-    for _ in 0..200 {
-        let force = random_load(&mut random, 256);
-        for cone in Cone::ALL {
-            let solution = solve(strip.operator(), force.clone(), cone);
-            assert!(solution.status.is_converged(), "{cone}: {}", solution.status);
-            assert!(solution.kkt.worst() < KKT, "{cone}: {:?}", solution.kkt);
-        }
-    }
-}
-
 fn smoothed(raw: &[f64], mean: f64, times: usize) -> Vec<f64> {
     let n = raw.len();
     let mut force = raw.to_vec();
@@ -102,26 +82,6 @@ fn smoothed(raw: &[f64], mean: f64, times: usize) -> Vec<f64> {
             (0..n).map(|i| 0.25 * (force[(i + n - 1) % n] + 2.0 * force[i] + force[(i + 1) % n])).collect();
     }
     force.iter().map(|f| f + mean).collect()
-}
-
-#[test]
-fn scaling_the_load_scales_the_answer() {
-    let strip = Strip::scalar(64, 64).unwrap();
-    let force: Vec<f64> = (0..65).map(|i| (0.2 * i as f64).cos() + 0.1).collect();
-    for cone in Cone::ALL {
-        let one = solve(strip.operator(), force.clone(), cone);
-        for scale in [1e-150, 1e150] {
-            let other = solve(strip.operator(), force.iter().map(|f| f * scale).collect(), cone);
-            assert_eq!(one.contact, other.contact);
-            let size = one.values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-            for (a, b) in one.values.iter().zip(&other.values) {
-                assert!((a - b / scale).abs() <= 1e-12 * size);
-            }
-        }
-        let huge: Vec<f64> = force.iter().map(|f| f * 1e300).collect();
-        let refused = strip.operator().solve_contact(&huge, cone, None, SOLVED);
-        assert!(matches!(refused, Err(Error::Toolkit(ToolkitError::NotFinite { name: "energy", .. }))));
-    }
 }
 
 #[test]
@@ -161,27 +121,26 @@ fn bad_scenes_are_named() {
     for tau in [1.5, 2.6, f64::NAN, -1.0] {
         refused(build(transition.clone(), tau), "tau");
     }
-    refused(build(StripData::Cantor { ratio: 0.3, depth: 3 }, 2.1), "tau");
-    refused(build(transition.clone(), 2.1), "tau");
-    refused(build(StripData::FatCantor { depth: 5 }, 2.0), "fat Cantor");
-    refused(build(StripData::FatCantor { depth: 0 }, 1.75), "depth");
-    refused(build(StripData::Cantor { ratio: 0.5, depth: 3 }, 1.75), "ratio");
-    refused(build(StripData::Transition { position: 1.0 }, 1.75), "position");
-    refused(build(StripData::Transitions { gaps: 64 }, 1.75), "gaps");
-    refused(EdgeData::new(2, LateralCondition::Natural, vec![-1.0; 3], vec![0.0; 3]), "empty");
-    refused(
-        EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], vec![0.0, 1.0, 0.0]),
-        "both nonzero",
-    );
-    refused(EdgeData::new(2, LateralCondition::Natural, vec![0.0, 1.0, 0.0], vec![0.0; 3]), "u_N");
-    refused(
-        EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], vec![-1.0, 0.0, 0.0]),
-        "lambda",
-    );
-    refused(
-        EdgeData::new(2, LateralCondition::Natural, vec![0.0, f64::NAN, 0.0], vec![0.0; 3]),
-        "not finite",
-    );
+    for (scene, tau, words) in [
+        (StripData::Cantor { ratio: 0.3, depth: 3 }, 2.1, "tau"),
+        (transition, 2.1, "tau"),
+        (StripData::FatCantor { depth: 5 }, 2.0, "fat Cantor"),
+        (StripData::FatCantor { depth: 0 }, 1.75, "depth"),
+        (StripData::Cantor { ratio: 0.5, depth: 3 }, 1.75, "ratio"),
+        (StripData::Transition { position: 1.0 }, 1.75, "position"),
+        (StripData::Transitions { gaps: 64 }, 1.75, "gaps"),
+    ] {
+        refused(build(scene, tau), words);
+    }
+    for (values, forces, words) in [
+        ([-1.0; 3], [0.0; 3], "empty"),
+        ([0.0, -1.0, 0.0], [0.0, 1.0, 0.0], "both nonzero"),
+        ([0.0, 1.0, 0.0], [0.0; 3], "u_N"),
+        ([0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], "lambda"),
+        ([0.0, f64::NAN, 0.0], [0.0; 3], "not finite"),
+    ] {
+        refused(EdgeData::new(2, LateralCondition::Natural, values.to_vec(), forces.to_vec()), words);
+    }
     refused(EdgeData::new(4, LateralCondition::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
     let odd = EdgeData::new(6, LateralCondition::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
     let scalar = |data| StripProblem::new(StripKind::Scalar, data, Reference::Nested, 2);
@@ -208,59 +167,4 @@ fn samples_are_read_or_refused_by_line() {
     refused(EdgeData::from_samples("", LateralCondition::Periodic), "lines of samples");
     refused(EdgeData::from_samples("0 1\n-1 1\n0 0\n", LateralCondition::Natural), "both nonzero");
     refused(EdgeData::from_samples("0 inf\n0 0\n0 0\n", LateralCondition::Natural), "not finite");
-}
-
-fn run(
-    problem: &str,
-    tau: f64,
-    kind: StripKind,
-    cone: Cone,
-) -> example_report::Result<example_report::Outcome> {
-    let problem = vec![problem.parse()?];
-    example::outcome(&example::Options { problem, tau, finest: 9, cone, kind })
-}
-
-#[test]
-fn example_runs_and_refuses() {
-    use StripKind::{Elastic, Scalar};
-    for (problem, tau, kind, cone) in [
-        ("transitions:1", 1.75, Elastic, Cone::Midpoint),
-        ("cantor", 1.75, Scalar, Cone::Nodal),
-        ("fat-cantor:6", 1.75, Elastic, Cone::Nodal),
-        ("transitions:2", 2.0, Scalar, Cone::Midpoint),
-        ("transition:0.3", 1.6, Scalar, Cone::Nodal),
-    ] {
-        let found = run(problem, tau, kind, cone).unwrap();
-        let text = found.text(false);
-        for key in ["largest-scaled-kkt-residual", "inner-iterations-of-a-step"] {
-            assert_eq!(found.check(key).unwrap().decision(), example_report::Decision::Holds, "{text}");
-        }
-        assert!(found.numbers("error").windows(2).all(|pair| pair[1] > 0.0 && pair[1] < pair[0]), "{text}");
-    }
-    for count in ["0", "100000000", "4611686018427387904", "18446744073709551615"] {
-        refused(run(&format!("transitions:{count}"), 1.75, Scalar, Cone::Nodal), "gaps");
-    }
-    for problem in ["cantor:0.3:65", "cantor:0.3:18446744073709551615", "fat-cantor:65", "fat-cantor:0"] {
-        refused(run(problem, 1.75, Scalar, Cone::Nodal), "depth");
-    }
-    // Sets whose gaps have no node on the grid: nothing to converge to, no order that is not a number.
-    refused(run("cantor:0.499999999", 1.75, Scalar, Cone::Nodal), "gaps");
-    refused(run("fat-cantor", 1.9999, Scalar, Cone::Nodal), "gaps");
-    refused(run("samples:/nowhere/at-all", 1.75, Scalar, Cone::Nodal), "/nowhere/at-all");
-    assert!("samples:".parse::<StripData>().is_err());
-}
-
-#[test]
-fn samples_run_without_a_regularity() {
-    let path = std::env::temp_dir().join(format!("signorini-samples-{}", std::process::id()));
-    let rows: String = (0..=512)
-        .map(|i| if i < 200 { "0 1\n".to_owned() } else { format!("{} 0\n", -(f64::from(i - 199) / 512.0)) })
-        .collect();
-    std::fs::write(&path, rows).unwrap();
-    let problem = format!("samples:{}", path.display());
-    let found = run(&problem, 1.75, StripKind::Scalar, Cone::Nodal).unwrap();
-    assert!(found.checks().iter().all(|check| !check.claim().contains("order")), "{}", found.text(false));
-    std::fs::write(&path, "0 0\n".repeat(33)).unwrap();
-    refused(run(&problem, 1.75, StripKind::Scalar, Cone::Nodal), "");
-    std::fs::remove_file(&path).unwrap();
 }

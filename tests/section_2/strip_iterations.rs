@@ -41,17 +41,3 @@ fn inner_iterations_are_bounded_over_levels_gap_counts_cones_and_kinds() {
         }
     }
 }
-
-#[test]
-fn a_fat_cantor_set_of_over_thirty_thousand_gaps_needs_no_more() {
-    // The set lives on 2^22 cells; levels to 2^16 resolve the gaps of two of their cells or more.
-    let data = StripData::FatCantor { depth: 15 }.data(1.55, 1 << 22, LateralCondition::Natural).unwrap();
-    assert!(data.gaps() > 30_000, "{}", data.gaps());
-    let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8).unwrap();
-    for cone in Cone::ALL {
-        let levels = strip_levels(&problem, (3, 16), cone).unwrap();
-        let most = worst("fat Cantor", &levels);
-        assert!(most <= BOUND, "{cone}: {most}");
-        assert!(levels[levels.len() - 1].contact.runs().len() > 1000);
-    }
-}

@@ -35,18 +35,6 @@ fn every_segment_of_the_block_is_in_a_case() {
     }
 }
 
-#[test]
-fn a_body_without_contact_carries_nothing() {
-    let options = figure_3_2_alternative::Options {
-        problem: NamedProblem::Mesh(TestProblem::Free),
-        n: vec![4, 8],
-        ..Default::default()
-    };
-    let outcome = figure_3_2_alternative::outcome(&options).unwrap();
-    assert_eq!([outcome.value("integral.n8"), outcome.value("carried_by.n8")], [Some(0.0); 2]);
-    assert_eq!(outcome.value("second.n8"), Some(8.0));
-}
-
 /// Contact, with a force, at the nodes i/64 that touch.
 fn trace(touches: impl Fn(usize) -> bool) -> EdgeTrace {
     let nodes = (0..=64).map(|i| i as f64 / 64.0).collect();
@@ -108,17 +96,6 @@ fn every_segment_of_a_strip_problem_is_in_a_case() {
                 }
             }
         }
-    }
-}
-
-#[test]
-fn a_smaller_theta_moves_segments_out_of_the_first_case_and_into_the_second() {
-    let trace = EdgeTrace::reference(&"fat-cantor".parse().unwrap(), 128, 1.75).unwrap();
-    let count =
-        |theta: f64, case: usize| classified(&trace, 128, theta).iter().filter(|found| found[case]).count();
-    for k in 1..12 {
-        let (large, small) = (0.5f64.powi(k), 0.5f64.powi(k + 1));
-        assert!(count(large, 0) >= count(small, 0) && count(large, 1) <= count(small, 1));
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::program::outcome;
 use signorini::Result;
 use signorini::cone::Cone;
-use signorini::edge::{EdgeTrace, Interval, consistency_terms, midpoint_term, nodal_term};
+use signorini::edge::consistency_terms;
 use signorini::problems::{StripData, TransitionPowers};
 use signorini::rates::{Bound, ConvergenceOrder};
 use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
@@ -104,30 +104,5 @@ fn corners_have_the_order_of_their_opening() {
             let order = found["values"][format!("order.problemcorner.tau{tau}")].as_f64().unwrap();
             assert!((order - (tau - 1.0)).abs() < 0.05, "{cone} {tau}: {order}");
         }
-    }
-}
-
-/// The term summed over segments of the trace and the one by halving grids: sums of a thousand positive
-/// numbers.
-const SUM: f64 = 1e-12;
-
-#[test]
-fn the_consistency_term_is_that_of_two_computations() {
-    let cells = 1 << 10;
-    let scene = StripData::Transitions { gaps: 3 }.data(1.75, cells, LateralCondition::Natural).unwrap();
-    let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
-    let trace = EdgeTrace::new(nodes, scene.values().to_vec(), scene.forces().to_vec(), 0.0).unwrap();
-    let terms =
-        Cone::ALL.map(|cone| consistency_terms(&scene, cone).into_iter().map(move |term| (cone, term)));
-    for (cone, (segments, term)) in terms.into_iter().flatten() {
-        let h = 1.0 / segments as f64;
-        let sum: f64 = (0..segments)
-            .map(|k| Interval { start: k as f64 * h, end: (k + 1) as f64 * h })
-            .map(|segment| match cone {
-                Cone::Nodal => nodal_term(&trace, segment),
-                Cone::Midpoint => midpoint_term(&trace, segment),
-            })
-            .sum();
-        assert!((sum - term).abs() <= SUM * sum, "{cone}, {segments} segments: {sum} {term}");
     }
 }

@@ -1,8 +1,7 @@
 //! Theorem 3.1, its proof: (3.3)-(3.15) on computed pairs, each side by itself, and the bounds one after the other.
 
-use crate::figure_3_2::figure_3_2_alternative::cases;
 use crate::proof_cases::{Proof, pair, printed_theta};
-use signorini::edge::{ContactPair, EdgeTrace, Interval, Traces};
+use signorini::edge::{ContactPair, Traces};
 use signorini::problems::StripData;
 use signorini::proof::ProofConstants;
 use signorini::strip::{EdgeData, LateralCondition};
@@ -48,31 +47,6 @@ fn the_corrected_law_gives_the_square_root_of_the_logarithm() {
     for quotient in &quotients {
         let apart = [0, 1].map(|column| quotient[column] / quotients[0][column]);
         assert!(apart.iter().all(|ratio| (0.5..2.0).contains(ratio)), "{quotients:?}");
-    }
-}
-
-#[test]
-fn cases_of_pairs_are_those_of_traces() {
-    for (source, tau) in
-        [("transition:0.3", 1.75), ("transitions:7", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 1.9)]
-    {
-        let scene =
-            source.parse::<StripData>().unwrap().data(tau, 1 << 12, LateralCondition::Natural).unwrap();
-        let trace = EdgeTrace::of_data(&scene).unwrap();
-        let pair = ContactPair::of_data(&scene, Traces::Constants).unwrap();
-        let n = 64;
-        let all = pair.norms(n, 0.2, 2.0).unwrap();
-        for theta in [0.4, 0.11, 0.03] {
-            for (i, norms) in all.iter().enumerate() {
-                let reach = norms.length * theta;
-                let first = norms.zero_distance.is_some_and(|d| d.iter().all(|&d| d < reach));
-                let interval = Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
-                let ([found, _], _) = cases(&trace, interval, theta);
-                assert_eq!(found, first, "{source} theta {theta} segment {i}");
-                assert!(first || norms.free_length >= reach, "{source} theta {theta} segment {i}");
-                assert!(norms.nodal_term >= 0.0 && norms.midpoint_term >= -1e-12 * norms.force * norms.depth);
-            }
-        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A solution of the library beside the one of all contact sets.
 
 use super::program::{Answer, Program, value};
-use super::scene::{Scene, times_power};
+use super::scene::Scene;
 use qd::Quad as Double;
 use signorini::contact::{ContactSolution, Solver};
 
@@ -46,15 +46,8 @@ pub fn compare(
     if !solution.status.is_converged() {
         return Ok(false);
     }
-    let unscaled =
-        |values: &[f64], unit: i32| -> Vec<f64> { values.iter().map(|&v| times_power(v, -unit)).collect() };
-    let u = unscaled(&solution.displacement, scene.displacement_unit());
-    let multiplier = unscaled(&solution.multiplier, scene.force_unit());
-    // The least numbers of binary64 in the units of the scene, as displacements and as forces.
-    let [least_length, least_force] = [scene.displacement_unit(), scene.force_unit()]
-        .map(|unit| times_power(f64::from_bits(answer.displacement.len() as u64), -unit));
-    let least = [4.0 * least_length, program.force_of(least_length) + least_force];
-    conditions(program, &u, &multiplier, least)?;
+    let (u, multiplier) = (&solution.displacement, &solution.multiplier);
+    conditions(program, u, multiplier)?;
     if is_hard(program) {
         return Ok(true);
     }
@@ -66,14 +59,14 @@ pub fn compare(
         Solver::ActiveSet => 0.0,
         // What balance it says it left, relative to its force scale.
         _ => {
-            let left = solution.kkt.balance * times_power(solution.force_scale, -scene.force_unit());
+            let left = solution.kkt.balance * solution.force_scale;
             ITERATED * energy_norm + program.energy_of_residual(left)
         }
     };
-    let spread = by * answer.spread + iterated + program.energy_of(least_length, least_force);
+    let spread = by * answer.spread + iterated;
     let local = |k: usize| {
         let [u, f] = program.locally(k);
-        [spread * u + least_length, by * answer.sizes[k] + spread * f + least_force]
+        [spread * u, by * answer.sizes[k] + spread * f]
     };
     let within = |what: &str, found: f64, exact: f64, tolerance: f64| {
         let off = (found - exact).abs();
@@ -96,13 +89,9 @@ pub fn compare(
             within(&what, value(found[k]), value(exact[k]), local(k)[1])?;
         }
     }
-    let energy = times_power(times_power(solution.energy, -scene.displacement_unit()), -scene.force_unit());
-    // J ~ u F may be below the least number where u and F are not.
-    let terms = answer.displacement.len() as f64;
-    let least = times_power(terms * least_force, -scene.displacement_unit());
     // Where contact is not closed exactly, forces do work.
     let work: f64 = (0..found.len()).map(|k| exact[k].0.abs() * local(k)[0]).sum();
-    within("energy", energy, answer.energy, by * answer.energy_size + spread * spread + work + least)?;
+    within("energy", solution.energy, answer.energy, by * answer.energy_size + spread * spread + work)?;
     same_set(scene, program, answer, solution, &local)?;
     Ok(true)
 }
@@ -153,12 +142,10 @@ pub fn is_hard(program: &Program) -> bool {
 }
 
 /// Balance, sign, gap, complementarity by the matrix of the test.
-fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: [f64; 2]) -> Result<(), String> {
+fn conditions(program: &Program, u: &[f64], multiplier: &[f64]) -> Result<(), String> {
     let (residual, sizes) = program.residual(u, multiplier);
     let force = largest(sizes);
-    // What is below the least numbers of binary64 is no gap.
-    let closed = |gap: f64| gap.signum() * (gap.abs() - least[0]).max(0.0);
-    let gaps: Vec<f64> = program.gaps(u).into_iter().map(closed).collect();
+    let gaps = program.gaps(u);
     let length = largest(u.iter().copied()).max(largest(program.bounds())).max(program.alone());
     let most = largest(multiplier.iter().copied());
     let contact = if most > 1e-13 * force { most } else { force };
@@ -166,7 +153,7 @@ fn conditions(program: &Program, u: &[f64], multiplier: &[f64], least: [f64; 2])
     let products =
         (0..gaps.len()).map(|i| ratio(multiplier[i].abs(), contact) * ratio(gaps[i].abs(), length));
     for (name, figure) in [
-        ("balance", ratio((largest(residual) - least[1]).max(0.0), force)),
+        ("balance", ratio(largest(residual), force)),
         ("sign", ratio(multiplier.iter().map(|&l| -l).fold(0.0, f64::max), contact)),
         ("gap", ratio(gaps.iter().copied().fold(0.0, f64::max), length)),
         ("complementarity", largest(products)),

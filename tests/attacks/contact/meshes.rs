@@ -1,8 +1,8 @@
-//! Random meshes: jittered, graded and slanted grids, polygons cut from a point inside, rings.
+//! Random meshes: jittered, graded and slanted grids.
 
 use super::scene::decades;
 use crate::common::SplitMix;
-use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
+use signorini::mesh::{BoundaryEdge, Part, Point};
 
 /// Most constraints of a scene.
 const MOST: usize = 12;
@@ -130,92 +130,6 @@ pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
             (random.below(count), if all { count } else { 1 + random.below(most) })
         };
         mesh.label(random, &around, first, contact);
-        mesh.slanted(random);
-        if mesh.is_sound() {
-            return mesh;
-        }
-    }
-}
-
-/// A polygon cut from a point inside, halved up to two times; with the mesh before that.
-pub fn fan(random: &mut SplitMix, is_elastic: bool) -> (Mesh, Option<(Mesh, usize)>) {
-    loop {
-        let corners = 3 + random.below(5);
-        let mut mesh = Mesh::default();
-        for k in 0..corners {
-            let angle = (k as f64 + random.between(-0.35, 0.35)) * std::f64::consts::TAU / corners as f64;
-            let radius = random.between(0.4, 1.6);
-            mesh.nodes.push([radius * angle.cos(), radius * angle.sin()]);
-        }
-        mesh.nodes.push([0.0, 0.0]);
-        mesh.triangles = (0..corners).map(|k| [k, (k + 1) % corners, corners]).collect();
-        let around: Vec<usize> = (0..corners).collect();
-        let contact = if is_elastic { 1 } else { 1 + random.below(corners - 1) };
-        let first = random.below(corners);
-        mesh.label(random, &around, first, contact);
-        mesh.slanted(random);
-        let most = if corners <= 4 && contact == 1 { 3 } else { 2 };
-        let times = random.below(most);
-        if !mesh.is_sound() || contact << times >= MOST {
-            continue;
-        }
-        if times == 0 {
-            return (mesh, None);
-        }
-        let fine = halved(&mesh, times);
-        if fine.is_sound() {
-            return (fine, Some((mesh, times)));
-        }
-    }
-}
-
-/// The mesh of the library, whose nodes, triangles and labels are taken as they are.
-fn halved(mesh: &Mesh, times: usize) -> Mesh {
-    let coarse =
-        Triangulation::new(mesh.nodes.clone(), mesh.triangles.clone(), mesh.boundary.clone()).unwrap();
-    let made = Hierarchy::refined(coarse, times).unwrap().finest().clone();
-    let touching: Vec<[usize; 2]> =
-        made.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
-    let mut chain = vec![mesh.chain[0]];
-    while let Some(edge) = touching.iter().find(|edge| edge[0] == chain[chain.len() - 1]) {
-        chain.push(edge[1]);
-    }
-    Mesh {
-        nodes: made.nodes().to_vec(),
-        triangles: made.triangles().to_vec(),
-        boundary: made.boundary().to_vec(),
-        regions: Vec::new(),
-        chain,
-        is_closed: false,
-    }
-}
-
-/// A ring between two polygons that touches with all of its inner side, or with a part of it.
-pub fn annulus(random: &mut SplitMix) -> Mesh {
-    loop {
-        let corners = 3 + random.below(8);
-        let mut mesh = Mesh::default();
-        for ring in 0..2 {
-            for k in 0..corners {
-                let angle = (k as f64 + random.between(-0.2, 0.2)) * std::f64::consts::TAU / corners as f64;
-                let radius = if ring == 0 { random.between(0.4, 0.6) } else { random.between(1.4, 2.0) };
-                mesh.nodes.push([radius * angle.cos(), radius * angle.sin()]);
-            }
-        }
-        for k in 0..corners {
-            let next = (k + 1) % corners;
-            let [a, b, c, d] = [k, corners + k, corners + next, next];
-            mesh.triangles.extend([[a, b, c], [a, c, d]]);
-        }
-        // The domain lies outside the inner polygon.
-        let inner: Vec<usize> = (0..corners).rev().collect();
-        let contact = if random.below(3) == 0 { 1 + random.below(corners) } else { corners };
-        let first = random.below(corners);
-        mesh.label(random, &inner, first, contact);
-        for k in 0..corners {
-            let part = if random.below(3) == 0 || k == 0 { Part::Dirichlet } else { Part::Neumann };
-            mesh.boundary.push(BoundaryEdge { nodes: [corners + k, corners + (k + 1) % corners], part });
-        }
         mesh.slanted(random);
         if mesh.is_sound() {
             return mesh;

@@ -252,19 +252,6 @@ impl Program {
         [self.absolute[k][k].sqrt(), self.roots[self.free[k]]]
     }
 
-    /// At most what displacements and forces off by so much at every unknown are in the energy norm.
-    pub fn energy_of(&self, length: f64, force: f64) -> f64 {
-        let stiff: f64 = self.roots.iter().sum();
-        let soft: f64 = (0..self.free.len()).map(|k| self.locally(k)[0]).sum();
-        stiff * length + soft * force
-    }
-
-    /// At most the force of displacements off by so much.
-    pub fn force_of(&self, length: f64) -> f64 {
-        let largest = self.roots.iter().copied().fold(0.0, f64::max);
-        largest * self.roots.iter().sum::<f64>() * length
-    }
-
     /// At most what forces off by so much at every free unknown are in the energy norm.
     pub fn energy_of_residual(&self, force: f64) -> f64 {
         force * self.absolute.iter().flatten().sum::<f64>().sqrt()

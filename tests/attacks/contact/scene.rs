@@ -1,13 +1,12 @@
 //! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
 
-use super::meshes::{Mesh, annulus, fan, grid};
+use super::meshes::{Mesh, grid};
 use crate::common::SplitMix;
+use signorini::Result;
 use signorini::contact::ContactProblem;
 use signorini::fem::{Field, Form, Lame};
-use signorini::mesh::{BoundaryEdge, Hierarchy, Part, Point, Triangulation};
-use signorini::{Error, Result};
+use signorini::mesh::{BoundaryEdge, Part, Point, Triangulation};
 
-/// The material, before it is scaled.
 #[derive(Debug, Clone)]
 pub enum Material {
     /// −Δu + c u.
@@ -16,8 +15,7 @@ pub enum Material {
     Elastic { moduli: Vec<[f64; 2]>, is_stress: bool },
 }
 
-/// Data of order one; the units of loads, stiffness and lengths are powers of two beside them, so that
-/// nothing is rounded by them.
+/// Data of order one.
 #[derive(Debug, Clone)]
 pub struct Scene {
     pub mesh: Mesh,
@@ -30,10 +28,6 @@ pub struct Scene {
     pub dirichlet: [[f64; 3]; 2],
     /// At the nodes of the contact edge, in order.
     pub gap: Vec<f64>,
-    /// Exponents of the units of force per area, of stiffness, of length.
-    pub units: [i32; 3],
-    /// For multigrid: the mesh before it was refined so many times.
-    pub coarse: Option<(Mesh, usize)>,
 }
 
 /// 10^x, x evenly.
@@ -44,17 +38,9 @@ pub fn decades(random: &mut SplitMix, low: f64, high: f64) -> f64 {
 impl Scene {
     pub fn random(seed: u64) -> Self {
         let random = &mut SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(17));
-        let mut is_elastic = random.below(2) == 0;
-        let kind = random.below(10);
-        let (mut mesh, coarse) = match kind {
-            0..5 => (grid(random, is_elastic), None),
-            5..9 => fan(random, is_elastic),
-            _ => {
-                is_elastic = false;
-                (annulus(random), None)
-            }
-        };
-        if random.below(4) == 0 && coarse.is_none() {
+        let is_elastic = random.below(2) == 0;
+        let mut mesh = grid(random, is_elastic);
+        if random.below(4) == 0 {
             mesh.regions = (0..mesh.triangles.len()).map(|_| random.below(2) as u32).collect();
         }
         let is_held = mesh.boundary.iter().any(|edge| edge.part == Part::Dirichlet);
@@ -91,13 +77,17 @@ impl Scene {
         }
         if random.below(40) == 0 {
             // Nothing pushes: every constraint touches without force, or has room.
-            let volume = vec![0.0; unknowns];
-            let forces = vec![0.0; unknowns];
-            let units = [0; 3];
-            return Self { mesh, material, volume, forces, dirichlet: [[0.0; 3]; 2], gap, units, coarse };
+            let zero = vec![0.0; unknowns];
+            return Self {
+                mesh,
+                material,
+                volume: zero.clone(),
+                forces: zero,
+                dirichlet: [[0.0; 3]; 2],
+                gap,
+            };
         }
-        let units = units(random, is_elastic);
-        Self { mesh, material, volume, forces, dirichlet, gap, units, coarse }
+        Self { mesh, material, volume, forces, dirichlet, gap }
     }
 
     pub fn components(&self) -> usize {
@@ -107,24 +97,11 @@ impl Scene {
         }
     }
 
-    /// Exponent of the unit of displacement.
-    pub fn displacement_unit(&self) -> i32 {
-        self.units[0] + 2 * self.units[2] - self.units[1]
-    }
-
-    /// Exponent of the unit of force.
-    pub fn force_unit(&self) -> i32 {
-        self.units[0] + 2 * self.units[2]
-    }
-
     fn form(&self) -> Result<Form> {
         match &self.material {
-            Material::Scalar { reaction } => {
-                Ok(Form::Scalar { reaction: times_power(*reaction, -2 * self.units[2]) })
-            }
+            Material::Scalar { reaction } => Ok(Form::Scalar { reaction: *reaction }),
             Material::Elastic { moduli, is_stress } => {
                 let lame = |&[young, poisson]: &[f64; 2]| {
-                    let young = times_power(young, self.units[1]);
                     if *is_stress {
                         Lame::plane_stress(young, poisson)
                     } else {
@@ -136,36 +113,20 @@ impl Scene {
         }
     }
 
-    fn triangulation(&self, mesh: &Mesh) -> Result<Triangulation> {
-        let place = |point: &Point| point.map(|x| times_power(x, self.units[2]));
-        let nodes = mesh.nodes.iter().map(place).collect();
-        let made = Triangulation::new(nodes, mesh.triangles.clone(), mesh.boundary.clone())?;
-        if mesh.regions.is_empty() { Ok(made) } else { made.with_regions(mesh.regions.clone()) }
-    }
-
     /// The problem of the library.
     pub fn problem(&self) -> Result<ContactProblem> {
-        let [pressure, _, length] = self.units;
-        let scaled = |values: &[f64], unit: i32| -> Vec<f64> {
-            values.iter().map(|&v| times_power(v, unit)).collect()
-        };
-        let volume = scaled(&self.volume, pressure);
-        let mut problem = ContactProblem::new(self.triangulation(&self.mesh)?, self.form()?, &volume)?;
-        if problem.edge().nodes() != self.mesh.chain {
-            return Err(Error::Solver {
-                reason: format!("chain {:?} {:?}", problem.edge().nodes(), self.mesh.chain),
-            });
-        }
-        problem.add_load(&scaled(&self.forces, self.force_unit()))?;
-        let unit = self.displacement_unit();
-        let at = |k: usize, [x, y]: Point| {
-            times_power(self.prescribed(k, [x, y].map(|x| times_power(x, -length))), unit)
-        };
+        let Mesh { nodes, triangles, boundary, regions, .. } = self.mesh.clone();
+        let made = Triangulation::new(nodes, triangles, boundary)?;
+        let made = if regions.is_empty() { made } else { made.with_regions(regions)? };
+        let mut problem = ContactProblem::new(made, self.form()?, &self.volume)?;
+        assert_eq!(problem.edge().nodes(), self.mesh.chain);
+        problem.add_load(&self.forces)?;
+        let at = |k: usize, point: Point| self.prescribed(k, point);
         match self.components() {
             1 => problem.set_dirichlet(&Field::Scalar(&|point| at(0, point)))?,
             _ => problem.set_dirichlet(&Field::Vector(&|point| [at(0, point), at(1, point)]))?,
         }
-        let mut gap = scaled(&self.gap, unit).into_iter();
+        let mut gap = self.gap.iter().copied();
         problem.set_gap(|_| gap.next().unwrap_or(f64::NAN))?;
         Ok(problem)
     }
@@ -175,18 +136,6 @@ impl Scene {
         let [a, b, c] = self.dirichlet[component];
         a + b * x + c * y
     }
-
-    /// The meshes of the library behind the mesh, for multigrid.
-    pub fn hierarchy(&self) -> Option<Result<Hierarchy>> {
-        let (coarse, times) = self.coarse.as_ref()?;
-        Some(self.triangulation(coarse).and_then(|mesh| Hierarchy::refined(mesh, *times)))
-    }
-}
-
-/// `value` 2^`exponent`, in two steps, so that the power itself does not leave the range.
-pub fn times_power(value: f64, exponent: i32) -> f64 {
-    let half = exponent / 2;
-    value * 2f64.powi(half) * 2f64.powi(exponent - half)
 }
 
 /// Opens gaps that prescribed values close.
@@ -228,20 +177,4 @@ fn elastic(random: &mut SplitMix) -> Material {
         [decades(random, -2.0, 2.0), poisson]
     };
     Material::Elastic { moduli: vec![moduli(), moduli()], is_stress }
-}
-
-/// Loads of 1e±300, then stiffness and lengths, too.
-fn units(random: &mut SplitMix, is_elastic: bool) -> [i32; 3] {
-    let mut exponent = |most: i32| random.below(2 * most as usize + 1) as i32 - most;
-    match exponent(5) {
-        -5 => [1000, 0, 0],
-        -4 => [-1000, 0, 0],
-        -3 => [exponent(1000), 0, 0],
-        -2 => [exponent(200), if is_elastic { exponent(200) } else { 0 }, exponent(100)],
-        -1 => {
-            let length = exponent(490);
-            [-2 * length, 0, length]
-        }
-        _ => [0; 3],
-    }
 }

@@ -62,21 +62,6 @@ fn a_declared_corner_is_finite_below_its_order() -> Result<()> {
 }
 
 #[test]
-fn formulas_on_a_square_with_their_gradient() -> Result<()> {
-    let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
-    let on_square = |f: fn(f64) -> f64| {
-        Function::from_plane_positions(&Triangles::grid([1, 1], 1.0)?, &[], move |at| f(at.x()[0]))
-    };
-    let (x, one, zero) = (on_square(|x| x)?, on_square(|_| 1.0)?, on_square(|_| 0.0)?);
-    let (l2, full) = (x.norm(0.0, asked)?.value, x.norm(order, asked)?.value);
-    assert!((l2 - 1.0 / 3f64.sqrt()).abs() < 1e-8 && full > l2);
-    // of order 1 + s: the gradient (1, 0) adds its L² norm, one
-    let both = x.with_gradient(vec![one, zero]).norm(order.plus_one(), asked)?.value;
-    assert!((both.powi(2) - 4.0 / 3.0).abs() < 1e-7);
-    Ok(())
-}
-
-#[test]
 fn values_on_a_square_with_their_gradient() -> Result<()> {
     let x = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 1, &[0.0, 1.0, 0.0, 1.0])?;
     let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());

@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two methods and against polygons.
 
-use fractional_sobolev::{Error, Function, Order, Tolerance, Triangles, gauss_legendre};
+use fractional_sobolev::{Error, Function, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
 
 /// Two methods.
@@ -65,30 +65,6 @@ fn two_methods_agree_up_to_the_limit_of_finiteness() {
         }
     }
     println!("two methods: {worst:.1e}");
-}
-
-#[test]
-fn a_linear_function_has_the_norm_of_polygons_in_the_limit() {
-    let (angle, order) = (0.8, Order::new(0.6).unwrap());
-    let polygon = |sides: usize| {
-        let at = |k: usize| (angle * k as f64 / sides as f64).sin_cos();
-        let mut nodes = vec![[0.0, 0.0]];
-        nodes.extend((0..=sides).map(|k| [at(k).1, at(k).0]));
-        let values: Vec<f64> = nodes.iter().map(|node| node[1]).collect();
-        let mesh = Triangles::new(nodes, (1..=sides).map(|k| [0, k, k + 1]).collect()).unwrap();
-        let w = Function::on_triangles(&mesh, 1, &values).unwrap();
-        w.seminorm(order, Tolerance::new(1e-7).unwrap()).unwrap().value.powi(2)
-    };
-    let (coarse, fine) = (polygon(6), polygon(12));
-    // The missing area falls like the inverse square of the number of sides.
-    let limit = fine + (fine - coarse) / 3.0;
-    let found =
-        Function::sector_power(1.0, 1.0, angle, 1.0).unwrap().seminorm(order, Tolerance::balanced()).unwrap();
-    let difference = (found.value.powi(2) / limit - 1.0).abs();
-    println!("{coarse} {fine} {limit} {} {difference:e}", found.value.powi(2));
-    assert!(difference < 1e-4);
-    let (without, with) = ((fine / found.value.powi(2) - 1.0).abs(), difference);
-    assert!(with < 0.2 * without, "{with} {without}");
 }
 
 #[test]

@@ -166,21 +166,6 @@ fn scaling_rotation_and_constants() {
     }
 }
 
-#[test]
-fn order_one_is_a_limit() {
-    let mut random = SplitMix::new(4);
-    let s = 1.0 - 1e-8;
-    for _ in 0..10 {
-        let mesh = mesh(&mut random, 3);
-        let values = mesh.nodes().iter().map(|_| random.between(-1.0, 1.0)).collect();
-        let w = Values { mesh, degree: 1, values };
-        let gradient = w.function().seminorm(1.0, 1e-12).unwrap().value.powi(2);
-        let limit = std::f64::consts::FRAC_PI_2 * gradient;
-        let value = (1.0 - s) * squared(&w, s);
-        assert!((value / limit - 1.0).abs() < 1e-6, "{value} {limit}");
-    }
-}
-
 /// ∫₀¹ (g·v)² |v|^{-2-2s} dt by halving until nothing changes, v along the side opposite each corner: the
 /// covariogram of a triangle.
 fn by_covariogram(corners: [[f64; 2]; 3], gradient: [f64; 2], s: f64) -> f64 {
@@ -232,25 +217,6 @@ fn slivers_and_sizes_keep_their_digits() {
 }
 
 #[test]
-fn triangles_of_very_different_sizes_stand_side_by_side() {
-    // A fan about the origin in rings of 1, 1e-20, ..., 1e-100: w is 1 in the smallest ring of nodes only.
-    let radii = [1e-100, 1e-80, 1e-60, 1e-40, 1e-20, 1.0];
-    let mut nodes = vec![[0.0, 0.0]];
-    let mut triangles = Vec::new();
-    for (ring, &r) in radii.iter().enumerate() {
-        nodes.extend([[r, 0.0], [0.0, r]]);
-        let (a, b) = (2 * ring + 1, 2 * ring + 2);
-        triangles.extend(if ring == 0 { vec![[0, a, b]] } else { vec![[a - 2, a, b], [a - 2, b, b - 2]] });
-    }
-    let mut values = vec![0.0; nodes.len()];
-    values[0] = 1.0;
-    let w = Function::on_triangles(&Triangles::new(nodes, triangles).unwrap(), 1, &values).unwrap();
-    let found = w.seminorm(order(0.4), Tolerance::new(1e-5).unwrap()).unwrap();
-    let size = 1e-60;
-    assert!(found.value > size && found.value < 10.0 * size, "{found}");
-}
-
-#[test]
 fn infinite_norms_and_bad_meshes_are_errors() {
     let square = Triangles::grid([1, 1], 1.0).unwrap();
     let jump = Function::on_triangles(&square, 0, &[0.0, 1.0]).unwrap();
@@ -271,48 +237,6 @@ fn infinite_norms_and_bad_meshes_are_errors() {
     assert!(Triangles::new(vec![[0.0, f64::NAN]; 3], vec![[0, 1, 2]]).is_err());
     assert!(Triangles::new(vec![[0.0, 1.0]; 3], vec![[0, 1, 3]]).is_err());
     assert!(Function::on_triangles(&square, 1, &[0.0; 3]).is_err());
-}
-
-#[test]
-fn clusters_give_what_all_pairs_give() {
-    let mut random = SplitMix::new(5);
-    // The same function on 128 triangles, summed directly, and on 512 and more, where clusters are
-    // compressed.
-    for (s, is_constant) in [(0.3, true), (0.3, false), (0.8, false)] {
-        let coarse = Triangles::grid([8, 8], 1.0).unwrap();
-        let corners: Vec<f64> = coarse.nodes().iter().map(|_| random.between(-1.0, 1.0)).collect();
-        let inside: Vec<f64> = coarse.triangles().iter().map(|_| random.between(-1.0, 1.0)).collect();
-        let on = |mesh: &Triangles, factor: usize| -> Function<'static> {
-            let cell = |x: f64| (x as usize).min(7);
-            let place = |[x, y]: [f64; 2]| (cell(x), cell(y), x - cell(x) as f64, y - cell(y) as f64);
-            if is_constant {
-                let middle =
-                    |t: &[usize; 3]| [0, 1].map(|k| t.iter().map(|&n| mesh.nodes()[n][k]).sum::<f64>() / 3.0);
-                let value = |t| {
-                    let (i, j, x, y) = place(middle(t));
-                    inside[2 * (8 * j + i) + usize::from(y > x)]
-                };
-                let values: Vec<f64> = mesh.triangles().iter().map(value).collect();
-                return Function::on_triangles(mesh, 0, &values).unwrap();
-            }
-            let value = |&p: &[f64; 2]| {
-                let (i, j, x, y) = place(p);
-                let at = |i: usize, j: usize| corners[9 * j + i];
-                let (a, b, c, d) = (at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
-                if x >= y { a + x * (b - a) + y * (c - b) } else { a + y * (d - a) + x * (c - d) }
-            };
-            let values: Vec<f64> = mesh.nodes().iter().map(value).collect();
-            assert_eq!(mesh.nodes().len(), (8 * factor + 1).pow(2));
-            Function::on_triangles(mesh, 1, &values).unwrap()
-        };
-        let exact = on(&coarse, 1).seminorm(order(s), Tolerance::new(1e-11).unwrap()).unwrap();
-        for (factor, asked) in [(2, 1e-5), (3, 1e-7)] {
-            let mesh = Triangles::grid([8 * factor, 8 * factor], 1.0 / factor as f64).unwrap();
-            let found = on(&mesh, factor).seminorm(order(s), Tolerance::new(asked).unwrap()).unwrap();
-            let error = (found.value - exact.value).abs();
-            assert!(error <= found.error + exact.error && error <= asked * exact.value);
-        }
-    }
 }
 
 #[test]
