@@ -62,20 +62,3 @@ fn function(source: &str, name: &str) -> Option<String> {
     let last = if is_one_line { head } else { head + lines[head..].iter().position(|line| *line == "}")? };
     Some(lines[first..=last].join("\n"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SOURCE: &str = "use x;\n\n/// Runs.\n#[must_use]\npub fn run(o: &O) -> u8 {\n    if a {\n        1\n    }\n}\n\n\
-                          fn run_all() {}\n\nfn one() -> u8 { 1 }\n";
-
-    #[test]
-    fn functions_are_cut_out_whole() {
-        let run = function(SOURCE, "run").unwrap();
-        assert!(run.starts_with("/// Runs.\n#[must_use]\npub fn run(") && run.ends_with("    }\n}"), "{run}");
-        assert_eq!(function(SOURCE, "one").unwrap(), "fn one() -> u8 { 1 }");
-        assert_eq!(function(SOURCE, "two"), None);
-        assert!(block(Path::new("/nowhere"), "x", "run").is_err());
-    }
-}

@@ -242,15 +242,4 @@ mod tests {
         assert_eq!(data.figure("b/f"), Err(Unknown::Missing));
         assert_eq!(data.text("b", "verdict"), Some("holds"));
     }
-
-    #[test]
-    fn what_is_written_is_read_again() {
-        let directory = tempfile::tempdir().unwrap();
-        let data = data();
-        data.write(directory.path()).unwrap();
-        assert_eq!(Data::read(directory.path()).unwrap(), data);
-        let text = read(&directory.path().join("values.json")).unwrap();
-        assert!(text.contains("    \"values\": {\n      \"x\": 1.5,\n      \"own\": 2\n    }\n"), "{text}");
-        assert_eq!(Data::read(&directory.path().join("absent")).unwrap(), Data::default());
-    }
 }

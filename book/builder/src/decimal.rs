@@ -107,9 +107,4 @@ mod tests {
         }
         assert_eq!(found("Lemma 7.9"), ["7.9"]);
     }
-
-    #[test]
-    fn allow_list_drops_reasons() {
-        assert_eq!(allow_list("# all\n0.25 # order\n\n0.75\n"), ["0.25", "0.75"]);
-    }
 }

@@ -260,14 +260,4 @@ mod tests {
         assert!(html.contains("<b>ν</b> order"), "{html}");
         assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
     }
-
-    #[test]
-    fn what_is_unknown_is_refused() {
-        let data = data();
-        let sources = sources(&data);
-        let bad = "value:delta|value:gamma:x9|figure:f|figure:g:c|table:none|claim:none|finding:ex/none|finding:a|findings:none|example:none|test:none|test:none::f|what:x|";
-        for text in bad.split('|') {
-            assert!(resolve(text, &sources).is_err(), "{text}");
-        }
-    }
 }

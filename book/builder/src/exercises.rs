@@ -143,24 +143,6 @@ mod tests {
         [[one]]\nkind = 'number'\nask = 'C?'\nanswer = '{{value: x}}'\n";
 
     #[test]
-    fn exercises_stand_behind_their_page_and_are_folded() {
-        let list = with(GOOD).unwrap();
-        let page = Page { file: "one.md".into(), html: "one.html".into(), text: "# One".into() };
-        let mut pages = [page];
-        append(&mut pages, &list);
-        for part in [
-            "# One\n\n## Exercises\n",
-            "**1.** *Why?* A?",
-            "<summary>Hint</summary>\n\nh\n",
-            "**2.** *Compute.* C?",
-        ] {
-            assert!(pages[0].text.contains(part), "{part}");
-        }
-        assert_eq!(pages[0].text.matches("<details class=\"answer\">").count(), 3);
-        assert!(faults(&list, &pages, Path::new("book")).is_empty());
-    }
-
-    #[test]
     fn what_is_missing_is_named() {
         for (from, to) in [
             ("'number'", "'sum'"),

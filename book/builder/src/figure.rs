@@ -106,37 +106,3 @@ fn push_attribute(html: &mut String, name: &str, value: &str, prefix: &str) {
     };
     let _ = write!(html, r#" {name}="{value}""#);
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const CHART: &str = r##"<?xml version="1.0"?>
-<svg width="640" height="480" xmlns="http://www.w3.org/2000/svg"><style>svg:root{color:#222}</style><defs><clipPath id="c"><rect/></clipPath></defs>
-<rect fill="#FFFFFF"/><path clip-path="url(#c)" stroke="#000000" fill="red"/><text fill="black">a &lt; b</text></svg>"##;
-
-    #[test]
-    fn ink_names_and_size_belong_to_the_page() {
-        let html = inline("ex/one", CHART, "gamma & theta", false).unwrap();
-        for part in [
-            r#"<svg viewBox="0 0 640 480" role="img" aria-label="gamma &amp; theta">"#,
-            r#"id="ex-one-c""#,
-            r#"clip-path="url(#ex-one-c)" stroke="currentColor" fill="red""#,
-            r#"<rect fill="none"/>"#,
-            r#"<text fill="currentColor">a &lt; b</text>"#,
-            "<figcaption>gamma &amp; theta</figcaption>",
-        ] {
-            assert!(html.contains(part), "{part} not in {html}");
-        }
-        assert!(!html.contains("http") && !html.contains("color:#222") && !html.contains("style"), "{html}");
-        assert!(well_formed(&html).is_ok());
-    }
-
-    #[test]
-    fn what_is_no_picture_is_refused() {
-        for svg in ["", "<p/>", "<svg/>", "<svg viewBox='0 0 1 1'><script></script></svg>", "<svg width='1'>"]
-        {
-            assert!(inline("x", svg, "c", false).is_err(), "{svg}");
-        }
-    }
-}

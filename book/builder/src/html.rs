@@ -80,15 +80,3 @@ fn math_font() -> Result<&'static [u8]> {
         .find(|font| font[..font.len().min(1 << 16)].windows(name.len()).any(|w| w == name))
         .ok_or_else(|| Error::Mdbook(format!("no font {FONT} in typst-assets")))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_math_font_is_a_font_with_a_math_table() {
-        let font = math_font().unwrap();
-        assert!(font.starts_with(b"OTTO"));
-        assert!(font[..1024].windows(4).any(|w| w == b"MATH"));
-    }
-}

@@ -57,24 +57,3 @@ pub fn inline(ideas: &Path, name: &str, caption: &str) -> Result<String, String>
         _ => slider::html(&parameter, &drawn, caption),
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_idea_is_a_picture_and_an_unknown_one_is_refused() {
-        let ideas = Path::new(env!("CARGO_MANIFEST_DIR")).join("../ideas");
-        let files = names(&ideas).unwrap();
-        assert!(files.len() > 200, "{}", files.len());
-        for file in files {
-            let name = file.split('.').next().unwrap();
-            let html = inline(&ideas, name, "what it shows").unwrap();
-            assert!(crate::markup::well_formed(&html.replace(" hidden", "")).is_ok(), "{file}");
-        }
-        assert_eq!(frames(&ideas, "cones").unwrap().len(), 2);
-        for unknown in ["nothing", "", "con", "../ideas/cones"] {
-            assert!(inline(&ideas, unknown, "c").is_err(), "{unknown}");
-        }
-    }
-}

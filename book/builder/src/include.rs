@@ -59,26 +59,3 @@ pub fn text(target: &str, source: &Path) -> Option<String> {
     lines.retain(|line| !line.contains("ANCHOR: ") && !line.contains("ANCHOR_END: "));
     Some(lines.join("\n"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn file_anchor_and_fence_are_checked() {
-        let directory = tempfile::tempdir().unwrap();
-        std::fs::write(directory.path().join("a.rs"), "// ANCHOR: run\nfn f() {}\n// ANCHOR_END: run\n")
-            .unwrap();
-        let check = |text: &str| {
-            let page = Page { file: "p.md".into(), html: "p.html".into(), text: text.to_owned() };
-            faults(&page, directory.path()).iter().map(|f| f.line).collect::<Vec<_>>()
-        };
-        assert_eq!(check("```rust,ignore\n{{#include a.rs:run}}\n```"), [0; 0]);
-        assert_eq!(check("```rust,ignore\n{{#include a.rs:none}}\n```"), [2]);
-        assert_eq!(check("```rust,ignore\n{{#include b.rs:run}}\n```"), [2]);
-        assert_eq!(check("```rust\n{{#include a.rs:run}}\n```"), [2]);
-        assert_eq!(check("\n\n{{#title x}}"), [3]);
-        assert_eq!(text("a.rs:run", directory.path()).as_deref(), Some("fn f() {}"));
-        assert_eq!(text("a.rs:none", directory.path()), None);
-    }
-}

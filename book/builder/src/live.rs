@@ -115,13 +115,6 @@ mod tests {
     }
 
     #[test]
-    fn panels_belong_to_examples_with_options_that_are_shown() {
-        let shown = |page: &str| examples(page, &data()).into_iter().collect::<Vec<_>>();
-        assert_eq!(shown("{{table: ex}}\n\n{{table: other}}"), ["ex"]);
-        assert!(shown("{{finding: ex/key}} `{{table: ex}}`").is_empty());
-    }
-
-    #[test]
     fn a_description_cannot_end_its_script() {
         let html = panel("ex", &serde_json::json!({"about": "</script><b>"}));
         assert!(!html.contains("</script><b>"), "{html}");

@@ -1,10 +1,8 @@
-//! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the
-//! pages from the committed data. `cargo book labels`: writes the tables made from `labels.toml`, the list of
-//! chapters in `src/book.rs`, and nothing else. `cargo book
-//! large NAME`: makes a run of `large.toml` and keeps what it computed.
-//! `cargo book
-//! serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address. `cargo
-//! book check`: runs the examples and fails where the committed data or a page is not right.
+//! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the pages
+//! from the committed data. `cargo book labels`: writes the tables made from `labels.toml` and the list of chapters in
+//! `src/book.rs`, and nothing else. `cargo book large NAME`: makes a run of `large.toml` and keeps what it computed.
+//! `cargo book serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address.
+//! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
 use book_builder::data::Data;
 use book_builder::error::{Error, Result};

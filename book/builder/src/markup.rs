@@ -100,34 +100,3 @@ pub fn well_formed(text: &str) -> Result<(), String> {
 pub fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn tags_carry_their_attributes() {
-        let text = r#"<?xml version="1.0"?><!-- <b> --><svg a="x > y" b='2'><path d="M0"/></svg>"#;
-        let found: Vec<Tag> = tags(text).collect();
-        assert_eq!(found.iter().map(|t| t.name).collect::<Vec<_>>(), ["svg", "path", "/svg"]);
-        assert_eq!(found[0].attribute("a"), Some("x > y"));
-        assert_eq!(found[0].attribute("b"), Some("2"));
-        assert_eq!(found[0].attribute("c"), None);
-        assert!(found[1].closes_itself());
-        assert_eq!(found[1].attribute("d"), Some("M0"));
-    }
-
-    #[test]
-    fn imbalance_is_found() {
-        assert!(well_formed("<a><b/><c>x</c></a>").is_ok());
-        assert!(well_formed("<a><b></a>").is_err());
-        assert!(well_formed("<a>").is_err());
-        assert!(well_formed("</a>").is_err());
-    }
-
-    #[test]
-    fn scripts_hide_their_text() {
-        let names: Vec<&str> = tags("<script>if (a<b) {}</script><p>").map(|t| t.name).collect();
-        assert_eq!(names, ["script", "/script", "p"]);
-    }
-}

@@ -286,7 +286,3 @@ impl Marked {
         linked
     }
 }
-
-#[cfg(test)]
-#[path = "page_tests.rs"]
-mod tests;

@@ -370,14 +370,4 @@ mod tests {
         assert_eq!(of("\\begin{equation}\n a \\label{bound}\n\\end{equation}"), r"a \tag{5.2}");
         assert_eq!(of(r"b \le \eqref{bound}"), r"b \le \text{(5.2)}");
     }
-
-    #[test]
-    fn tables_become_markdown() {
-        let html = "<div><table><thead><tr><th>a|b</th></tr></thead><tbody><tr><td class=\"number\">10<sup>3</sup></td></tr>\
-            </tbody></table></div><p class=\"table-key\"><b>a</b> first_</p>";
-        let html = html.replace("first_", "first_ `f_g`");
-        assert_eq!(table(&html), "| a\\|b |\n| --- |\n| 10<sup>3</sup> |\n\n<b>a</b> first\\_ `f_g`");
-        let findings = "<table><tbody><tr><td>holds</td><td>so</td><td class=\"comparison\">1 &lt; 2</td></tr></tbody></table>";
-        assert!(table(findings).ends_with("| holds | so | 1 &lt; 2 |"));
-    }
 }

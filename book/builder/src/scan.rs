@@ -180,21 +180,6 @@ mod tests {
     }
 
     #[test]
-    fn formulas_and_directives_are_found() {
-        assert_eq!(
-            kinds("a $x_1$ b {{value:k}}\n$$\ny\n$$"),
-            vec![
-                (Kind::Prose, "a "),
-                (Kind::Inline, "x_1"),
-                (Kind::Prose, " b "),
-                (Kind::Directive, "value:k"),
-                (Kind::Prose, "\n"),
-                (Kind::Display, "\ny\n"),
-            ]
-        );
-    }
-
-    #[test]
     fn code_comments_and_escapes_hide_dollars() {
         for text in
             ["`$x$`", "``a ` $x$``", "```sh\necho $HOME $x\n```\n", "<!-- $x$ -->", "{{#include a.rs:b}}"]
@@ -203,21 +188,5 @@ mod tests {
         }
         assert_eq!(kinds(r"costs 3\$ and 4\$"), vec![(Kind::Prose, r"costs 3\$ and 4\$")]);
         assert_eq!(kinds(r"$a\$b$"), vec![(Kind::Inline, r"a\$b")]);
-    }
-
-    #[test]
-    fn unclosed_formula_is_reported_where_it_opens() {
-        let text = "fine\n\nhere $x + 1\n\nand $y$";
-        let error = pieces(text).unwrap_err();
-        assert_eq!(line_at(text, error.start), 3);
-        assert!(pieces("{{value:a").is_err());
-    }
-
-    #[test]
-    fn pieces_know_their_offset() {
-        let text = "é $α$ {{figure:x}}";
-        for piece in pieces(text).unwrap() {
-            assert_eq!(&text[piece.start..piece.start + piece.text.len()], piece.text);
-        }
     }
 }

@@ -89,13 +89,4 @@ mod tests {
             assert!(labels(bad).is_err(), "{bad}");
         }
     }
-
-    #[test]
-    fn one_frame_shows_without_script() {
-        let html = inline("θ", "ex/edge_*", "A <zone>", &data()).unwrap();
-        assert_eq!(html.matches("hidden").count(), 2, "{html}");
-        assert!(html.contains("data-label=\"1e-2\"><svg viewBox=\"0 0 1 1\" role=\"img\""), "{html}");
-        assert!(html.contains("aria-label=\"A &lt;zone&gt;; θ: 1e-3\""), "{html}");
-        assert!(crate::markup::well_formed(&html.replace(" hidden", "")).is_ok());
-    }
 }

@@ -42,37 +42,6 @@ fn what_differs_is_named() {
 }
 
 #[test]
-fn what_says_the_same_stays_as_it_was_committed() {
-    let old = data(OLD, r#"<path d="M1234 5678"/>"#);
-    let same =
-        data(&OLD.replace("9155661", "9155662").replace("\"0.1\"", "\"0.7\""), r#"<path d="M1235 5678"/>"#);
-    assert_eq!(kept(&old, same), old);
-    let other = data(&OLD.replace("0.29155661", "0.2916"), r#"<path d="M1244 5678"/>"#);
-    assert_eq!(kept(&old, other.clone()), other);
-}
-
-#[test]
-fn figures_are_compared() {
-    let old = data(OLD, r#"<path d="M1234 5678"/>"#);
-    for svg in [r#"<path d="M1244 5678"/>"#, r#"<path d="L1234 5678"/>"#] {
-        let found = compare(&old, &data(OLD, svg));
-        assert_eq!(found.len(), 1, "{svg}");
-        assert_eq!(found[0].file, "figures/ex/f.svg");
-    }
-    let timed =
-        |svg: &str| Data { figures: [("ex/f_seconds".to_owned(), svg.to_owned())].into(), ..Data::default() };
-    assert_eq!(
-        compare(&timed("<path d='M100 1'/>"), &timed("<path d='M900 1'/>")),
-        [],
-        "a figure of seconds"
-    );
-    let mut gone = old.clone();
-    gone.figures.clear();
-    assert_eq!(compare(&old, &gone).len(), 1);
-    assert_eq!(compare(&gone, &old), [], "figures no page shows are not committed");
-}
-
-#[test]
 fn a_finding_about_seconds_may_turn_on_a_busy_machine_and_no_other() {
     let finding = |name: &str, outcome: &str, value: f64| {
         let text = format!(

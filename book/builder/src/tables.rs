@@ -238,16 +238,4 @@ mod tests {
         write(&directory.path().join(SUMMARY), "[So](lemma.md)\n[How](how.md)\n").unwrap();
         assert_eq!(stale_files(), [CHAPTERS]);
     }
-
-    #[test]
-    fn a_file_without_marks_is_named_and_an_absent_list_has_no_region() {
-        let directory = repository();
-        let labels = list(directory.path()).unwrap();
-        write(&directory.path().join(CHAPTERS), "chapters! {}\n").unwrap();
-        let error = renew(&labels, directory.path()).unwrap_err().to_string();
-        assert!(error.contains(CHAPTERS) && error.contains("// end of chapters"), "{error}");
-        std::fs::remove_file(directory.path().join(CHAPTERS)).unwrap();
-        renew(&labels, directory.path()).unwrap();
-        assert!(stale(&[], directory.path()).unwrap().is_empty());
-    }
 }

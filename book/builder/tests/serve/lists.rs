@@ -38,42 +38,33 @@ pub const NAMES: &str = "out values json describe help version --x -x x=1 X x␣
 pub const VALUES: [(&str, &str); 8] = [
     (
         "x",
-        "NaN nan inf -inf infinity 1e999 -1e999 2 -1 0x10 1_0 0.5f 1,2 0.5␣ ½ 0.5;ls $(ls) `ls` |ls \
+        "NaN nan inf -inf infinity 1e999 -1e999 2 -1 0x10 1_0 0.5f 1,2 ½ 0.5;ls $(ls) `ls` |ls \
     &ls >x <x ' \" \\ * ? ~ ${HOME} %s%n --out=/tmp -o ../secret.txt /etc/passwd 0.5\n0.6 \
     0.5\u{0} \r\nX:␣y 0..5 e .",
     ),
     ("nu", "0.5, , 0.5,,0.6 1/3 1/2+/etc 2 0.5,nan 1/2-inf a"),
-    ("n", "-1 0 65 1e1 8.0 99999999999999999999 0x8 ␣ 8␣8"),
+    ("n", "-1 0 65 1e1 8.0 99999999999999999999 0x8 8,8 8␣8"),
     ("tolerance", "slow fast;ls nan balanced,fast"),
     ("levels", "3 9-3 3-99 -3-9 3-9-12 a-b 3-4294967296 ../3-9"),
     (
         "scene",
-        "samples:/etc/passwd block:/etc/passwd cantor:x cantor:0.3:$(ls) strip block␣ ../block \
+        "samples:/etc/passwd block:/etc/passwd cantor:x cantor:0.3:$(ls) strip ../block \
     cantor:nan block:\u{0}",
     ),
     ("lines", "yes 1 true;ls --out"),
-    ("mode", "sleep answer␣wait wait\n ANSWER --mode=wait"),
+    ("mode", "sleep answer␣wait wait\nx ANSWER --mode=wait"),
 ];
 
-pub const BODIES: [&str; 20] = [
-    "",
-    "{",
-    "}",
-    "[]",
-    "null",
-    "1",
-    "\"x\"",
-    "{}",
-    "{\"example\":\"planted\"}",
-    "{'example':'planted'}",
-    "{\"example\":\"planted\",\"page\":\"first.html\"}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":[]}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{\"x\":0.4}}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{\"x\":[\"0.4\"]}}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{\"x\":null}}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{},\"shell\":\"ls\"}",
-    "{\"example\":[\"planted\"],\"page\":\"first.html\",\"options\":{}}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{}} {}",
-    "{\"example\":\"planted\",\"page\":\"first.html\",\"options\":{}",
-    "example=planted&page=first.html",
-];
+pub const TYPES: &str =
+    "text/plain application/x-www-form-urlencoded multipart/form-data application/json;␣x ∅";
+
+/// Between bars, `~` for a quotation mark.
+pub const BODIES: &str = "|{|}|[]|null|1|~x~|{}|{~example~:~planted~}|{'example':'planted'}|\
+    {~example~:~planted~,~page~:~first.html~}|{~example~:~planted~,~page~:~first.html~,~options~:[]}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{~x~:0.4}}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{~x~:[~0.4~]}}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{~x~:null}}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{},~shell~:~ls~}|\
+    {~example~:[~planted~],~page~:~first.html~,~options~:{}}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{}} {}|\
+    {~example~:~planted~,~page~:~first.html~,~options~:{}|example=planted&page=first.html";
