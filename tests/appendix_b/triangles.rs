@@ -1,4 +1,4 @@
-//! Lemma 6.1 on triangles: invariances, a second computation of the seminorm, both bounds, and planted faults.
+//! Lemma 6.1 on triangles: digits of the reference, angles, and bad input.
 
 use fractional_sobolev::{
     BestConstant, Domain, Error, ErrorNorm, Function, Triangles, interpolation_constant,

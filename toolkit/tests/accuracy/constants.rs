@@ -1,4 +1,4 @@
-//! Constants: bounds known by hand, and powers of the length.
+//! Constants: bounds known by hand.
 
 use crate::hard::{cases, decades, seeded};
 use crate::numbers::order;

@@ -1,4 +1,4 @@
-//! Section 1 in the plane: corner singularities on sectors, by two methods and against polygons.
+//! Section 1 in the plane: corner singularities on sectors, by two methods.
 
 use fractional_sobolev::{Error, Function, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
