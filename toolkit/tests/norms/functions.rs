@@ -60,15 +60,3 @@ fn a_declared_corner_is_finite_below_its_order() -> Result<()> {
     assert!(w.seminorm(Order::new(0.75)?, Tolerance::balanced()).is_err());
     Ok(())
 }
-
-#[test]
-fn values_on_a_square_with_their_gradient() -> Result<()> {
-    let x = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 1, &[0.0, 1.0, 0.0, 1.0])?;
-    let (order, asked) = (Order::new(0.3)?, Tolerance::balanced());
-    assert!((x.norm(0.0, asked)?.value - 1.0 / 3f64.sqrt()).abs() < 1e-14);
-    assert!(x.norm(order, asked)?.value > x.norm(0.0, asked)?.value);
-    // the gradient (1, 0) on both triangles has no seminorm: ||x||²_{1+s} = 1/3 + 1
-    assert!((x.norm(order.plus_one(), asked)?.value.powi(2) - 4.0 / 3.0).abs() < 1e-8);
-    assert!((x.seminorm(1.0, asked)?.value - 1.0).abs() < 1e-14);
-    Ok(())
-}
