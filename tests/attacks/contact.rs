@@ -12,12 +12,10 @@ mod stiffness;
 
 use crate::common::SplitMix;
 use compare::{compare, is_hard};
-use meshes::grid;
 use program::{Answer, Program};
 use scene::Scene;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactSolution, Settings, Solver, Start};
-use signorini::mesh::{ContactEdge, Part, Triangulation};
 use signorini::{Error, Result, ToolkitError};
 use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
