@@ -12,7 +12,7 @@
 //! between those of the largest sector inside and the smallest outside, and all three agree as a + 1 − s → 0.
 //!
 //! |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over (0, 1)². The ± of a norm is the change between two orders of its rules,
-//! 1e-8 and less at the corners where 1e-6 is asked. A finite norm that is refused ends the run.
+//! 1e-8 and less at the corners where 1e-6 is asked. Where a finite norm is not reached the program ends with an error.
 //!
 //! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at s = 1 − 1e-8 and s = 1/2
 //! − 1e-8; if a polygon and its triangulation cut near the corner give different norms, a norm is outside its two sectors,

@@ -10,21 +10,16 @@
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
 //! | contact and non-contact intervals in ln r, r the distance from an end | [`radial_intervals`] |
 //!
-//! The consistency term is computed in three ways, one per kind of data, none of which replaces another:
+//! The consistency term is computed in two ways, one per kind of data:
 //!
-//! * [`nodal_term`], [`midpoint_term`]: point forces at any nodes, on any one segment. Used for computed
-//!   solutions, and for the sums over the segments of a case.
 //! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
-//!   exact, so all levels together cost O(N) where segment by segment each costs O(N). It equals the sum of
-//!   the first over all segments up to rounding: the two are independent computations (tests of Theorems 3.1
-//!   and 4.1).
+//!   exact, so all levels together cost O(N).
 //! * [`SegmentNorms`]: densities. The inequalities of the proofs contain ‖σ_N‖₀ and |σ_N|_ν, which are
 //!   infinite for a point force and finite for a force spread over its cells; the consistency term of the
 //!   spread force differs from that of the point force.
 //!
 //! Lengths are in units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 
-mod consistency;
 mod consistency_levels;
 mod norms;
 mod pair;
@@ -34,7 +29,6 @@ mod segment;
 mod seminorm;
 mod trace;
 
-pub use consistency::{midpoint_term, nodal_term};
 pub use consistency_levels::consistency_terms;
 pub use norms::{EdgeNorms, edge_norms};
 pub use pair::{ContactPair, Traces};

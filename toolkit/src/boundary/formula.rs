@@ -11,7 +11,7 @@
 //! Where u is smooth but for the vertices, the error falls exponentially in n and in the number of layers.
 
 use super::curve::{Curve, Relation};
-use super::pairs::cut;
+use super::pairs::{Part, cut, split};
 use crate::energy::PairSum;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -22,6 +22,7 @@ use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Length of an element over that of its neighbour farther from the vertex.
@@ -356,10 +357,8 @@ impl Pairs<'_> {
             } else if self.curve.follows(f, e) {
                 add_part(&[e, f], self.touching(f, e));
             } else {
-                let lengths = [e, f].map(|k| self.curve.element_length(k));
-                let relation = self.curve.relation_of(e, f);
                 let mut part = PairSum::default();
-                self.separate([e, f], relation, lengths.map(|h| (0.0, h)), &mut part);
+                self.separate([e, f], self.curve.relation_of(e, f), &mut part);
                 add_part(&[], part);
             }
         }
@@ -408,47 +407,38 @@ impl Pairs<'_> {
         sum
     }
 
-    fn separate(&self, pair: [usize; 2], relation: Relation, parts: [(f64, f64); 2], sum: &mut PairSum) {
-        let place = |k: usize, t: f64| self.curve.place(pair[k], t);
-        let middle = |k: usize| place(k, parts[k].0 + 0.5 * parts[k].1);
-        let (p, q) = (parts[0].1, parts[1].1);
-        let gap = self.curve.apart(relation, middle(0), middle(1)) - 0.5 * (p + q);
-        if p.max(q) > 1.0001 * gap {
+    fn separate(&self, pair: [usize; 2], relation: Relation, sum: &mut PairSum) {
+        let whole = pair.map(|k| (0.0, self.curve.element_length(k)));
+        let may_cut = || {
             let left = self.left.load(Ordering::Relaxed);
             self.left.store(left.saturating_sub(4), Ordering::Relaxed);
-            if left == 0 {
-                sum.points += Tolerance::WORK; // the count refuses it
-                return;
-            }
-            let longer = usize::from(q > p);
-            let (start, half) = (parts[longer].0, 0.5 * parts[longer].1);
-            for start in [start, start + half] {
-                let mut parts = parts;
-                parts[longer] = (start, half);
-                self.separate(pair, relation, parts, sum);
-            }
-            return;
-        }
-        let values = |k: usize| -> std::borrow::Cow<'_, [f64]> {
-            let (start, length) = parts[k];
-            if length == self.curve.element_length(pair[k]) {
-                return self.values[pair[k]].as_slice().into();
-            }
-            self.rule
-                .iter()
-                .map(|(s, _)| (self.value)(pair[k], start + s * length))
-                .collect::<Vec<_>>()
-                .into()
+            left > 0
         };
-        let (us, vs) = (values(0), values(1));
-        let there: Vec<_> = self.rule.iter().map(|(y, w)| (place(1, parts[1].0 + q * y), w)).collect();
-        for ((x, v), u) in self.rule.iter().zip(us.iter()) {
-            let here = place(0, parts[0].0 + p * x);
-            for ((there, w), other) in there.iter().zip(vs.iter()) {
-                let distance = self.curve.apart(relation, here, *there);
-                let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
-                add(sum, 2.0 * v * w * kernel, u - other, self.noise[pair[0]] + self.noise[pair[1]]);
+        let noise = self.noise[pair[0]] + self.noise[pair[1]];
+        let is_whole = split(self.curve, pair, relation, whole, &may_cut, &mut |parts, _| {
+            let (p, q) = (parts[0].1, parts[1].1);
+            let [us, vs] = [0, 1].map(|k| self.at_points(pair[k], parts[k]));
+            let place = |k: usize, s: f64| self.curve.place(pair[k], parts[k].0 + s * parts[k].1);
+            let there: Vec<_> = self.rule.iter().map(|(y, w)| (place(1, y), w)).collect();
+            for ((x, v), u) in self.rule.iter().zip(us.iter()) {
+                let here = place(0, x);
+                for ((there, w), other) in there.iter().zip(vs.iter()) {
+                    let distance = self.curve.apart(relation, here, *there);
+                    let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
+                    add(sum, 2.0 * v * w * kernel, u - other, noise);
+                }
             }
+        });
+        if !is_whole {
+            sum.points += Tolerance::WORK; // beyond every limit, so that no further step is tried
         }
+    }
+
+    /// u at the points of the rule on a part of an element.
+    fn at_points(&self, e: usize, (start, length): Part) -> Cow<'_, [f64]> {
+        if length == self.curve.element_length(e) {
+            return self.values[e].as_slice().into();
+        }
+        self.rule.iter().map(|(s, _)| (self.value)(e, start + s * length)).collect::<Vec<_>>().into()
     }
 }

@@ -10,7 +10,7 @@
 //! - others: cut until no piece is longer than the distance to the other, then Gauss rules whose order the
 //!   quotient of the two decides.
 
-use super::curve::{Curve, Place, Relation};
+use super::curve::{Curve, Relation};
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::kernel::power::PowerKernel;
@@ -42,7 +42,7 @@ pub(super) struct CurvePairs<'a> {
 }
 
 /// A part (start, length) of an element.
-type Part = (f64, f64);
+pub(super) type Part = (f64, f64);
 
 impl<'a> CurvePairs<'a> {
     pub(super) fn new(curve: &'a Curve, order: Order, constants: bool, target: f64) -> Result<Self> {
@@ -135,38 +135,24 @@ impl<'a> CurvePairs<'a> {
         parts: [Part; 2],
         visit: &mut impl FnMut(f64, f64, f64),
     ) {
-        let place = |k: usize, t: f64| -> Place { self.curve.place(pair[k], t) };
-        let middle = |k: usize| place(k, parts[k].0 + 0.5 * parts[k].1);
-        let (p, q) = (parts[0].1, parts[1].1);
-        let gap = self.curve.apart(relation, middle(0), middle(1)) - 0.5 * (p + q);
-        if p.max(q) > 1.0001 * gap {
-            if !self.spend(OF_CUT) {
+        split(self.curve, pair, relation, parts, &|| self.spend(OF_CUT), &mut |parts, gap| {
+            let (p, q) = (parts[0].1, parts[1].1);
+            let (first, second) = (self.rule(p / gap), self.rule(q / gap));
+            let is_cut = [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
+            if is_cut && !self.spend((first.points().len() * second.points().len()) as u64) {
                 return;
             }
-            let longer = usize::from(q > p);
-            let (start, half) = (parts[longer].0, 0.5 * parts[longer].1);
-            for start in [start, start + half] {
-                let mut parts = parts;
-                parts[longer] = (start, half);
-                self.separate(pair, relation, parts, visit);
+            for (x, v) in first.iter() {
+                let s = parts[0].0 + p * x;
+                let here = self.curve.place(pair[0], s);
+                for (y, w) in second.iter() {
+                    let t = parts[1].0 + q * y;
+                    let distance = self.curve.apart(relation, here, self.curve.place(pair[1], t));
+                    let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
+                    visit(2.0 * v * w * kernel, s, t);
+                }
             }
-            return;
-        }
-        let (first, second) = (self.rule(p / gap), self.rule(q / gap));
-        let is_cut = [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
-        if is_cut && !self.spend((first.points().len() * second.points().len()) as u64) {
-            return;
-        }
-        for (x, v) in first.iter() {
-            let s = parts[0].0 + p * x;
-            let here = place(0, s);
-            for (y, w) in second.iter() {
-                let t = parts[1].0 + q * y;
-                let distance = self.curve.apart(relation, here, place(1, t));
-                let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
-                visit(2.0 * v * w * kernel, s, t);
-            }
-        }
+        });
     }
 
     /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²),
@@ -177,6 +163,35 @@ impl<'a> CurvePairs<'a> {
         let points = (self.digits / (2.0 * rho.log10())).ceil() as usize + 1;
         &self.rules[points.min(MOST_POINTS) - 1]
     }
+}
+
+/// Parts of two elements no longer than the distance between them, with that distance: the longer part is halved as
+/// long as `may_cut`; false if it was refused.
+pub(super) fn split(
+    curve: &Curve,
+    pair: [usize; 2],
+    relation: Relation,
+    parts: [Part; 2],
+    may_cut: &impl Fn() -> bool,
+    with: &mut impl FnMut([Part; 2], f64),
+) -> bool {
+    let middle = |k: usize| curve.place(pair[k], parts[k].0 + 0.5 * parts[k].1);
+    let (p, q) = (parts[0].1, parts[1].1);
+    let gap = curve.apart(relation, middle(0), middle(1)) - 0.5 * (p + q);
+    if p.max(q) <= 1.0001 * gap {
+        with(parts, gap);
+        return true;
+    }
+    if !may_cut() {
+        return false;
+    }
+    let longer = usize::from(q > p);
+    let (start, half) = (parts[longer].0, 0.5 * parts[longer].1);
+    [start, start + half].into_iter().fold(true, |is_whole, start| {
+        let mut parts = parts;
+        parts[longer] = (start, half);
+        split(curve, pair, relation, parts, may_cut, with) && is_whole
+    })
 }
 
 /// Pieces no longer than their distance to a point of the plane.

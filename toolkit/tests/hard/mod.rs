@@ -67,7 +67,7 @@ impl Case {
             let off = (found.value - exact.value).abs() - found.error - exact.error;
             off > 0.0 || off.is_nan()
         };
-        let told = match found {
+        let message = match found {
             Ok(found) if apart(found) => "dishonest",
             Ok(found) if asked.is_some_and(|t| found.error > t.relative().max(8e-15) * found.value.abs()) => {
                 "misses the tolerance"
@@ -90,7 +90,7 @@ impl Case {
             }
             Err(_) => "no value",
         };
-        Some(format!("{what}, asked {asked:?}: {told}, {found:?}; exact {exact}"))
+        Some(format!("{what}, asked {asked:?}: {message}, {found:?}; exact {exact}"))
     }
 }
 

@@ -250,7 +250,7 @@ fn a_corner_function_on_an_l_has_ten_digits() {
 }
 
 /// x on any polygon with the symmetry of the diagonal: |x|² = L²/2 at order 1/2; constants have no seminorm; a jump at a vertex
-/// is refused at order 1/2 with its best value, a kink inside a side too.
+/// is an error at order 1/2, and a kink inside a side one with its best value.
 #[test]
 fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
     let x = Function::on_polygon(&SQUARE, |[x, _]| x).unwrap();
