@@ -29,10 +29,10 @@ impl ContactSet {
         Self { active }
     }
 
-    /// The empty subset of `constraints` constraints.
+    /// The empty contact set for `constraints` constraints.
     ///
-    /// This is the default first guess of the active set ([`Start::Open`](crate::contact::Start::Open)); its face is
-    /// the whole space, so that the first linear problem has no constraint.
+    /// This is the default initial guess of the active set ([`Start::Open`](crate::contact::Start::Open)); its face
+    /// is the whole space, so the first linear problem is unconstrained.
     ///
     /// ```
     /// let none = signorini::cone::ContactSet::empty(4);
@@ -50,13 +50,13 @@ impl ContactSet {
 
     /// Number of active constraints.
     ///
-    /// In units of the mesh this is the measure of the contact set: for the midpoint cone on a uniform edge of n
-    /// segments the contact set has length count/n. Cost: O(constraints).
+    /// On a uniform mesh this is the length of the contact set in units of the segment length: for the midpoint cone
+    /// on n segments, the fraction count/n of the edge. Cost: O(constraints).
     pub fn count(&self) -> usize {
         self.active.iter().filter(|&&active| active).count()
     }
 
-    /// True when constraint `i` exists and is active.
+    /// True if constraint `i` exists and is active.
     ///
     /// An index out of range is not active.
     pub fn contains(&self, i: usize) -> bool {
@@ -92,8 +92,8 @@ impl ContactSet {
 
     /// The contact intervals: maximal ranges of consecutive active indices.
     ///
-    /// The components of the discrete contact set, as half-open ranges, ascending; two of them are
-    /// separated by at least one inactive constraint. Cost: O(constraints).
+    /// They are the components of the discrete contact set, as half-open ranges in ascending order; any two of them
+    /// are separated by at least one inactive constraint. Cost: O(constraints).
     ///
     /// ```
     /// use signorini::cone::ContactSet;
@@ -116,8 +116,8 @@ impl ContactSet {
 
     /// Number of constraints that are active in exactly one of the two sets.
     ///
-    /// The cardinality of the symmetric difference, a metric on sets of equal length; the shorter set is continued by
-    /// inactive constraints. The active set iteration ends at distance 0 of two successive sets.
+    /// The cardinality of the symmetric difference, a metric on sets of equal length; the shorter set is extended by
+    /// inactive constraints. The active set iteration ends when two successive sets have distance 0.
     ///
     /// ```
     /// use signorini::cone::ContactSet;

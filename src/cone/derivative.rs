@@ -1,4 +1,4 @@
-//! An increasing piecewise linear derivative F' with reflection, addition and truncation at its zero.
+//! Increasing piecewise linear derivatives F' with reflection, addition and truncation at their zeros.
 //!
 //! The pieces are kept in a deque in coordinates that absorb reflection and addition, so that each is created
 //! and removed once: n steps cost O(n).
@@ -13,7 +13,7 @@ struct Piece {
     intercept: f64,
 }
 
-/// F' = 0 everywhere.
+/// The zero function F' = 0.
 const FLAT: Piece = Piece { left: f64::NEG_INFINITY, slope: 0.0, intercept: 0.0 };
 
 /// F_i' with its reflections and additions so far: t is stored as σ t + offset, F' as σ F'.
@@ -21,7 +21,7 @@ pub(super) struct Derivative {
     pieces: VecDeque<Piece>,
     sigma: f64,
     offset: f64,
-    /// Added to every slope and every intercept.
+    /// Added to the slope of every piece; `shift` is added to every intercept.
     count: f64,
     shift: f64,
 }
@@ -52,8 +52,8 @@ impl Derivative {
         self.sigma * (zero - self.offset)
     }
 
-    /// F' may jump where a chain begins behind a fixed node: a zero beyond the piece it was found in is at
-    /// its end.
+    /// F' may jump where a chain begins after a fixed node: if the zero of a linear piece lies beyond the piece, the
+    /// zero of F' is the end of the piece.
     fn cut_right(&mut self) -> f64 {
         let (mut zero, mut end) = (f64::NEG_INFINITY, f64::INFINITY);
         while let Some(&piece) = self.pieces.back() {

@@ -1,7 +1,7 @@
-//! The cones of (2.9) and (4.1) on an edge with a given number of nodes: constraints B w and their forces
-//! B'λ, supports, refinement, steps that stay inside.
+//! The cones of (2.9) and (4.1) on an edge with a given number of nodes: constraints B w, nodal forces B'λ, supports,
+//! refinement and feasible steps.
 //!
-//! On an edge with joined ends the last node is a neighbour of the first. Cost: O(nodes) for every operation.
+//! On a closed edge the last node is a neighbour of the first. Cost: O(nodes) for every operation.
 
 use super::contact_set::ContactSet;
 use super::kind::Cone;
@@ -18,7 +18,7 @@ use crate::error::{Error, Result, ToolkitError};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Ends {
-    /// The edge has a first and a last node: one segment less than nodes.
+    /// The edge has a first and a last node: one segment fewer than nodes.
     Open,
     /// The last node is joined to the first by a segment (a periodic or closed edge): as many segments as
     /// nodes.
@@ -32,11 +32,10 @@ pub enum Ends {
 /// | | rows of B | B B' | kernel of B |
 /// | --- | --- | --- | --- |
 /// | nodal | e_i | I | 0 |
-/// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; on a closed edge with an
-/// odd number of nodes 0 |
+/// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; 0 if closed with an odd number of nodes |
 ///
-/// The least eigenvalue of the midpoint B B' is about (π/2n)², so that multipliers are computed by recursion along
-/// a contact interval and not from B B'.
+/// The smallest eigenvalue of the midpoint B B' is about (π/2n)²; multipliers are therefore computed by recursion
+/// along a contact interval and not from B B'.
 ///
 /// ```
 /// use signorini::cone::{Cone, Ends};
@@ -54,7 +53,7 @@ pub struct EdgeCone {
 }
 
 impl Cone {
-    /// This cone on an edge of `nodes` nodes.
+    /// The cone of this kind on an edge of `nodes` nodes.
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -91,7 +90,7 @@ impl EdgeCone {
         self.ends
     }
 
-    /// Number of constraints: the nodes or the segments.
+    /// Number of constraints: one per node (nodal) or one per segment (midpoint).
     pub const fn constraints(self) -> usize {
         match (self.cone, self.ends) {
             (Cone::Nodal, _) | (Cone::Midpoint, Ends::Joined) => self.nodes,
@@ -99,11 +98,11 @@ impl EdgeCone {
         }
     }
 
-    /// B w: nodal values, or the means over the segments. Also maps nodal positions on an open edge to those
-    /// of the constraints.
+    /// B w: the nodal values, or the means over the segments. On an open edge this also maps the positions of the
+    /// nodes to those of the constraints.
     ///
-    /// On a closed edge the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Halves are added,
-    /// so that no mean of finite values overflows. Cost: O(nodes).
+    /// On a closed edge the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Each value is halved before
+    /// the addition, so that no mean of finite values overflows. Cost: O(nodes).
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -128,10 +127,10 @@ impl EdgeCone {
         }
     }
 
-    /// B'λ: the nodal forces of the multipliers.
+    /// B'λ: the nodal forces that correspond to the multipliers.
     ///
     /// Nodal: (B'λ)_i = λ_i; midpoint: (B'λ)_i = (λ_{i−1} + λ_i)/2, with λ_{−1} = λ_{n−1} = 0 at the ends of an open
-    /// edge. Row sums of B are 1, so that the resultant Σ_i (B'λ)_i = Σ_i λ_i = −∫ σ_N is kept.
+    /// edge. The rows of B sum to 1, so that the resultant is preserved: Σ_i (B'λ)_i = Σ_i λ_i = −∫ σ_N.
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -146,7 +145,7 @@ impl EdgeCone {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when λ does not hold one entry per constraint.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless λ has one entry per constraint.
     pub fn apply_transposed(self, multiplier: &[f64]) -> Result<Vec<f64>> {
         let expected = self.constraints();
         if multiplier.len() != expected {
@@ -169,10 +168,11 @@ impl EdgeCone {
         })
     }
 
-    /// The nodes of constraint `i`, one node or the two ends of a segment: where row `i` of B is not zero.
+    /// The nodes of constraint `i`, one node or the two ends of a segment: the columns in which row `i` of B is
+    /// nonzero.
     ///
-    /// In the nodal cone node i; in the midpoint cone nodes i and i + 1, modulo the number of nodes on a
-    /// closed edge. Together with [`EdgeCone::weight`] this is the sparsity pattern of B.
+    /// Node i for the nodal cone; nodes i and i + 1 for the midpoint cone, modulo the number of nodes on a closed
+    /// edge. Together with [`EdgeCone::weight`] this determines B.
     ///
     /// ```
     /// use signorini::cone::{Cone, Ends};
@@ -190,7 +190,7 @@ impl EdgeCone {
         std::iter::once(i).chain(second)
     }
 
-    /// The entry of B at every node of a support.
+    /// The value of the nonzero entries of B.
     ///
     /// 1 for the nodal cone, 1/2 for the midpoint cone.
     pub const fn weight(self) -> f64 {
@@ -200,11 +200,11 @@ impl EdgeCone {
         }
     }
 
-    /// The refinement of `coarse`, a contact set on the edge with segments twice as long: the constraints
-    /// that lie in it.
+    /// The refinement of `coarse`, a contact set on the edge with segments twice as long: the constraints of this
+    /// edge that lie in it.
     ///
-    /// Nodal: an old node keeps its flag, a new node is active if both neighbours are. Midpoint: both halves of a
-    /// segment have its flag. The refined set covers the same contact intervals, as subsets of the edge.
+    /// Nodal: an old node keeps its flag, a new node is active if both its neighbours are. Midpoint: both halves of a
+    /// segment inherit its flag. The refined set covers the same contact intervals, as subsets of the edge.
     ///
     /// ```
     /// use signorini::cone::{Cone, ContactSet, Ends};
@@ -216,7 +216,7 @@ impl EdgeCone {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when halving the segments of that edge does not give this one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless bisecting that edge gives this one.
     pub fn refined_set(self, coarse: &ContactSet) -> Result<ContactSet> {
         let set = coarse.as_slice();
         let given = match (self.cone, self.ends) {
@@ -237,11 +237,11 @@ impl EdgeCone {
         }))
     }
 
-    /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w inside it; constraints in `active`
-    /// hold at both.
+    /// The largest t ≤ 1 with w + t (v − w) in the cone B w ≤ 0, for w in the cone; the constraints in `active` hold
+    /// with equality at both w and v.
     ///
-    /// t = min(1, min { s_i / (s_i − v_i) : v_i > 0 }) with s = B w ≤ 0 and v = B v: the ratio test over
-    /// the constraints that are not active. J decreases along the step if v minimises J on the face.
+    /// t = min(1, min { s_i / (s_i − v_i) : v_i > 0 }) with s = B w ≤ 0 and v = B v: the ratio test over the inactive
+    /// constraints. J decreases along the step if v minimises J on the face.
     pub(crate) fn longest_step(self, w: &[f64], v: &[f64], active: &[bool]) -> f64 {
         let (here, there) = (self.apply(w), self.apply(v));
         let mut longest: f64 = 1.0;

@@ -35,7 +35,7 @@ pub(crate) struct Face {
 }
 
 impl Face {
-    /// The face on which exactly the given constraints hold with equality; `active` has one flag per
+    /// The face on which exactly the constraints in `active` hold with equality; `active` has one flag per
     /// constraint.
     pub(crate) fn new(cone: EdgeCone, active: &[bool]) -> Self {
         let nodes = cone.nodes();

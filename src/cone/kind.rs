@@ -23,7 +23,7 @@ pub enum Cone {
     /// K^h of (2.9): u_N ≤ g at every node of the contact edge, end nodes included.
     #[default]
     Nodal,
-    /// The cone of (4.1): the mean of u_N - g over every contact segment is ≤ 0.
+    /// The cone of (4.1): the mean of u_N − g over every contact segment is ≤ 0.
     Midpoint,
 }
 

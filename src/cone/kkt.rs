@@ -1,4 +1,4 @@
-//! KKT residuals of a contact solution, each scaled; the same for every solver.
+//! The scaled KKT residuals of a contact solution, with the same definition for every solver.
 //!
 //! For min ½ u'K u − F'u subject to B u ≤ g, with multipliers λ:
 //!
@@ -9,19 +9,20 @@
 //! | gap | B u − g ≤ 0 | max_i (B u − g)₊ / displacement |
 //! | complementarity | λ_i (B u − g)_i = 0 | max_i abs(product) / (λ scale · displacement) |
 //!
-//! force = max_i (abs(K) abs(u) + abs(F))_i is the size of what is summed in the balance (a backward error in
+//! force = max_i (abs(K) abs(u) + abs(F))_i is the size of the terms in the balance (a backward error in
 //! the sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max
-//! abs(λ), unless all multipliers lie below the rounding of the balance, [`KKT_ROUNDING`] · force: then it is force.
+//! abs(λ), unless all multipliers are below the rounding errors of the balance, [`KKT_ROUNDING`] · force: then it is force.
 //! All residuals are invariant under scaling of load, stiffness and lengths. A residual 0/0 (no load) is 0.
 //! Cost: O(length).
 
 use crate::error::Result;
 use crate::numeric::check::{require_finite, require_length};
 
-/// Multipliers below this multiple of the force scale are rounding of the balance (about 500 ε).
+/// Multipliers below this multiple of the force scale are attributed to rounding errors in the balance (about 500 ε).
 pub const KKT_ROUNDING: f64 = 1e-13;
 
-/// The terms of the KKT conditions at a candidate solution. Vectors in any order, as long as `multiplier` and `gap` agree.
+/// The terms of the KKT conditions at a candidate solution; `multiplier` and `gap` must list the constraints in the
+/// same order.
 ///
 /// ```
 /// use signorini::cone::KktTerms;
@@ -36,15 +37,15 @@ pub const KKT_ROUNDING: f64 = 1e-13;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct KktTerms<'a> {
-    /// K u − F + B'λ on every unknown that is not prescribed.
+    /// K u − F + B'λ at all unknowns that are not prescribed.
     pub residual: &'a [f64],
     /// λ, one per constraint.
     pub multiplier: &'a [f64],
-    /// B u − g, one per constraint; admissible when ≤ 0.
+    /// B u − g, one per constraint; feasible if ≤ 0.
     pub gap: &'a [f64],
     /// max_i (|K||u| + |F|)_i.
     pub force: f64,
-    /// max(|u|, |g|), or the displacement by the load alone if contact prevents all displacement.
+    /// max(|u|, |g|), or the displacement due to the load alone if contact prevents all displacement.
     pub displacement: f64,
 }
 
@@ -61,20 +62,20 @@ pub struct KktTerms<'a> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct KktResiduals {
-    /// Balance of forces.
+    /// Residual of the balance of forces, K u − F + B'λ = 0.
     pub balance: f64,
-    /// Sign of the contact forces: λ ≥ 0, σ_N ≤ 0.
+    /// Violation of the sign condition: λ ≥ 0, that is σ_N ≤ 0.
     pub sign: f64,
-    /// No penetration in the sense of the cone.
+    /// Penetration: violation of the constraints B u ≤ g of the cone.
     pub gap: f64,
-    /// Force only where the gap is closed.
+    /// Violation of complementarity: λ_i (B u − g)_i = 0.
     pub complementarity: f64,
 }
 
 impl KktResiduals {
-    /// The largest of the four.
+    /// The largest of the four residuals.
     ///
-    /// Max norm of the four; 0 exactly at a KKT point of the convex program, hence at its solution.
+    /// It is 0 exactly at a KKT point of the convex program, hence at its solution.
     ///
     /// ```
     /// use signorini::cone::KktResiduals;
@@ -87,8 +88,8 @@ impl KktResiduals {
     }
 }
 
-/// The distance from a degenerate solution, whose contact set is ambiguous because a constraint is active
-/// with zero force.
+/// The margins of strict complementarity: the distance from a degenerate solution, in which a constraint is active
+/// with zero force, so that the contact set is ambiguous.
 ///
 /// Strict complementarity: λ_i > 0 or (B u − g)_i < 0 for every i. With both margins at least m, a perturbation of
 /// the data that moves λ and B u by less than m relative to their scales leaves the contact set unchanged.
@@ -113,9 +114,9 @@ pub struct Margins {
 }
 
 impl Margins {
-    /// True if contact is weak: some active force or some inactive gap is below `threshold`.
+    /// True if contact is weak: the smallest active force or the smallest inactive gap is below `threshold`.
     ///
-    /// Monotone in the threshold; without contact only the gap counts, with full contact only the force.
+    /// Monotone in the threshold. Without contact only the gap is tested, with full contact only the force.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -132,10 +133,12 @@ impl Margins {
 impl KktTerms<'_> {
     /// The four scaled residuals.
     ///
-    /// By the formulas of the table above, on vectors of any order; empty vectors have residual 0.
+    /// Computed by the formulas in the table of this module; empty vectors have residual 0.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite): for values that are not finite.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if `multiplier` and `gap` differ in
+    /// length,
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for values that are not finite.
     pub fn residuals(&self) -> Result<KktResiduals> {
         self.check()?;
         let force_of_contact = self.multiplier_scale();
@@ -156,10 +159,11 @@ impl KktTerms<'_> {
 
     /// The margins of strict complementarity for the given active set.
     ///
-    /// One flag per constraint. Nonnegative up to the sign and gap residuals.
+    /// `active` has one flag per constraint. The margins are nonnegative up to the sign and gap residuals.
     ///
     /// # Errors
-    /// As for [`KktTerms::residuals`].
+    /// As for [`KktTerms::residuals`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) also for
+    /// `active`.
     pub fn margins(&self, active: &[bool]) -> Result<Margins> {
         self.check()?;
         require_length("contact set", active.len(), self.gap.len())?;

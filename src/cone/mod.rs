@@ -8,11 +8,11 @@
 //! | nodal K^h (2.9) | every node, B w = w | λ_i = −∫ σ_N φ_i |
 //! | midpoint K̄^h (4.1) | every mean, (B w)_i = (w_i + w_{i+1})/2 | λ_i = −∫ σ_N over segment i |
 //!
-//! The multiplier is a generalised force: K u + B'λ = F, λ ≥ 0. In the nodal cone u_N ≤ g on the whole edge
+//! The multipliers are generalised forces: K u + B'λ = F, λ ≥ 0. In the nodal cone u_N ≤ g on the whole edge
 //! (u_N is piecewise affine); in the midpoint cone u_N may exceed g inside a segment. The kernel of the
 //! midpoint B is the sawtooth (−1)^i.
 //!
-//! All other modules use the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
+//! All other modules access the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
 //! contact set and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`],
 //! and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It does not depend on meshes or
 //! operators.

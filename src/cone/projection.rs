@@ -5,9 +5,9 @@
 //!
 //! F_{i+1}(t) = ½ d_{i+1} (t − z_{i+1})² + F_i(min(2 g_i − t, m_i)).
 //!
-//! F_i' is increasing and piecewise linear; a step cuts its positive part off, reflects it and adds d (t − z)
-//! (`derivative`). Backwards, p_n = m_n and p_i = min(m_i, 2 g_i − p_{i+1}); the constraint is active where
-//! the second is smaller. Nodes that are fixed stay at 0: the chain begins anew behind them, with a hard
+//! F_i' is increasing and piecewise linear; a step truncates its positive part, reflects it and adds d (t − z)
+//! (module `derivative`). In the backward pass p_n = m_n and p_i = min(m_i, 2 g_i − p_{i+1}); the constraint is
+//! active where the second term is smaller. Fixed nodes stay at 0: a new chain begins after each of them, with a hard
 //! upper bound.
 //!
 //! A closed edge is cut at a segment that is inactive in the projection; if the projection of the chain
@@ -34,7 +34,7 @@ impl EdgeCone {
     }
 }
 
-/// The node with the least value, where a segment is probably inactive.
+/// The node with the smallest value, where a segment is probably inactive.
 fn deepest(z: &[f64]) -> usize {
     (0..z.len()).min_by(|&a, &b| z[a].total_cmp(&z[b])).unwrap_or(0)
 }

@@ -1,10 +1,10 @@
-//! The coordinates of a face, w = o + Z q, and the multipliers from the forces on its contact intervals.
+//! The coordinates of a face, w = o + Z q, and the multipliers obtained from the forces on its contact intervals.
 //!
 //! Along a contact interval of the midpoint cone w_{i+1} = 2 g_i − w_i: one amplitude of the sawtooth
 //! (−1)^i, the kernel of B, is free, and none if an end of the interval is fixed. B'λ = r on the interval
 //! is the same recursion, λ_i = 2 r_i − λ_{i−1}, started at both ends so that rounding propagates over half
 //! the interval only. Where λ is determined only up to a sawtooth (an interval between two fixed ends, a
-//! closed edge entirely in contact) the one with the greatest minimum is taken. In the nodal cone w = g and
+//! closed edge entirely in contact) the one with the greatest minimum is selected. In the nodal cone w = g and
 //! λ = r. Cost O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
@@ -129,7 +129,8 @@ impl Coordinates {
         }
     }
 
-    /// Starts where the value is known: at a fixed end, else at the left end with a new amplitude.
+    /// Starts where the value is known: at a fixed end if there is one, otherwise at the left end with a new
+    /// amplitude.
     ///
     /// o_{k+1} = 2 g_k − o_k and Z_{k+1} = −Z_k along the interval; between two fixed ends no amplitude is
     /// left, and the last equation may fail.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// The termination of an iteration, independent of the KKT residuals of the solution.
+/// The status with which an iteration terminated, independent of the KKT residuals of the solution.
 ///
 /// ```
 /// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};
@@ -17,19 +17,19 @@ use std::fmt;
 pub enum Status {
     /// The stopping rule of the solver was met.
     Converged,
-    /// No further progress; `residual` is the largest KKT residual.
+    /// No further progress was possible; `residual` is the largest KKT residual.
     Stalled {
         /// The largest of the residuals of balance, sign, gap and complementarity.
         residual: f64,
     },
     /// The contact set recurred after `period` steps and the iteration could not leave the cycle.
     Cycled {
-        /// Steps between the two visits.
+        /// Number of steps between two visits of the same set.
         period: usize,
     },
     /// The maximum number of steps was reached.
     StepLimit {
-        /// Steps taken.
+        /// Number of steps.
         steps: usize,
     },
 }
