@@ -1,20 +1,21 @@
-//! The consistency terms of Sections 3 and 4 of a test problem, on all grids coarser than its own.
+//! The consistency terms of Sections 3 and 4 for the exact data of a test problem, on all grids coarser than that of
+//! the data.
 //!
-//! Both depend on the exact u_N and σ_N = −λ alone, no discrete problem is solved:
+//! Both depend only on the exact u_N and σ_N = −λ; no discrete problem is solved:
 //!
 //! * nodal cone: ∫ σ_N (I^h u)_N dΓ = −Σ_j (P'λ)_j u_N(x_j), P' the restriction of forces to the coarse
 //!   nodes;
 //! * midpoint cone: ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = −Σ_T (1/h_e) ∫_T λ ∫_T u_N, because λ u_N = 0.
 //!
-//! Both are ≥ 0, sums of nonnegative terms. Cost: O(N) for all grids together.
+//! Both are sums of nonnegative terms. Cost: O(N) for all grids together.
 
 use crate::cone::Cone;
 use crate::strip::{EdgeData, LateralCondition, restrict};
 
-/// The terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest first; N a power of two, else as far
-/// as it halves.
+/// The consistency terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest grid first; N is a power of two,
+/// otherwise the sequence ends at the first odd number of cells.
 ///
-/// No discrete problem is solved. The nodal term vanishes on every grid of which the transitions are nodes.
+/// No discrete problem is solved. The nodal term vanishes on every grid that has the transitions among its nodes.
 ///
 /// ```
 /// use signorini::{cone::Cone, edge::consistency_terms, problems::StripData, strip::LateralCondition};

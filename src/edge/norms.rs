@@ -1,16 +1,16 @@
 //! The norms on the right-hand side of the theorems, on the contact edge.
 //!
-//! The proofs of Sections 3 and 4 use u only through ‖u_N‖_{τ−1/2} and ‖σ_N‖_{τ−3/2} on Γ_C. For 3/2 < τ < 2
-//! both have order ν = τ − 3/2 < 1/2 after one derivative of u_N, so the piecewise constant slopes of u_N and
-//! densities of σ_N on the grid of the test problem have finite norms, which are exact for the data that are solved:
-//! seminorms by a Gram matrix of constants, O(N log N). Powers of regularity exactly τ are not in H^τ; their
-//! norms on a grid of N cells grow like (ln N)^{1/2}.
+//! The proofs of Sections 3 and 4 use u only through ‖u_N‖_{τ−1/2} and ‖σ_N‖_{τ−3/2} on Γ_C. For 3/2 < τ < 2 both
+//! reduce to seminorms of order ν = τ − 3/2 < 1/2, of u_N' and of σ_N. The piecewise constant slopes of u_N and
+//! densities of σ_N on the grid of the test problem therefore have finite norms, computed without discretisation
+//! error by the Gram matrix of piecewise constants in O(N log N). Powers of regularity exactly τ are not in H^τ;
+//! their norms on a grid of N cells grow like (ln N)^{1/2}.
 
 use crate::error::Result;
 use crate::strip::{EdgeData, LateralCondition};
 use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 
-/// Norm and seminorms of the data of a test problem on its edge.
+/// The norms and seminorms of the data of a test problem on the contact edge.
 ///
 /// ν = τ − 3/2; ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν and ‖σ_N‖²_{τ−3/2} = ‖σ_N‖₀² + |σ_N|²_ν, with the
 /// Sobolev-Slobodeckij seminorm (1.1) on the edge of length 1.
@@ -24,9 +24,9 @@ pub struct EdgeNorms {
     pub pressure: f64,
 }
 
-/// Norm and seminorms, 3/2 < τ < 2.
+/// The norms and seminorms of the data, for 3/2 < τ < 2.
 ///
-/// The forces are spread over the adjacent cells, half to each; cost O(N log N) for N cells.
+/// Each nodal force is distributed over the adjacent cells, one half to each. Cost: O(N log N) for N cells.
 ///
 /// ```
 /// use signorini::{edge::edge_norms, problems::StripData, strip::LateralCondition};
@@ -38,8 +38,9 @@ pub struct EdgeNorms {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2: then slopes with jumps
-/// have no norm.
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2,
+/// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm)
+/// for τ ≥ 2, where the norm of a discontinuous slope is infinite.
 pub fn edge_norms(edge_data: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = Order::half_plus(tau - 2.0)?;
     let (values, cells) = (edge_data.values(), edge_data.cells());

@@ -1,44 +1,44 @@
-//! A complementary pair (u_N, σ_N) on the contact edge, as functions of finite norm.
+//! A complementary pair (u_N, σ_N) on the contact edge, represented by functions of finite norm.
 //!
-//! The inequalities of Sections 3 and 4 are for functions of finite norm. On N equal cells of the edge (0, 1):
+//! The inequalities of Sections 3 and 4 hold for functions of finite norm. On N equal cells of the edge (0, 1):
 //!
 //! | traces | u_N | u_N' | σ_N | \|u_N'\|_ν, \|σ_N\|_ν finite for |
 //! | --- | --- | --- | --- | --- |
 //! | [`Traces::Constants`] | linear on cells, continuous | constant on cells | as u_N' | ν < 1/2 (τ < 2) |
 //! | [`Traces::Linears`] | quadratic on cells, C¹ | linear, continuous | as u_N' | ν < 3/2; used for 2 ≤ τ < 5/2 |
 //!
-//! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is spread evenly over the one or two
-//! cells at its node whose both ends are in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0
-//! or σ_N = 0.
+//! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is distributed evenly over those of the adjacent
+//! cells (one or two) whose end points are both in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N
+//! = 0.
 //!
 //! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i +
 //! u_{i+1})/4: the quadratic spline of the data, which is ≤ 0 and vanishes on a cell only when four nodal
-//! values do (at the ends of the edge the data are continued linearly). σ_N keeps the nodal densities where
-//! both cells at a node are in contact, and is 0 at all others.
+//! values do (at the ends of the edge the data are extrapolated linearly). σ_N takes the nodal densities where
+//! both adjacent cells are in contact, and 0 at all other nodes.
 //!
-//! In both, u_N ≤ 0, σ_N ≤ 0 and σ_N u_N = 0 hold at every point, exactly: the pair is a legitimate solution
-//! of its own contact problem on a strip, and every inequality of the proof applies to it with its continuous
-//! norms.
+//! In both cases u_N ≤ 0, σ_N ≤ 0 and σ_N u_N = 0 hold exactly at every point: the pair is the exact solution of a
+//! contact problem on a strip, and every inequality of the proof applies to it with the norms of the continuous
+//! functions.
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// The functions that represent u_N' and σ_N.
+/// The piecewise polynomials that represent u_N' and σ_N.
 ///
-/// A function that is constant on cells has a finite seminorm of order ν only for ν < 1/2, a continuous piecewise linear
-/// one for ν < 3/2.
+/// A piecewise constant function has a finite seminorm of order ν only for ν < 1/2, a continuous piecewise linear one
+/// for ν < 3/2.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Traces {
-    /// Constant on cells: orders ν < 1/2.
+    /// Piecewise constant: orders ν < 1/2.
     Constants,
-    /// Continuous, linear on cells: orders ν ≥ 1/2.
+    /// Continuous and piecewise linear: orders ν ≥ 1/2.
     Linears,
 }
 
 impl Traces {
-    /// The traces whose norms of order τ − 3/2 are finite.
+    /// The kind of traces whose norms of order τ − 3/2 are finite.
     ///
-    /// Constants for τ < 2, linears from τ = 2 on.
+    /// `Constants` for τ < 2, `Linears` for τ ≥ 2.
     ///
     /// ```
     /// use signorini::edge::Traces;
@@ -63,9 +63,9 @@ pub struct ContactPair {
 }
 
 impl ContactPair {
-    /// The pair of a test problem of the strip; a periodic edge is cut at 0.
+    /// The pair (u_N, σ_N) of a test problem of the strip; a periodic edge is cut at 0.
     ///
-    /// ∫ σ_N = −Σ λ_i is preserved. The example checks the consistency bound with the constant 1/2 on every segment,
+    /// ∫ σ_N = −Σ λ_i is preserved. The example verifies the consistency bound with the constant 1/2 on every segment,
     /// ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_ν |u_N'|_ν.
     ///
     /// ```
@@ -80,7 +80,7 @@ impl ContactPair {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotComplementary`] when a node with a force has no contact cell beside it to carry a density.
+    /// [`Error::NotComplementary`] if no cell adjacent to a node with a force is in contact.
     pub fn of_data(edge_data: &EdgeData, traces: Traces) -> Result<Self> {
         let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
         if edge_data.sides() == LateralCondition::Periodic {
@@ -145,10 +145,10 @@ impl ContactPair {
         Self { traces: Traces::Linears, values, slopes, pressures }
     }
 
-    /// u = −(x − a)₊^{τ−1}, σ = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
+    /// The pair u_N = −(x − a)₊^{τ−1}, σ_N = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
     ///
-    /// The exact solution of regularity τ near a transition: contact for x < a, open for x > a, so the segments left of a
-    /// have u_N' = 0 and those right of a have σ_N = 0.
+    /// The leading terms of a solution of regularity τ near a transition: contact for x < a, no contact for x > a, so
+    /// the segments left of a have u_N' = 0 and those right of a have σ_N = 0.
     ///
     /// ```
     /// use signorini::edge::ContactPair;
@@ -160,7 +160,8 @@ impl ContactPair {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a outside (0, 1) or τ outside [2, 5/2); as [`EdgeData::new`] for the cells.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a outside (0, 1) or τ outside [2, 5/2); as
+    /// for [`EdgeData::new`] for the number of cells.
     pub fn smooth_transition(cells: usize, a: f64, tau: f64) -> Result<Self> {
         Error::require("position", a, "(0, 1)", a > 0.0 && a < 1.0)?;
         Error::require("tau", tau, "[2, 5/2)", (2.0..2.5).contains(&tau))?;
@@ -181,7 +182,7 @@ impl ContactPair {
         self.traces
     }
 
-    /// N.
+    /// The number N of cells.
     pub fn cells(&self) -> usize {
         self.slopes.len()
     }

@@ -1,13 +1,13 @@
-//! The trace of a test problem on its contact edge, by the mesh solver or on the strip.
+//! The trace of a test problem on its contact edge, from a mesh or from a strip.
 //!
-//! | whose trace | mesh | strip |
+//! | trace of | mesh | strip |
 //! | --- | --- | --- |
-//! | the fine reference | nodal solution on 8n × 8n squares | (u_N, σ_N) as manufactured, 64n cells or more |
+//! | the fine reference | nodal solution on 8n × 8n squares | the manufactured (u_N, σ_N), 64n cells or more |
 //! | u_h itself | discrete solution on n × n squares | discrete solution on n cells (scalar, height 1) |
 //!
-//! u_h is the nodal solution for Section 3, the midpoint solution for Section 4. The midpoint cone lets u_h,N
-//! be positive: there, and on segments whose constraint is active, the gap counts as closed. Cost: that of
-//! the solvers.
+//! u_h is the nodal solution for Section 3 and the midpoint solution for Section 4. The midpoint cone admits positive
+//! values of u_h,N: positive values, and values on segments whose constraint is active, are set to zero. Cost: that
+//! of the solvers.
 
 use super::trace::EdgeTrace;
 use crate::cone::{Cone, ContactSet};
@@ -16,24 +16,24 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::problems::{NamedProblem, StripData, TestProblem};
 use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
-/// Segments of a mesh reference per segment of the finest mesh: the transition is known to an eighth of a
-/// segment.
+/// Segments of a mesh reference per segment of the finest mesh: the transition is resolved to an eighth of a segment.
 const MESH_FACTOR: usize = 8;
 /// Relative residual of the contact solution on a strip.
 const SOLVED: f64 = 1e-13;
-/// Fewest cells of the manufactured edge: studies of up to 1024 segments use the same one.
+/// Smallest number of cells of the manufactured edge: studies of up to 1024 segments use the same edge.
 const STRIP_CELLS: usize = 1 << 16;
-/// Fewest of its cells per segment: lengths h_e θ are known to h_e/64.
+/// Smallest number of these cells per segment: lengths h_e θ are resolved to h_e/64.
 const STRIP_FACTOR: usize = 64;
-/// u_N counts as zero below this, relative to its largest value: far above rounding, far below one cell's
-/// opening.
+/// Displacements below this multiple of the largest one count as zero: far above rounding, far below the opening of
+/// one cell.
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
-    /// The manufactured pair of a strip on its fine edge; a periodic edge is cut at 0, where the force is
-    /// halved.
+    /// The trace of the manufactured pair of a strip on its fine edge; a periodic edge is cut at 0, where the force
+    /// is halved.
     ///
-    /// The nodal values and forces of the data without a solver; u_N below 1e-12 of its largest value counts as zero.
+    /// The nodal values and forces of the data, without a solver; |u_N| below 1e-12 of its largest value counts as
+    /// zero.
     ///
     /// ```
     /// use signorini::{edge::EdgeTrace, problems::StripData, strip::LateralCondition};
@@ -46,7 +46,7 @@ impl EdgeTrace {
     /// ```
     ///
     /// # Errors
-    /// As [`EdgeTrace::new`].
+    /// As for [`EdgeTrace::new`].
     pub fn of_data(edge_data: &EdgeData) -> Result<Self> {
         let cells = edge_data.cells();
         let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
@@ -59,7 +59,7 @@ impl EdgeTrace {
         EdgeTrace::new(nodes, values, forces, 0.0)
     }
 
-    /// The fine trace that represents u on meshes of up to n segments; `tau` is the regularity of a strip
+    /// The trace on a fine grid that represents u for meshes of up to n segments; `tau` is the regularity of a strip
     /// test problem.
     ///
     /// # Errors

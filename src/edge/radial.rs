@@ -1,7 +1,7 @@
-//! A contact set as intervals of ln r, r the distance from the end of the edge.
+//! A contact set as intervals in ln r, r the distance from the end of the edge.
 //!
-//! Between a constraint in contact and one that is not, the end point is placed at the geometric mean of
-//! their radii: on rings with ratio e^s it is known to s/2 in ln r.
+//! Between an active constraint and an inactive one, the end point is placed at the geometric mean of their radii: on
+//! rings of ratio e^s it is resolved to s/2 in ln r.
 
 use crate::cone::ContactSet;
 use crate::error::Result;
@@ -10,7 +10,7 @@ use crate::numeric::check::{require_entry, require_finite, require_length};
 /// A contact or non-contact interval of the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RadialInterval {
-    /// Inner radius, in units of the data.
+    /// Inner radius, in the units of the data.
     pub from: f64,
     /// Outer radius.
     pub to: f64,
@@ -19,7 +19,7 @@ pub struct RadialInterval {
 }
 
 impl RadialInterval {
-    /// log₁₀ of the ratio of its ends.
+    /// log₁₀ of the ratio of its outer and inner radius.
     ///
     /// ```
     /// use signorini::edge::RadialInterval;
@@ -31,7 +31,7 @@ impl RadialInterval {
     }
 }
 
-/// The contact and non-contact intervals, from the inside outwards; radii that are 0 (the end itself) are
+/// The contact and non-contact intervals, from the inside outwards; constraints at radius 0 (the end itself) are
 /// omitted.
 ///
 /// ```
@@ -45,14 +45,16 @@ impl RadialInterval {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch)(crate::Error::LengthMismatch) unless there is a radius per constraint, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite)(crate::Error::NotFinite),
-/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange)(crate::Error::EntryOutOfRange) for radii that are negative or do not increase.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one radius per constraint,
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a radius that is not finite,
+/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for radii that are negative or do not
+/// increase.
 pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInterval>> {
     require_length("radii", radii.len(), set.constraints())?;
     require_finite("radius", radii)?;
     for (k, &radius) in radii.iter().enumerate() {
         let above = if k == 0 { radius >= 0.0 } else { radius > radii[k - 1] };
-        require_entry("radius", k, radius, "the values >= 0 above the previous radius", above)?;
+        require_entry("radius", k, radius, "[0, inf), increasing", above)?;
     }
     let mut found: Vec<RadialInterval> = Vec::new();
     for (i, &radius) in radii.iter().enumerate().filter(|(_, radius)| **radius > 0.0) {

@@ -1,7 +1,8 @@
-//! All norms of a pair (u_N, σ_N) on one contact segment in the proofs of Theorems 3.1 and 4.1.
+//! The norms of a pair (u_N, σ_N) on one contact segment that occur in the proofs of Theorems 3.1 and 4.1.
 //!
-//! Traces are polynomials on cells, so all integrals of products are exact (three Gauss points per cell); L^q
-//! norms in closed form; seminorms of order ν by the Gram matrix of the cells of a segment as a fast product.
+//! Traces are piecewise polynomial, so all integrals of products are exact (three Gauss points per cell); L^q norms
+//! are evaluated in closed form; seminorms of order ν by a fast product with the Gram matrix of the cells of a
+//! segment.
 
 use super::pair::{ContactPair, Segment};
 use super::seminorm::SeminormForm;
@@ -9,9 +10,10 @@ use crate::error::{Result, ToolkitError};
 use fractional_sobolev::{Estimate, Given, Order, gauss_legendre};
 use rayon::prelude::*;
 
-/// The norms of one segment.
+/// The norms of a pair (u_N, σ_N) on one segment.
 ///
-/// On T of length h_e with vertices a₁ < a₂: I^h is the linear interpolant at the vertices, π^h the mean over T, ν the
+/// On a segment T of length h_e with end points a₁ < a₂: I^h is the linear interpolant at the end points, π^h the
+/// mean over T, ν the
 /// order of the seminorms (1.1). Because σ_N u_N = 0, `interpolation_term` = `nodal_term` (3.11) and `projection_term` =
 /// `midpoint_term`, up to rounding.
 ///
@@ -50,15 +52,15 @@ pub struct SegmentNorms {
     pub interpolation_error: f64,
     /// ‖u_N − π^h u_N‖₀ and ‖u_N − π^h u_N‖_{L^∞}.
     pub projection_error: [f64; 2],
-    /// max |u_N|.
+    /// ‖u_N‖_{L^∞}.
     pub depth: f64,
-    /// u_N at both vertices.
+    /// u_N at both end points.
     pub vertices: [f64; 2],
-    /// Distance from each vertex to the nearest zero of u_N in the segment.
+    /// Distance from each end point to the nearest zero of u_N in the segment; `None` if there is no zero.
     pub zero_distance: Option<[f64; 2]>,
-    /// |∫ u_N'| from each vertex to that zero.
+    /// |∫ u_N'| from each end point to that zero.
     pub increments: [f64; 2],
-    /// Length of the longer of the two pieces at the vertices on which σ_N = 0.
+    /// Length of the longer of the two subintervals adjacent to the end points on which σ_N = 0.
     pub free_length: f64,
 }
 
@@ -149,9 +151,9 @@ impl SegmentNorms {
         self.displacement.powi(2) + self.slope.norm_squared()
     }
 
-    /// diam C_T, `None` without contact.
+    /// diam C_T, the diameter of the contact set of the segment; `None` without contact.
     ///
-    /// h_e less the distances from both vertices to the nearest zeros of u_N; 0 for a single contact point.
+    /// h_e minus the distances from both end points to the nearest zeros of u_N; 0 for a single contact point.
     ///
     /// ```
     /// use signorini::edge::ContactPair;
@@ -166,8 +168,9 @@ impl SegmentNorms {
 }
 
 impl ContactPair {
-    /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. Seminorms of order ν, L^q
-    /// norms with the given q ≥ 1, rounding relative to the norms. Cost: O(N log(N/n)) for N cells.
+    /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. The seminorms have order ν,
+    /// the L^q norms the given exponent q ≥ 1; errors are rounding errors relative to the norms. Cost: O(N log(N/n))
+    /// for N cells.
     ///
     /// ```
     /// use signorini::edge::ContactPair;
@@ -182,17 +185,17 @@ impl ContactPair {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N;
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2.
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for piecewise constants and ν ≥ 1/2.
     pub fn norms(&self, segments: usize, order: impl Given<Order>, q: f64) -> Result<Vec<SegmentNorms>> {
         let form = SeminormForm::new(self.traces(), order.given()?, self.cells() / segments.max(1))?;
         self.norms_by(&form, segments, q)
     }
 
-    /// [`ContactPair::norms`] of pairs of the same kind on the same grid, one after the other: their Gram matrix is
-    /// made once, and the norms of one pair are held at a time.
+    /// The norms of several pairs of the same kind on the same grid, as [`ContactPair::norms`], one pair after the
+    /// other: the Gram matrix is assembled once, and only the norms of one pair are stored at a time.
     ///
     /// # Errors
-    /// As [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without pairs,
+    /// As for [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without pairs,
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a pair on another grid.
     pub fn norms_of(
         pairs: &[Self],

@@ -1,12 +1,12 @@
 //! |v|²_ν of a trace on a contact segment, by the Gram matrix of a uniform mesh as a fast product; one
 //! [`SeminormForm`] serves all segments of a mesh, because |v|²_{ν,T} = h_e^{1−2ν} |ṽ|²_ν on the reference
-//! interval. Cost O(K log K) for K cells. Compared with adaptive quadrature in the tests below.
+//! interval. Cost O(K log K) for K cells. The tests below compare it with adaptive quadrature.
 
 use super::pair::{Segment, Traces};
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{Estimate, Gram, Mesh, Order, Tolerance, Work};
 
-/// Relative rounding of the fast product, against Σ a_ii x_i².
+/// Relative rounding error of the fast product, with respect to Σ a_ii x_i².
 const PRODUCT: f64 = 1e-13;
 
 /// |·|²_ν on segments of K equal cells.
@@ -23,7 +23,8 @@ impl SeminormForm {
     /// The form for segments of `cells` cells.
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for constants and ν ≥ 1/2; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for piecewise constants and ν ≥ 1/2;
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without cells.
     pub(super) fn new(traces: Traces, order: Order, cells: usize) -> Result<Self> {
         if traces == Traces::Constants && order.offset() >= 0.0 {
             return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
@@ -158,7 +159,7 @@ mod tests {
         let estimate = Estimate::new(scale * total, scale * adaptive.error, work)?;
         // A constant trace has seminorm 0 and no relative error.
         if total > 0.0 && estimate.relative_error() > 10.0 * tolerance.relative() {
-            let why = "bisection of the cells ended at its deepest level";
+            let why = "the maximum number of bisections was reached";
             return Err(Error::not_met("squared seminorm", tolerance.relative(), estimate, why));
         }
         Ok(estimate)

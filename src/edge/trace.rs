@@ -9,23 +9,23 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_entry, require_finite, require_length};
 
-/// A closed interval [start, end] of the contact edge; a single point when both agree.
+/// A closed interval [start, end] of the contact edge; a single point if the two coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Left end.
     pub start: f64,
-    /// Right end, not below `start`.
+    /// Right end, ≥ `start`.
     pub end: f64,
 }
 
 impl Interval {
-    /// end − start.
+    /// The length end − start.
     pub fn length(&self) -> f64 {
         self.end - self.start
     }
 }
 
-/// Nodes of a fine mesh of the contact edge with normal displacements and contact forces.
+/// The trace of a solution at the nodes of a fine mesh of the contact edge: normal displacements and contact forces.
 ///
 /// u_N ≤ 0 is linear between the nodes; −σ_N dΓ is a sum of point forces λᵢ ≥ 0, so ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ).
 ///
@@ -50,18 +50,21 @@ pub struct EdgeTrace {
 impl EdgeTrace {
     /// The trace with the given increasing nodes, values u_N and forces λ ≥ 0 at the nodes.
     ///
-    /// A node is in contact where u_N = 0 to within `rounding` (absolute, of u_N), pressed if λ exceeds
-    /// `rounding` times the largest force relative to the largest displacement.
+    /// A node is in contact if u_N = 0 to within `rounding` (absolute, in units of u_N). It belongs to the support of
+    /// σ_N if λ exceeds `rounding` times the ratio of the largest force and the largest displacement.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), and [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) when nodes do not increase,
-    /// when u_N exceeds `rounding`, or when fewer than two nodes are given ([`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange)).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite),
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two nodes,
+    /// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) if the nodes do not increase or u_N
+    /// exceeds `rounding`.
     pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "nodes of the contact edge",
                 value: nodes.len(),
-                range: "n >= 2",
+                range: "[2, inf)",
             }));
         }
         for (name, values) in [("displacement", &displacement), ("force", &force)] {
@@ -71,10 +74,10 @@ impl EdgeTrace {
             require_finite(name, values)?;
         }
         if let Some(k) = nodes.windows(2).position(|p| p[0] >= p[1]) {
-            require_entry("node", k + 1, nodes[k + 1], "increasing nodes", false)?;
+            require_entry("node", k + 1, nodes[k + 1], "(previous node, inf)", false)?;
         }
         if let Some(k) = displacement.iter().position(|&u| u > rounding) {
-            require_entry("normal displacement", k, displacement[k], "u_N <= 0", false)?;
+            require_entry("normal displacement", k, displacement[k], "(-inf, 0]", false)?;
         }
         let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
@@ -84,7 +87,7 @@ impl EdgeTrace {
         Ok(Self { nodes, displacement, force, contact, pressed })
     }
 
-    /// The nodes, increasing.
+    /// The nodes, in increasing order.
     pub fn nodes(&self) -> &[f64] {
         &self.nodes
     }
@@ -94,14 +97,14 @@ impl EdgeTrace {
         &self.displacement
     }
 
-    /// Contact forces λ at the nodes.
+    /// The contact forces λ at the nodes.
     pub fn force(&self) -> &[f64] {
         &self.force
     }
 
-    /// −σ_N at the nodes: each force over half the length of the cells it belongs to.
+    /// −σ_N at the nodes: each force divided by half the total length of the adjacent cells.
     ///
-    /// The lumped densities λᵢ / ∫ φᵢ, φᵢ the hat function of node i: Σ pressureᵢ ∫ φᵢ is the total force.
+    /// These are the lumped densities λᵢ / ∫ φᵢ, φᵢ the hat function of node i: Σ pressureᵢ ∫ φᵢ is the total force.
     ///
     /// ```
     /// use signorini::edge::EdgeTrace;
@@ -115,18 +118,18 @@ impl EdgeTrace {
         self.force.iter().enumerate().map(|(i, force)| 2.0 * force / width(i)).collect()
     }
 
-    /// The contact set {u_N = 0}, as intervals in increasing order.
+    /// The contact set {u_N = 0}, as intervals in ascending order.
     pub fn contact(&self) -> &[Interval] {
         &self.contact
     }
 
-    /// Ends of the contact set inside the edge; an isolated contact point has two.
+    /// Number of end points of the contact set inside the edge; an isolated contact point counts twice.
     pub fn transitions(&self) -> usize {
         let (start, end) = (self.nodes[0], self.nodes[self.nodes.len() - 1]);
         self.contact.iter().map(|c| usize::from(c.start > start) + usize::from(c.end < end)).sum()
     }
 
-    /// The support of σ_N, as intervals in increasing order.
+    /// The support of σ_N, as intervals in ascending order.
     pub fn pressed(&self) -> &[Interval] {
         &self.pressed
     }
