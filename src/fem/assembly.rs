@@ -1,9 +1,8 @@
 //! The stiffness matrix, assembled row by row.
 //!
-//! Every node gathers the contributions of its own triangles, so that rows are independent and tasks write
-//! to disjoint memory. The two unknowns of a node are Cartesian, or the tangential and the normal
-//! displacement (u_T, u_N) of a straight contact edge: [`Frame`]. Cost: O(triangles), about 400 operations
-//! each.
+//! Every node collects the contributions of its own triangles, so that rows are independent and tasks write to
+//! disjoint memory. The two unknowns of a node are Cartesian, or the tangential and the normal displacement (u_T,
+//! u_N) at a straight contact edge: [`Frame`]. Cost: O(triangles), about 400 operations per triangle.
 
 use super::form::{Element, Form};
 use super::frame::{Frame, Frames};
@@ -39,7 +38,7 @@ impl Incidence {
     }
 }
 
-/// Rows assembled by one task: enough to hide what a task costs, few enough for many tasks.
+/// Rows assembled by one task: enough to amortise the overhead of a task, few enough for many tasks.
 const CHUNK: usize = 8192;
 
 /// Some consecutive rows: number of blocks per row, columns, values.
@@ -53,7 +52,7 @@ struct Rows {
 /// The stiffness matrix of `form` in the unknowns of `frame`, boundary rows included.
 ///
 /// K_ij = a(φ_j, φ_i), symmetric, node-major, without boundary conditions: constants lie in the kernel of the Laplacian,
-/// rigid motions in that of elasticity. Scaling the mesh does not change it (two dimensions, no reaction term).
+/// rigid motions in that of elasticity. It is invariant under scaling of the mesh (two dimensions, no reaction term).
 ///
 /// ```
 /// use signorini::fem::{Form, Frame, Lame, stiffness};
@@ -68,7 +67,7 @@ pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatri
     stiffness_in(mesh, form, &Frames::all(*frame))
 }
 
-/// The same with a frame per node.
+/// The same stiffness matrix with a frame for every node.
 pub(crate) fn stiffness_in(mesh: &Triangulation, form: &Form, frames: &Frames) -> BlockMatrix {
     let incidence = Incidence::of(mesh);
     let count = mesh.nodes().len();

@@ -1,15 +1,14 @@
-//! Elimination of everything but a few kept unknowns: a multifrontal Cholesky factorization on a dissection
-//! tree.
+//! Elimination of all but a few kept unknowns: a multifrontal Cholesky factorization on a dissection tree.
 //!
-//! With interior unknowns i (all that are neither prescribed nor kept) and kept unknowns k,
+//! With interior unknowns i (neither prescribed nor kept) and kept unknowns k,
 //!
 //! K = [[K_ii, K_ik], [K_ki, K_kk]],   S = K_kk − K_ki K_ii⁻¹ K_ik,   b = F_k − K_ki K_ii⁻¹ F_i.
 //!
-//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal
-//! displacements of the contact edge it *is* the discrete Steklov-Poincaré operator. The contact iteration
-//! works on S and b alone; the factorization is done once. Every node of the tree is a dense front (faer:
-//! Cholesky, triangular solve, symmetric product); independent subtrees run in parallel (I. S. Duff and J. K.
-//! Reid, ACM TOMS 9 (1983)). Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N)
+//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal displacements
+//! of the contact edge it is the discrete Steklov-Poincaré operator. The contact iteration requires only S and b; the
+//! factorization is computed once. Every node of the tree is a dense front (faer: Cholesky, triangular solve,
+//! symmetric product); independent subtrees are processed in parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)).
+//! Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N) memory.
 //! memory.
 
 use super::dissection::{Tree, dissect};
@@ -31,7 +30,7 @@ const BYTES_PER_DEPTH: usize = 100;
 /// Position of an unknown that is prescribed.
 const PRESCRIBED: u32 = u32::MAX;
 
-/// The factorization and the condensed matrix.
+/// The factorization and the condensed matrix S.
 ///
 /// ```
 /// use signorini::fem::{Condensation, Form, Frame, stiffness};
@@ -71,12 +70,11 @@ impl Reduced {
 }
 
 impl Condensation {
-    /// Eliminates all unknowns that are neither `prescribed` nor in `kept`; `points` are the node
-    /// coordinates. Kept unknowns are not eliminated, prescribed or not.
+    /// The condensation to the unknowns in `kept`: all others that are not `prescribed` are eliminated; `points` are
+    /// the node coordinates. Kept unknowns are never eliminated, prescribed or not.
     ///
-    /// For the Laplacian on a square with Dirichlet conditions at the top, S is symmetric positive
-    /// definite, and its row sums are the reactions to a unit displacement of the contact edge; the example
-    /// adds them up.
+    /// For the Laplacian on a square with Dirichlet conditions at the top, S is symmetric positive definite, and its
+    /// row sums are the reactions to a unit displacement of the contact edge; the example computes their sum.
     ///
     /// ```
     /// use signorini::fem::{Condensation, Form, Frame, stiffness};
@@ -94,14 +92,13 @@ impl Condensation {
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the unknown
     /// whose pivot vanished: some part of the body has no Dirichlet boundary.
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the lengths of the arrays
-    /// differ; [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the memory does not suffice for
-    /// the fronts.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the lengths of the arrays differ;
+    /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory for the fronts.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
         check_lengths(matrix, points, prescribed)?;
         // 4.4 GB at two million unknowns of a plane mesh.
         let depth = matrix.unknowns().max(2).ilog2() as usize;
-        require_memory("unknowns of elimination", matrix.unknowns(), BYTES_PER_DEPTH * depth)?;
+        require_memory("unknowns to be eliminated", matrix.unknowns(), BYTES_PER_DEPTH * depth)?;
         let c = matrix.components();
         let mut is_kept = vec![false; matrix.unknowns()];
         kept.iter().for_each(|&unknown| is_kept[unknown] = true);
@@ -142,7 +139,8 @@ impl Condensation {
         &self.schur
     }
 
-    /// Forward elimination of a load on all unknowns; entries at prescribed unknowns are ignored.
+    /// The right-hand side after forward elimination of a load on all unknowns; entries at prescribed unknowns are
+    /// ignored.
     ///
     /// One pass from the leaves to the root of the elimination tree: O(N log N) operations for N unknowns.
     pub fn reduce(&self, load: &[f64]) -> Reduced {
@@ -151,7 +149,7 @@ impl Condensation {
         Reduced { values, interior: self.interior }
     }
 
-    /// All unknowns from the kept ones; prescribed unknowns that are not kept are 0.
+    /// The values of all unknowns computed from the kept ones; prescribed unknowns that are not kept are 0.
     ///
     /// u_i = K_ii⁻¹ (F_i − K_ik u_k) by back substitution from the root to the leaves: O(N log N) operations. The result is
     /// node-major, in the unknowns of the matrix.

@@ -2,9 +2,9 @@
 //!
 //! The map (s, t) ↦ a + s ((b − a) + t (c − b)) takes the unit square to the triangle with Jacobian 2A s, so
 //! n points of the Gauss-Jacobi rule with weight s and n Gauss-Legendre points in t are exact for degree 2n −
-//! 1 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular
-//! point is cut into four, the piece at the point again and so on; after [`DEPTH`] cuts its area is
-//! 4^{-DEPTH} of the triangle's. Cost: n² points per triangle, 3 · DEPTH · n² per singular one.
+//! 1 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular point is
+//! cut into four, as is the piece at the point, and so on; after [`DEPTH`] cuts its area is 4^{-DEPTH} of that of the
+//! triangle. Cost: n² points per triangle, 3 · DEPTH · n² per triangle at a singular point.
 
 use crate::error::Result;
 use crate::mesh::{Point, doubled_area};
@@ -18,9 +18,9 @@ const DEPTH: usize = 40;
 /// above their rounding.
 const MARGIN: f64 = 1e-12;
 
-/// A rule for triangles.
+/// A cubature rule for triangles.
 ///
-/// All weights are positive; on a triangle of area A they add up to A, in every cell of the graded rule as well.
+/// All weights are positive; on a triangle of area A they sum to A, in every cell of the graded rule as well.
 #[derive(Debug, Clone)]
 pub struct Cubature {
     /// (s, t, weight), weights summing to 1/2 for the unit square with Jacobian s.
@@ -29,7 +29,7 @@ pub struct Cubature {
 }
 
 impl Cubature {
-    /// The rule with n × n points, exact for polynomials of degree 2n − 1.
+    /// The rule with n × n points on each triangle, exact for polynomials of degree 2n − 1.
     ///
     /// ```
     /// use signorini::fem::Cubature;
@@ -53,7 +53,7 @@ impl Cubature {
 
     /// The same rule for integrands that are singular (integrable, or not smooth) at the given points.
     ///
-    /// Triangles that touch a point are cut toward it 40 times; all others keep the plain rule.
+    /// Triangles that touch one of the points are cut toward it 40 times; all others keep the plain rule.
     ///
     /// ```
     /// use signorini::fem::Cubature;
@@ -69,7 +69,7 @@ impl Cubature {
         self
     }
 
-    /// Calls `visit(point, weight)` for all points of the rule on a triangle.
+    /// Calls `visit(point, weight)` for every point of the rule on a triangle; returns the first error of `visit`.
     ///
     /// # Errors
     /// The error returned by `visit`.

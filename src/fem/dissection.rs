@@ -1,5 +1,5 @@
-//! Nested dissection from the geometry: halve the point set along its longer side, eliminate the layer
-//! between last.
+//! Nested dissection by coordinates: the point set is bisected along its longer side, and the separating layer is
+//! eliminated last.
 //!
 //! The recursion ends at small leaves. On quasi-uniform meshes the separators of a domain with N nodes have
 //! O(√N) nodes, the factor O(N log N) entries and the factorization O(N^{3/2}) operations (A. George, SIAM J.

@@ -1,4 +1,4 @@
-//! Distances of a P1 function from a known one, by quadrature: L², H¹ seminorm, energy norm.
+//! Distances between a P1 function and a given function, by quadrature: L² norm, H¹ seminorm, energy norm.
 
 use super::cubature::Cubature;
 use super::field::Field;
@@ -6,13 +6,13 @@ use super::form::{Element, Form};
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, Triangulation};
 
-/// ∇u: row c is the gradient of component c; a scalar function has second row 0.
+/// The gradient ∇u: row c is the gradient of component c; for a scalar function the second row is 0.
 pub type Gradient<'a> = &'a dyn Fn(Point) -> [Point; 2];
 
 /// Norms of u − u_h.
 ///
-/// For the Laplacian `energy` = `h1`. All three are absolute, over the whole domain, and exact up to the error of the
-/// cubature rule.
+/// For the Laplacian `energy` = `h1`. All three norms are absolute, over the whole domain, and exact up to the error
+/// of the cubature rule.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorNorms {
     /// (∫ |u − u_h|²)^{1/2}.
@@ -23,11 +23,11 @@ pub struct ErrorNorms {
     pub energy: f64,
 }
 
-/// The norms of the difference between `exact` (with gradient) and the P1 function with Cartesian nodal
-/// `values`.
+/// The norms of the difference between the function `exact`, given with its gradient, and the P1 function with
+/// Cartesian nodal `values`.
 ///
-/// The gradient is evaluated at the points of the rule only. For u = x² on right isosceles triangles with legs h the
-/// squared H¹ error is h²/3.
+/// The gradient is evaluated only at the points of the rule. For u = x² on right isosceles triangles with legs h the
+/// squared H¹ seminorm of the error is h²/3.
 ///
 /// ```
 /// use signorini::fem::{Cubature, Field, Form, error_norms};
@@ -41,8 +41,8 @@ pub struct ErrorNorms {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when components or values do not fit, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when u or ∇u is not
-/// finite at a point of the rule.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of components or values,
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if u or ∇u is not finite at a point of the rule.
 pub fn error_norms(
     mesh: &Triangulation,
     form: &Form,

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
 
-/// A function on the plane with as many components as the form has.
+/// A function on the plane with as many components as the bilinear form has.
 ///
 /// ```
 /// use signorini::fem::Field;
@@ -36,10 +36,11 @@ impl Field<'_> {
         }
     }
 
-    /// The value; a scalar field has second entry 0.
+    /// The value at a point; for a scalar field the second entry is 0.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) with the point when the function returns NaN or an infinity.
+    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) with the point at which the function returns
+    /// NaN or an infinity.
     pub fn at(&self, point: Point) -> Result<Point> {
         let value = match self {
             Field::Scalar(f) => [f(point), 0.0],
@@ -55,7 +56,7 @@ impl Field<'_> {
         }
     }
 
-    /// Values at points, node-major.
+    /// The values at the given points, node-major.
     ///
     /// # Errors
     /// As for [`Field::at`].

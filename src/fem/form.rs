@@ -12,9 +12,9 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::{Point, doubled_area};
 
-/// The Lamé constants of the plane problem.
+/// The Lamé constants λ and μ of the plane problem.
 ///
-/// Both have the unit of a stress; σ = λ (div u) I + 2 μ ε(u).
+/// Both have the dimension of a stress; σ = λ (div u) I + 2 μ ε(u).
 ///
 /// ```
 /// use signorini::fem::Lame;
@@ -28,7 +28,7 @@ pub struct Lame {
 }
 
 impl Lame {
-    /// λ and μ of plane strain.
+    /// The constants with given λ and μ of plane strain.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless μ > 0 and λ + μ > 0, both finite.
@@ -39,7 +39,8 @@ impl Lame {
         Ok(Self { lambda, mu })
     }
 
-    /// Plane strain from Young's modulus E and Poisson's ratio: λ = E ν / ((1+ν)(1−2ν)), μ = E / (2(1+ν)).
+    /// The constants of plane strain for Young's modulus E and Poisson's ratio ν: λ = E ν / ((1+ν)(1−2ν)), μ = E /
+    /// (2(1+ν)).
     ///
     /// λ tends to infinity as ν → 1/2.
     ///
@@ -57,9 +58,9 @@ impl Lame {
         Self::three_dimensional(young, poisson)
     }
 
-    /// Plane stress from Young's modulus E and Poisson's ratio: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
+    /// The constants of plane stress for Young's modulus E and Poisson's ratio ν: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
     ///
-    /// The shear modulus is that of plane strain, λ is smaller for ν > 0: λ* = 2λμ/(λ + 2μ).
+    /// The shear modulus is that of plane strain; λ is smaller for ν > 0: λ* = 2λμ/(λ + 2μ).
     ///
     /// ```
     /// use signorini::fem::Lame;
@@ -84,12 +85,12 @@ impl Lame {
         Self::new(2.0 * mu * poisson / (1.0 - 2.0 * poisson), mu)
     }
 
-    /// The first constant, λ.
+    /// The first Lamé constant λ.
     pub fn lambda(self) -> f64 {
         self.lambda
     }
 
-    /// The shear modulus, μ.
+    /// The shear modulus μ.
     pub fn mu(self) -> f64 {
         self.mu
     }
@@ -109,28 +110,28 @@ impl Lame {
 pub enum Form {
     /// ∫ ∇u·∇v + c u v for scalar u.
     Scalar {
-        /// c ≥ 0; 1 in Remark 1, 0 for Laplace.
+        /// c ≥ 0; 1 in Remark 1, 0 for the Laplacian.
         reaction: f64,
     },
-    /// Linear elasticity; region k of the mesh has material k, regions beyond the list the last one.
+    /// Linear elasticity; region k of the mesh has material k, regions beyond the end of the list have the last one.
     Elastic {
-        /// At least one material.
+        /// The materials, at least one.
         materials: Vec<Lame>,
     },
 }
 
 impl Form {
-    /// ∫ ∇u·∇v.
+    /// The form of the Laplacian: ∫ ∇u·∇v.
     pub const LAPLACE: Form = Form::Scalar { reaction: 0.0 };
 
-    /// Elasticity with one material.
+    /// The form of elasticity with a single material.
     pub fn elastic(material: Lame) -> Self {
         Form::Elastic { materials: vec![material] }
     }
 
-    /// Unknowns per node.
+    /// Number of unknowns per node.
     ///
-    /// 1 for the scalar form, 2 for elasticity; a nodal vector has this many entries for each node, node after node.
+    /// 1 for the scalar form, 2 for elasticity; nodal vectors have this many entries per node, node-major.
     pub fn components(&self) -> usize {
         match self {
             Form::Scalar { .. } => 1,
@@ -141,7 +142,8 @@ impl Form {
     /// Checks the reaction and the materials.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a negative reaction, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without materials.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a negative reaction,
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without materials.
     pub(crate) fn check(&self) -> Result<()> {
         match self {
             Form::Scalar { reaction } => {

@@ -4,7 +4,7 @@ use crate::mesh::Point;
 
 /// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
 ///
-/// The turn is a rotation, so lengths are kept. On a floor, n = (0, −1), u_N = −u_y and u_T = u_x.
+/// The transformation is a rotation, so lengths are preserved. On a floor, n = (0, −1), u_N = −u_y and u_T = u_x.
 ///
 /// ```
 /// use signorini::fem::Frame;
@@ -18,23 +18,23 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// Cartesian unknowns.
+    /// The frame with Cartesian unknowns.
     pub fn cartesian() -> Self {
         Self { normal: None }
     }
 
-    /// (u_T, u_N) for the given unit normal.
+    /// The frame with unknowns (u_T, u_N) for the given unit normal.
     pub fn turned(normal: Point) -> Self {
         Self { normal: Some(normal) }
     }
 
-    /// (u_T, u_N) from Cartesian components.
+    /// The components (u_T, u_N) of a vector given by its Cartesian components.
     pub fn to_frame(&self, [x, y]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [x, y] };
         [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
     }
 
-    /// Cartesian components from (u_T, u_N).
+    /// The Cartesian components of a vector given by (u_T, u_N).
     pub fn to_cartesian(&self, [t, n]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [t, n] };
         [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]

@@ -199,7 +199,7 @@ fn extend_add(
     }
 }
 
-/// The first position whose pivot l_jj² is rounding beside the diagonal entry of K.
+/// The first position whose pivot l_jj² is negligible relative to the diagonal entry of K.
 fn vanishing_pivot(
     ordering: &Ordering<'_>,
     pivots: &Range<usize>,
@@ -216,7 +216,7 @@ fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
     y.iter_mut().zip(x).for_each(|(y, x)| *y += a * x);
 }
 
-/// The inner product in eight lanes, so that it runs at the speed of memory.
+/// The inner product in eight lanes, limited only by memory bandwidth.
 fn inner(x: &[f64], y: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let (x, y) = (x.chunks_exact(8), y.chunks_exact(8));

@@ -7,9 +7,9 @@ use crate::error::Result;
 use crate::mesh::{Part, Point, Triangulation, distance};
 use fractional_sobolev::Rule;
 
-/// The load of the P1 function with the given nodal values: consistent mass matrix times values.
+/// The load vector of the P1 function with the given nodal values: consistent mass matrix times values.
 ///
-/// ∫ f_h φ_i, exact for P1 functions f_h; `values` and the result have `components` entries a node, node-major. The
+/// ∫ f_h φ_i, exact for P1 functions f_h; `values` and the result have `components` entries per node, node-major. The
 /// element mass matrix is A (1 + δ_ij)/12.
 ///
 /// ```
@@ -36,9 +36,10 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
     load
 }
 
-/// ∫_Ω f·φ_i by the given rule.
+/// The load vector ∫_Ω f·φ_i, by the given rule.
 ///
-/// Node-major, with as many components as the field; the entries of a component add up to its integral over Ω.
+/// It is node-major, with as many components as the field; the entries of a component sum to the integral of that
+/// component over Ω.
 ///
 /// ```
 /// use signorini::fem::{Cubature, Field, volume_load};
@@ -51,7 +52,7 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) when f is not finite at a point of the rule.
+/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if f is not finite at a point of the rule.
 pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
     let components = density.components();
     let mut load = vec![0.0; mesh.nodes().len() * components];
@@ -72,11 +73,11 @@ pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -
     Ok(load)
 }
 
-/// ∫_Γ F·φ_i over the boundary edges with the given label, by Gauss' rule on every edge. F gets the point and
-/// the outward normal.
+/// The load vector ∫_Γ F·φ_i over the boundary edges with the given label, by a Gauss rule on every edge. F receives
+/// the point and the outward unit normal.
 ///
 /// # Errors
-/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) when F is not finite at a point of the rule.
+/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if F is not finite at a point of the rule.
 pub fn surface_load(
     mesh: &Triangulation,
     part: Part,

@@ -1,8 +1,8 @@
-//! Symmetric sparse matrices in node blocks: row i holds one components x components block per neighbour of
+//! Symmetric sparse matrices in node blocks: row i holds one block (components × components) for each neighbour of
 //! node i.
 //!
-//! Unknown c of node i has the number i · components + c. Rows are stored whole (both triangles), so products
-//! and eliminations read rows only. A product costs two operations per entry and runs on all cores.
+//! Unknown c of node i has the number i · components + c. Both triangles are stored, so products and eliminations
+//! access rows only. A product costs two operations per entry and is parallel.
 
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -35,7 +35,7 @@ impl BlockMatrix {
         Self { components, offsets, columns, values }
     }
 
-    /// The matrix from the entries of every row; a block with some entry is stored as a whole.
+    /// The matrix with the given entries of every row; a block with at least one entry is stored as a whole.
     pub(crate) fn of_rows(components: usize, rows: &[BTreeMap<usize, f64>]) -> Self {
         let c = components;
         let (mut offsets, mut columns, mut values) = (vec![0], Vec::new(), Vec::new());
@@ -53,7 +53,7 @@ impl BlockMatrix {
         Self { components, offsets, columns, values }
     }
 
-    /// Unknowns per node.
+    /// Number of unknowns per node.
     pub fn components(&self) -> usize {
         self.components
     }
@@ -68,12 +68,12 @@ impl BlockMatrix {
         self.nodes() * self.components
     }
 
-    /// The neighbours of a node in ascending order, itself included.
+    /// The neighbours of a node in ascending order, the node itself included.
     pub fn neighbours(&self, node: usize) -> &[u32] {
         &self.columns[self.offsets[node]..self.offsets[node + 1]]
     }
 
-    /// The blocks of a node's rows, beside its neighbours, each in row-major order.
+    /// The blocks of a node's rows, in the order of its neighbours, each in row-major order.
     pub(crate) fn blocks(&self, node: usize) -> &[f64] {
         let block = self.components * self.components;
         &self.values[self.offsets[node] * block..self.offsets[node + 1] * block]
@@ -95,7 +95,7 @@ impl BlockMatrix {
         found.map_or(0.0, |(_, value)| value)
     }
 
-    /// K x.
+    /// The product K x.
     pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| value * x[column])
     }
@@ -123,9 +123,9 @@ impl BlockMatrix {
         });
     }
 
-    /// |K| |x|: the size of the terms in every row of K x.
+    /// The product |K| |x|: the size of the terms in every row of K x.
     ///
-    /// Rounding errors of the product are at most a few ε of these numbers, row by row.
+    /// The rounding error of each entry of K x is at most a small multiple of ε times this number.
     pub fn multiply_absolute(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| (value * x[column]).abs())
     }

@@ -3,18 +3,17 @@
 
 use std::sync::{Mutex, PoisonError};
 
-/// Buffers shorter than this are left to the allocator, which keeps them at hand itself.
+/// Buffers shorter than this are left to the allocator, which caches them itself.
 const WORTH_KEEPING: usize = 1 << 13;
 
-/// Buffers waiting for their next use, shared by all threads.
+/// Buffers available for reuse, shared by all threads.
 #[derive(Debug, Default)]
 pub(super) struct Pool {
     waiting: Mutex<Vec<Vec<f64>>>,
 }
 
 impl Pool {
-    /// A buffer of `length` zeros: the shortest one waiting that is long enough and not over four times as
-    /// long.
+    /// A buffer of `length` zeros: the shortest available one that is long enough and at most four times as long.
     pub(super) fn zeros(&self, length: usize) -> Vec<f64> {
         match self.fitting(length) {
             Some(mut buffer) => {

@@ -1,9 +1,9 @@
 //! The stiffness matrix on a grid with constant steps, without storing it: nine kinds of nodes (left, inside,
 //! right × bottom, inside, top), seven blocks each.
 //!
-//! The neighbours of node (i, j) are (−1,−1), (0,−1), (−1,0), itself, (1,0), (0,1), (1,1), in the order of
-//! their numbers; those outside have zero blocks. Products have the arithmetic cost of an assembled matrix
-//! and need no memory for it.
+//! The neighbours of node (i, j) are (−1,−1), (0,−1), (−1,0), itself, (1,0), (0,1), (1,1), in the order of their
+//! numbers; those outside the grid have zero blocks. Products have the arithmetic cost of those with an assembled
+//! matrix and require no memory for it.
 
 use super::form::{Element, Form};
 use super::frame::Frame;

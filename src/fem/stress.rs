@@ -1,4 +1,4 @@
-//! Stresses and gradients of P1 functions: one constant per triangle.
+//! Stresses and gradients of P1 functions, constant on each triangle.
 
 use super::form::{Element, Form};
 use crate::error::{Error, Result, ToolkitError};
@@ -27,21 +27,21 @@ pub struct Stress {
 }
 
 impl Stress {
-    /// The greatest in-plane shear stress: the radius of Mohr's circle.
+    /// The maximum in-plane shear stress: the radius of Mohr's circle.
     pub fn max_shear(&self) -> f64 {
         (0.5 * (self.xx - self.yy)).hypot(self.xy)
     }
 
-    /// Normal and tangential traction (σ_N, σ_T) on a line with unit normal n; σ_T along t = (−n_y, n_x).
+    /// The normal and tangential traction (σ_N, σ_T) on a line with unit normal n; σ_T along t = (−n_y, n_x).
     pub fn traction(&self, [nx, ny]: Point) -> Point {
         let force = [self.xx * nx + self.xy * ny, self.xy * nx + self.yy * ny];
         [force[0] * nx + force[1] * ny, force[1] * nx - force[0] * ny]
     }
 }
 
-/// ∇v on every triangle, for scalar nodal values.
+/// The gradient ∇v on every triangle, for scalar nodal values.
 ///
-/// Exact for affine v. One vector per triangle, in the order of the triangles.
+/// Exact for affine v. The result has one vector per triangle, in the order of the triangles.
 ///
 /// ```
 /// use signorini::fem::gradients;
@@ -64,9 +64,9 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
         .collect())
 }
 
-/// σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
+/// The stress σ = λ (div u) I + 2 μ ε(u) on every triangle, for Cartesian nodal displacements (node-major).
 ///
-/// Nodal displacements are (u_x, u_y) for node after node. Uniform stretching u = (x, 0) gives σ_xx = λ + 2μ, σ_yy = λ.
+/// Nodal displacements are (u_x, u_y), node after node. Uniform stretching u = (x, 0) gives σ_xx = λ + 2μ, σ_yy = λ.
 ///
 /// ```
 /// use signorini::fem::{Form, Lame, Stress, stresses};
@@ -79,7 +79,8 @@ pub fn gradients(mesh: &Triangulation, values: &[f64]) -> Result<Vec<Point>> {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there are two values per node; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scalar form.
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there are two values per node;
+/// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a scalar form.
 pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Result<Vec<Stress>> {
     require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())
