@@ -1,10 +1,10 @@
 //! Local refinement by longest-edge bisection.
 //!
-//! All edges of a marked triangle are halved; a triangle with a halved edge has its longest edge halved,
-//! too, until nothing changes. Then every triangle is cut at its longest edge and the two pieces at their
-//! other halved edges, so the result conforms. Angles stay above half the smallest first one (I. G.
-//! Rosenberg and F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)).
-//! Cost: O(triangles) per sweep.
+//! All edges of a marked triangle are bisected; a triangle with a bisected edge has its longest edge bisected as
+//! well, until nothing changes. Then every triangle is cut at its longest edge, and the two pieces at their other
+//! bisected edges, so the result is conforming. Angles remain at least half the smallest initial angle (I. G.
+//! Rosenberg and F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost:
+//! O(triangles) per sweep.
 
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, distance};
@@ -46,8 +46,8 @@ pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangu
 /// A triangle (a, b, c) with longest edge ab, and its edges ab, bc, ca.
 type Turned = ([usize; 3], [usize; 3]);
 
-/// Every triangle with its longest edge first; of two edges of equal length the one with the larger pair of node numbers,
-/// so that both neighbours of an edge agree.
+/// Every triangle with its longest edge first; among edges of equal length the one with the larger pair of node
+/// numbers is taken, so that the two triangles at an edge agree.
 fn turned_to_longest(mesh: &Triangulation, edges: &Edges) -> Result<Vec<Turned>> {
     let turn = |&corners: &[usize; 3]| {
         let length = |k: usize| {
@@ -62,7 +62,7 @@ fn turned_to_longest(mesh: &Triangulation, edges: &Edges) -> Result<Vec<Turned>>
     mesh.triangles().iter().map(turn).collect()
 }
 
-/// The edges to halve: those of marked triangles, and longest edges wherever another edge is halved.
+/// The edges to bisect: those of marked triangles, and the longest edge of every triangle with a bisected edge.
 fn closure(turned: &[Turned], marked: &[bool], edges: usize) -> Vec<bool> {
     let mut halved = vec![false; edges];
     for ((_, sides), _) in turned.iter().zip(marked).filter(|&(_, &marked)| marked) {
@@ -81,7 +81,7 @@ fn closure(turned: &[Turned], marked: &[bool], edges: usize) -> Vec<bool> {
     halved
 }
 
-/// Cuts (a, b, c) at the given middles of ab, bc, ca.
+/// Cuts (a, b, c) at the given midpoints of ab, bc, ca.
 fn cut([a, b, c]: [usize; 3], middles: [Option<usize>; 3], triangles: &mut Vec<[usize; 3]>) {
     let [Some(m), bc, ca] = middles else {
         triangles.push([a, b, c]);

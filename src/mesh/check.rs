@@ -3,10 +3,10 @@
 use super::geometry::{BoundaryEdge, Point, distance, doubled_area};
 use crate::error::{Error, Result, ToolkitError};
 
-/// A triangle whose area is below this multiple of its squared diameter has no usable shape: 2^10 roundings.
+/// A triangle whose area is below this multiple of its squared diameter counts as degenerate: 2^10 ε.
 const FLATNESS: f64 = 1024.0 * f64::EPSILON;
 
-/// Finite coordinates, node numbers in range, positive areas, no node without triangle.
+/// Checks that coordinates are finite, node numbers in range, areas positive, and every node belongs to a triangle.
 pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> Result<()> {
     if triangles.is_empty() {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -25,7 +25,7 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         for &node in triangle {
             *used
                 .get_mut(node)
-                .ok_or_else(|| bad_triangle(t, "has a node number out of range", node as f64))? = true;
+                .ok_or_else(|| bad_triangle(t, "refers to a node that does not exist:", node as f64))? = true;
         }
         let corners = triangle.map(|node| nodes[node]);
         let diameter = (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
@@ -37,7 +37,7 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
             return Err(bad_triangle(t, "is inverted: twice its scaled area is", doubled));
         }
         if doubled.is_nan() || doubled <= FLATNESS {
-            return Err(bad_triangle(t, "has no area: twice its scaled area is", doubled));
+            return Err(bad_triangle(t, "is degenerate: twice its scaled area is", doubled));
         }
         // Gradients are of the size of diameter over area, stiffness of their squares times area.
         let area = doubled_area(corners);
@@ -55,8 +55,8 @@ fn bad_triangle(triangle: usize, reason: &'static str, value: f64) -> Error {
     Error::Toolkit(ToolkitError::Triangle { triangle, reason, value })
 }
 
-/// Every edge in one or two triangles; the labels are exactly the edges in one, turned to have the domain on
-/// the left.
+/// Checks that every edge belongs to one or two triangles and that the labelled edges are exactly those in one;
+/// orients them with the domain on the left.
 pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) -> Result<()> {
     let bad = |nodes, reason| Err(Error::Toolkit(ToolkitError::Edge { nodes, reason }));
     let mut sides: Vec<([usize; 2], [usize; 2])> = triangles
@@ -76,15 +76,15 @@ pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) ->
     let mut labelled = vec![false; outer.len()];
     for label in labels.iter_mut() {
         let Ok(found) = outer.binary_search_by(|probe| probe.0.cmp(&sorted(label.nodes))) else {
-            return bad(label.nodes, "carries a label and is not on the boundary");
+            return bad(label.nodes, "has a label but is not on the boundary");
         };
         if std::mem::replace(&mut labelled[found], true) {
-            return bad(label.nodes, "carries two labels");
+            return bad(label.nodes, "has two labels");
         }
         label.nodes = outer[found].1;
     }
     match labelled.iter().position(|&labelled| !labelled) {
-        Some(missing) => bad(outer[missing].1, "is on the boundary and carries no label"),
+        Some(missing) => bad(outer[missing].1, "is on the boundary but has no label"),
         None => Ok(()),
     }
 }

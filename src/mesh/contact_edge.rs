@@ -1,8 +1,8 @@
 //! The contact edge Γ_C of a triangulation as an ordered chain of nodes, or as several chains.
 //!
-//! A chain runs with the domain on its left. Its normal is the outward one; it exists when the chain is
-//! straight, as Section 2.1 assumes. A scalar problem needs no normal: its chain may turn corners, and may be
-//! closed. Several chains have no common node; each has its own normal.
+//! A chain is oriented with the domain on its left. Its normal is the outward one; it exists if the chain is
+//! straight, as assumed in Section 2.1. A scalar problem needs no normal: its chain may have corners and may be
+//! closed. Different chains have no common node; each has its own normal.
 
 use super::geometry::{Part, Point, distance};
 use super::triangulation::Triangulation;
@@ -10,17 +10,17 @@ use crate::error::{Error, Result, ToolkitError};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Largest deviation from a line, relative to the length, of a straight chain: the rounding of a mesh file
-/// with ten printed digits.
+/// Largest deviation of a straight chain from a line, relative to its length: the rounding of a mesh file with ten
+/// printed digits.
 const STRAIGHTNESS: f64 = 1e-10;
-/// Rounding of coordinates relative to the size of the body, after rotation and shear; a node at the origin
-/// may have been mapped from anywhere in it.
+/// Rounding of coordinates relative to the size of the body, after rotation and shear; a node at the origin may be
+/// the image of any point of the body.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// The nodes of Γ_C in order, piece after piece.
+/// The nodes of the contact edge Γ_C in order, one piece after another.
 ///
-/// All arrays of contact unknowns of the crate have this order: along the chain with the domain on its left, on a floor
-/// from left to right.
+/// All arrays of contact unknowns of this crate have this order: along the chain with the domain on its left, which
+/// on a floor is from left to right.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactEdge {
     nodes: Vec<usize>,
@@ -55,7 +55,7 @@ impl ContactEdge {
             [_] => Ok(whole),
             [_, second, ..] => Err(Error::Toolkit(ToolkitError::Edge {
                 nodes: [whole.numbers[second], whole.numbers[second + 1]],
-                reason: "belongs to a second piece of the contact edge, which must be in one piece",
+                reason: "belongs to a second piece of the contact edge, which must be connected",
             })),
             [] => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "contact edges",
@@ -65,8 +65,8 @@ impl ContactEdge {
         }
     }
 
-    /// The contact edge of a triangulation, in one piece or in several without a common node, in the order of
-    /// their first appearance among the boundary edges. Only a single piece may be closed.
+    /// The contact edge of a triangulation, in one or several pieces without a common node, in the order of their
+    /// first appearance among the boundary edges. Only a single piece may be closed.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
@@ -77,8 +77,9 @@ impl ContactEdge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge, [`ToolkitError::Edge`](crate::ToolkitError::Edge) for a closed piece beside another
-    /// or pieces that touch.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a contact edge,
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) for a closed piece together with other pieces, or for pieces
+    /// that touch.
     pub fn in_pieces(mesh: &Triangulation) -> Result<Self> {
         let edges: Vec<[usize; 2]> =
             mesh.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
@@ -136,22 +137,22 @@ impl ContactEdge {
         }
     }
 
-    /// Node numbers in order; a closed chain does not repeat its first node.
+    /// The node numbers in order; a closed chain does not repeat its first node.
     pub fn nodes(&self) -> &[usize] {
         &self.nodes
     }
 
-    /// Coordinates of the nodes in order.
+    /// The coordinates of the nodes in order.
     pub fn points(&self) -> &[Point] {
         &self.points
     }
 
-    /// Arc length at the nodes, from 0; a further piece continues at the value of the last one.
+    /// The arc length at the nodes, from 0; a further piece starts at the final value of the previous one.
     pub fn arc(&self) -> &[f64] {
         &self.arc
     }
 
-    /// True if the chain is a whole boundary curve.
+    /// True if the chain is closed, that is an entire boundary curve.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part::Contact, SideParts, unit_square};
@@ -165,15 +166,15 @@ impl ContactEdge {
         self.closed
     }
 
-    /// Lengths of the segments between consecutive nodes of a piece; for a closed chain also of the closing
-    /// one.
+    /// The lengths of the segments between consecutive nodes of a piece, including the closing segment of a closed
+    /// chain.
     pub fn segment_lengths(&self) -> Vec<f64> {
         self.segments().map(|[i, j]| distance(self.points[i], self.points[j])).collect()
     }
 
-    /// Half the length of the segments at each node: the integral of the hat function.
+    /// Half the total length of the segments at each node: the integral of its hat function.
     ///
-    /// The entries add up to the length of Γ_C; a multiplier λ_i has the mean pressure λ_i / (nodal length).
+    /// The entries sum to the length of Γ_C; a multiplier λ_i corresponds to the mean pressure λ_i / (nodal length).
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, SideParts, unit_square};
@@ -199,14 +200,14 @@ impl ContactEdge {
         (1..count).filter(move |&i| !begins(i)).map(|i| [i - 1, i]).chain(closing)
     }
 
-    /// The outward unit normals of straight pieces.
+    /// The outward unit normals of the pieces, which must be straight.
     ///
-    /// A piece is straight if the distance of its nodes from the line through its ends is at most 1e-10 of
-    /// its length plus 8ε of the largest coordinate of the body, which accounts for the rounding of
-    /// coordinates. The normal is accurate to about that distance over the length.
+    /// A piece is straight if its nodes deviate from the line through its ends by at most 1e-10 of its length plus 8ε
+    /// times the largest coordinate of the body, which accounts for the rounding of coordinates. The normal is
+    /// accurate to about the ratio of this deviation to the length.
     ///
     /// # Errors
-    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that leaves the line of its piece.
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that deviates from the line of its piece.
     pub fn normals(&self) -> Result<Vec<Point>> {
         self.pieces().into_iter().map(|piece| self.normal_of(piece)).collect()
     }
@@ -214,8 +215,8 @@ impl ContactEdge {
     /// The outward unit normal of a straight contact edge in one piece.
     ///
     /// # Errors
-    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that leaves the line, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for several
-    /// pieces.
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) naming the first segment that deviates from the line,
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for several pieces.
     pub fn normal(&self) -> Result<Point> {
         self.require_one_piece()?;
         self.normal_of(0..self.nodes.len())
@@ -238,8 +239,8 @@ impl ContactEdge {
             if !straight {
                 return Err(Error::Toolkit(ToolkitError::Edge {
                     nodes: [self.numbers[piece.start + i - 1], self.numbers[piece.start + i]],
-                    reason: "leaves the line of the contact edge, which must be straight: a free edge between \
-                             two contact edges gives each its own normal",
+                    reason: "deviates from the line of its contact edge, which must be straight: separate \
+                             contact edges of different directions by a free edge",
                 }));
             }
         }
@@ -270,7 +271,7 @@ fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
     if !found.is_empty() || !after.is_empty() {
         return Err(Error::Toolkit(ToolkitError::Edge {
             nodes: *closed,
-            reason: "belongs to a closed contact edge beside another one",
+            reason: "belongs to a closed contact edge, which must be the only one",
         }));
     }
     found.push((nodes, true));

@@ -5,7 +5,7 @@ pub type Point = [f64; 2];
 
 /// The boundary condition on an edge: the three open parts of Section 2.1.
 ///
-/// The closures of the three parts cover ∂Ω; a node between two edges belongs to both parts.
+/// The closures of the three parts cover ∂Ω; a node between edges of two parts belongs to both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Part {
     /// Γ_D: prescribed displacement.
@@ -16,7 +16,7 @@ pub enum Part {
     Contact,
 }
 
-/// An edge on the boundary, the domain on its left.
+/// A boundary edge, oriented with the domain on its left.
 ///
 /// The outward unit normal is (b_y − a_y, a_x − b_x)/|b − a| for `nodes` = [a, b].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,12 +32,12 @@ pub(crate) fn distance(a: Point, b: Point) -> f64 {
     (b[0] - a[0]).hypot(b[1] - a[1])
 }
 
-/// Twice the signed area of a triangle, from differences to its first corner.
+/// Twice the signed area of a triangle, computed from differences with its first corner.
 pub(crate) fn doubled_area([a, b, c]: [Point; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 }
 
-/// The centre of gravity of a triangle.
+/// The centroid of a triangle.
 pub(crate) fn middle([a, b, c]: [Point; 3]) -> Point {
     [0, 1].map(|k| (a[k] + b[k] + c[k]) / 3.0)
 }

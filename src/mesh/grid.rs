@@ -1,8 +1,8 @@
-//! Triangulations that are grids in their numbering: detection and coarsening by a factor of two.
+//! Triangulations that are grids by their numbering: detection and coarsening by a factor of two.
 //!
-//! Node (i, j) has the number j (nx + 1) + i, and every quadrilateral is cut from bottom left to top right,
-//! as [`super::rectangles`] and its images are. Where all steps between neighbours are the same two
-//! vectors, to the last bit, every interior node has the same triangles. Cost: O(nodes).
+//! Node (i, j) has the number j (nx + 1) + i, and every quadrilateral is cut from bottom left to top right, as in
+//! [`super::rectangles`] and its images. If the differences of neighbouring nodes are the same two vectors
+//! everywhere, to the last bit, every interior node has the same triangles. Cost: O(nodes).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::structured::{SideParts, rectangles};
@@ -64,8 +64,7 @@ impl Grid {
         Some(Self { nx: halves(self.nx)?, ny: halves(self.ny)? })
     }
 
-    /// The two coarse nodes between which every fine node lies in the middle; twice the same for a node that
-    /// stays.
+    /// For every fine node, the two coarse nodes whose midpoint it is; twice the same for a node of the coarse grid.
     pub(crate) fn parents(self, coarse: Self) -> Vec<[u32; 2]> {
         (0..self.nodes())
             .map(|node| {
@@ -76,8 +75,8 @@ impl Grid {
             .collect()
     }
 
-    /// Every other node of a triangulation of this numbering; `None` where labels or regions change between
-    /// them, or a triangle turns over.
+    /// The triangulation of every other node of this numbering; `None` if labels or regions change between them, or a
+    /// triangle is inverted.
     pub(crate) fn coarse_mesh(self, mesh: &Triangulation) -> Option<(Self, Triangulation)> {
         let coarse = self.coarser()?;
         let nodes: Vec<Point> = (0..coarse.nodes())

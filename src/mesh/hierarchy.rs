@@ -1,8 +1,8 @@
 //! Nested refinement with all levels stored: uniform (red), or local toward a point or an edge.
 //!
-//! Uniformly, every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are nested
-//! and a function of level k is one of level k + 1: at a new node it is the mean over the ends of the edge
-//! that was halved. Cost of a refinement: O(number of triangles).
+//! In uniform refinement every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are
+//! nested and a function of level k is a function of level k + 1: its value at a new node is the mean over the ends
+//! of the bisected edge. Cost of a refinement: O(number of triangles).
 
 use super::bisection::bisect;
 use super::edges::Edges;
@@ -11,13 +11,13 @@ use super::triangulation::Triangulation;
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::memory::require_memory;
 
-/// Distance in mesh sizes within which a node is identified with a point.
+/// Distance, in units of the mesh size, below which a point is identified with a node.
 const SAME_POINT: f64 = 1e-12;
 
 /// Bytes per triangle of a refined mesh: its corners, half a node, and the edges it is made from.
 const BYTES_OF_TRIANGLE: usize = 60;
 
-/// A triangulation and its uniform refinements, coarsest first.
+/// A triangulation and its refinements, coarsest first.
 ///
 /// The P1 spaces are nested, V₀ ⊂ V₁ ⊂ ..., so the minimum of an energy over V_k does not increase with k.
 #[derive(Debug, Clone)]
@@ -28,7 +28,7 @@ pub struct Hierarchy {
 }
 
 impl Hierarchy {
-    /// The hierarchy with a single level.
+    /// The hierarchy that consists of a single level.
     pub fn new(coarsest: Triangulation) -> Self {
         Self { levels: vec![coarsest], parents: Vec::new() }
     }
@@ -43,9 +43,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) if the finest level would
-    /// have more than 2^32 triangles, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the
-    /// memory does not suffice.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) if the finest level would have more
+    /// than 2^32 triangles, [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory.
     pub fn refined(coarsest: Triangulation, times: usize) -> Result<Self> {
         let mut hierarchy = Self::new(coarsest);
         for _ in 0..times {
@@ -54,9 +53,9 @@ impl Hierarchy {
         Ok(hierarchy)
     }
 
-    /// Adds a level.
+    /// Adds a level by uniform refinement.
     ///
-    /// Four times as many triangles, all similar to their parents: the mesh size is halved.
+    /// It has four times as many triangles, all similar to their parents: the mesh size is halved.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -86,8 +85,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds a level on which the triangles chosen by `marked` are cut in four and their neighbours as far
-    /// as the mesh must remain conforming with angles bounded below (longest-edge bisection).
+    /// Adds a level on which the triangles selected by `marked` are cut into four, and their neighbours as required
+    /// for a conforming mesh with angles bounded below (longest-edge bisection).
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, Part, SideParts, unit_square};
@@ -109,8 +108,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels graded toward a node: on each, the triangles at that point are cut. Sizes are
-    /// proportional to the distance, down to 2^-times of the first.
+    /// Adds `times` levels graded toward a node: on each level the triangles at that point are cut. Mesh sizes are
+    /// proportional to the distance from the point, down to 2^-times of the initial size.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -121,15 +120,15 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) when the point is not a node of the finest level so far.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the point is a node of the finest level.
     pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
         let finest = self.finest();
         let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
         if nearest > SAME_POINT * finest.mesh_size() {
             return Err(Error::Toolkit(ToolkitError::OutOfRange {
-                name: "distance of the point from the nodes",
+                name: "distance of the point from the nearest node",
                 value: nearest,
-                range: "rounding: the point must be a node",
+                range: "[0, rounding error]: the point must be a node",
             }));
         }
         for _ in 0..times {
@@ -141,8 +140,8 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose middle is nearer than
-    /// `radius` 2^−k are cut. The mesh is the same in every shell up to scaling.
+    /// Adds `times` levels around a point: on level k = 0, 1, ... the triangles whose centroid is closer to the point
+    /// than 2^−k `radius` are cut. The meshes of successive annuli are similar.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -155,7 +154,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// As for [`Hierarchy::refined`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the radius is positive and finite.
+    /// As for [`Hierarchy::refined`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the radius
+    /// is positive and finite.
     pub fn refine_around(&mut self, point: Point, radius: f64, times: usize) -> Result<()> {
         Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
         let mut radius = radius;
@@ -177,7 +177,7 @@ impl Hierarchy {
         &self.levels[self.levels.len() - 1]
     }
 
-    /// The levels up to a given one; all of them if there are fewer.
+    /// The hierarchy of the levels up to the given one; all of them if there are fewer.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -200,8 +200,8 @@ impl Hierarchy {
         old.map(|node| [node; 2]).chain(new).collect()
     }
 
-    /// Nodal values on level `from` (`components` per node) as nodal values of the same function on level
-    /// `to` ≥ `from`.
+    /// The nodal values on level `to` ≥ `from` of the function with nodal values `values` on level `from`,
+    /// `components` per node.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -213,8 +213,9 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels that do not exist or are in the wrong order,
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels that do not exist or are in
+    /// the wrong order, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of
+    /// values.
     pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -1,5 +1,5 @@
-//! Triangulations of polygons: labelled boundary, nested refinement, Gmsh files, rings graded towards a
-//! point, the contact edge as an ordered chain.
+//! Triangulations of polygons: labelled boundaries, nested refinement, Gmsh files, rings graded toward a point, and
+//! the contact edge as an ordered chain.
 
 mod bisection;
 mod check;

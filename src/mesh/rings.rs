@@ -1,21 +1,21 @@
-//! Polar rings around the origin, graded geometrically: the mesh for a transition of boundary conditions that
-//! lies at the origin.
+//! Polar rings around the origin, geometrically graded: the mesh for a transition of boundary conditions at the
+//! origin.
 //!
-//! The body is star-shaped, above the axis y = 0, with the outline ϱ(θ) (cos θ, sin θ), 0 ≤ θ ≤ π, ϱ(0) =
-//! ϱ(π) = 1. Ring k is the outline times e^{−k s}, nodes at the angles jπ/n; the innermost ring is closed by
-//! a fan of triangles with its tip at the origin. Bottom: fixed for x < 0, contact for x > 0; free on the
-//! outline.
+//! The body is star-shaped with respect to the origin and lies above the axis y = 0, with the outline ϱ(θ) (cos θ,
+//! sin θ), 0 ≤ θ ≤ π, ϱ(0) = ϱ(π) = 1. Ring k is the outline times e^{−k s}, with nodes at the angles jπ/n; the
+//! innermost ring is filled by a fan of triangles with a vertex at the origin. Boundary conditions: on the bottom
+//! Dirichlet for x < 0, contact for x > 0; the outline is free.
 //!
-//! All rings are similar, and the stiffness of P1 elements in the plane does not change with scale, so that
-//! the matrix is as accurate at r = 1e−100 as at r = 1. Coordinates near the origin have full relative
-//! accuracy. Cost: O(n · rings).
+//! All rings are similar, and the stiffness matrix of P1 elements in the plane is invariant under scaling, so that
+//! the matrix is as accurate at r = 1e−100 as at r = 1. Coordinates near the origin have full relative accuracy.
+//! Cost: O(n · rings).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result, ToolkitError};
 use std::f64::consts::PI;
 
-/// Smallest radius whose areas have full precision in binary64.
+/// Smallest radius for which areas have full precision in binary64.
 const SMALLEST: f64 = 1e-140;
 /// Largest number of nodes.
 const MOST: usize = 4_000_000;
@@ -31,14 +31,15 @@ const MOST: usize = 4_000_000;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outline {
-    /// The unit half disc (its polygon with the given angles).
+    /// The unit half disc (the polygon with vertices at the given angles).
     #[default]
     HalfDisc,
-    /// The rectangle (−1, 1) x (0, 1).
+    /// The rectangle (−1, 1) × (0, 1).
     Rectangle,
 }
 
-/// Polar rings with `angles` sectors and ring k at e^{−k `step`}, down to the first ring below `smallest`.
+/// The triangulation by polar rings with `angles` sectors and ring k at e^{−k `step`}, down to the first ring below
+/// `smallest`.
 ///
 /// ```
 /// use signorini::mesh::{Outline, polar_rings};
@@ -57,7 +58,7 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "multiples of 4 in [4, 512]";
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "angles of a ring",
+            name: "angles per ring",
             value: angles,
             range,
         }));
@@ -69,7 +70,7 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     let count = rings * (angles + 1) + 1;
     if count > MOST {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "nodes of all rings",
+            name: "number of nodes",
             value: count,
             range: "[1, 4000000]",
         }));

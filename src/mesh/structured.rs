@@ -32,7 +32,7 @@ pub struct SideParts {
 const BYTES_OF_CELL: usize = 100;
 
 impl SideParts {
-    /// Contact at the bottom, fixed at the top, free on both sides: the test problems `block` and `membrane`.
+    /// Contact at the bottom, Dirichlet at the top, free sides: the test problems `block` and `membrane`.
     pub const HANGING: SideParts =
         SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }
@@ -49,7 +49,7 @@ impl SideParts {
 ///
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384,
-/// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if the memory does not suffice.
+/// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory.
 pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
@@ -78,7 +78,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulatio
     Ok(Triangulation::trusted(nodes, triangles, boundary))
 }
 
-/// The triangulation of the unit square by n × n squares.
+/// The triangulation of the unit square by n × n squares, each cut as in [`rectangles`].
 ///
 /// ```
 /// use signorini::mesh::{SideParts, unit_square};
@@ -93,7 +93,7 @@ pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
     rectangles(n, n, sides)
 }
 
-/// The image of the `nx` by `ny` grid of the unit square under `map`.
+/// The image under `map` of the `nx` × `ny` grid of the unit square.
 ///
 /// ```
 /// use signorini::mesh::{SideParts, mapped_grid};
@@ -103,7 +103,8 @@ pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// As for [`rectangles`]; names the first triangle that the map inverts or flattens.
+/// As for [`rectangles`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle that the
+/// map inverts or degenerates.
 pub fn mapped_grid(
     nx: usize,
     ny: usize,
@@ -129,8 +130,9 @@ pub fn mapped_grid(
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without squares; two squares in one place as
-/// an error of [`Triangulation::new`].
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without
+/// squares;
+/// if two squares coincide, an error of [`Triangulation::new`].
 pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {

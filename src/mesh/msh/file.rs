@@ -11,10 +11,10 @@
 //! | `contact` | [`Part::Contact`](super::super::Part::Contact) |
 //! | `free`, `neumann` | [`Part::Neumann`](super::super::Part::Neumann) |
 //!
-//! so that `contact left` and `contact_2` are contact, too. A curve is in one group. Nodes in no triangle
-//! (points of the geometry) are left out. All triangles lie in one plane z = const; a surface whose
-//! triangles all run clockwise is turned. The result passes the checks of [`Triangulation::new`]. Cost:
-//! O(length of the file); memory is not reserved by counts in the file.
+//! Thus `contact left` and `contact_2` are contact, too. Each curve belongs to at most one group. Nodes in no
+//! triangle (points of the geometry) are omitted. All triangles lie in one plane z = const; a surface whose triangles
+//! are all clockwise is reoriented. The result passes the checks of [`Triangulation::new`]. Cost: O(length of the
+//! file); no memory is reserved on the basis of counts in the file.
 
 use super::lines::Lines;
 use super::raw::Raw;
@@ -24,7 +24,7 @@ use crate::text::{quoted, read_text};
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// The triangulation in a `.msh` file.
+/// The triangulation in a `.msh` file of Gmsh.
 ///
 /// ```no_run
 /// let mesh = signorini::mesh::read_msh("body.msh".as_ref())?;
@@ -33,7 +33,7 @@ use std::path::Path;
 /// ```
 ///
 /// # Errors
-/// [`File`](crate::Error::File) if it cannot be read, and those of [`parse_msh`].
+/// [`File`](crate::Error::File) if the file cannot be read, and the errors of [`parse_msh`].
 pub fn read_msh(path: &Path) -> Result<Triangulation> {
     // A binary file has its format in a line of text, too.
     parse_msh(&read_text(path)?)
@@ -52,10 +52,10 @@ pub fn read_msh(path: &Path) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// [`Syntax`](crate::Error::Syntax) with the line where the text does not follow the format, a binary file
-/// among them; [`AtLine`](crate::Error::AtLine) with the line of invalid data:
-/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part, and the
-/// errors of [`Triangulation::new`].
+/// [`Syntax`](crate::Error::Syntax) with the line at which the text does not follow the format, also for binary
+/// files; [`AtLine`](crate::Error::AtLine) with the line of invalid data:
+/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part, and the errors of
+/// [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();
     let mut lines = Lines::of(text);
@@ -63,7 +63,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
     while let Some(header) = lines.next_header()? {
         let is_read = ["$MeshFormat", "$PhysicalNames", "$Entities", "$Nodes", "$Elements"].contains(&header);
         if is_read && !known.insert(header) {
-            return Err(lines.fault(&format!("a second section {header}")));
+            return Err(lines.fault(&format!("duplicate section {header}")));
         }
         match (header, format) {
             ("$MeshFormat", _) => format = Some(read_format(&mut lines)?),
@@ -74,7 +74,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
             ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
             ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
             ("$Nodes" | "$Elements" | "$Entities", None) => {
-                return Err(lines.fault("a section before $MeshFormat"));
+                return Err(lines.fault("$MeshFormat must precede all other sections"));
             }
             _ => {
                 lines.skip_section(header)?;
@@ -89,7 +89,7 @@ pub fn parse_msh(text: &str) -> Result<Triangulation> {
     raw.triangulation(lines.number())
 }
 
-/// The formats that are read.
+/// The supported formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
     Four,

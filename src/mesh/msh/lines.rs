@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::text::quoted;
 use std::str::FromStr;
 
-/// Name of the format in errors.
+/// Name of the format in error messages.
 const FORMAT: &str = "msh";
 
 /// Lines with their numbers.
@@ -23,7 +23,7 @@ impl<'a> Lines<'a> {
         self.line
     }
 
-    /// The beginning of the next section; `None` at the end of the file.
+    /// The header of the next section; `None` at the end of the file.
     pub(super) fn next_header(&mut self) -> Result<Option<&'a str>> {
         match self.next() {
             Some(line) if line.starts_with('$') && !line.starts_with("$End") => Ok(Some(line)),
@@ -45,7 +45,7 @@ impl<'a> Lines<'a> {
     }
 
     pub(super) fn next_line(&mut self) -> Result<&'a str> {
-        self.next().ok_or_else(|| self.fault("the file ends early"))
+        self.next().ok_or_else(|| self.fault("unexpected end of file"))
     }
 
     /// The numbers of the next line.
@@ -60,14 +60,16 @@ impl<'a> Lines<'a> {
     /// The `N` numbers of the next line.
     pub(super) fn exactly<T: FromStr + Copy + Default, const N: usize>(&mut self) -> Result<[T; N]> {
         let numbers = self.numbers()?;
-        numbers[..].try_into().map_err(|_| self.fault(&format!("{} numbers, expected {N}", numbers.len())))
+        numbers[..]
+            .try_into()
+            .map_err(|_| self.fault(&format!("found {} numbers, expected {N}", numbers.len())))
     }
 
     /// The tag and `N` further numbers that make up the next line.
     pub(super) fn tagged<const N: usize>(&mut self) -> Result<(u64, [u64; N])> {
         let numbers: Vec<u64> = self.numbers()?;
         let split = numbers.split_first().and_then(|(&tag, rest)| Some((tag, rest.try_into().ok()?)));
-        split.ok_or_else(|| self.fault(&format!("{} numbers, expected {}", numbers.len(), N + 1)))
+        split.ok_or_else(|| self.fault(&format!("found {} numbers, expected {}", numbers.len(), N + 1)))
     }
 
     /// A count in a block of mixed numbers.
@@ -84,7 +86,7 @@ impl<'a> Lines<'a> {
             }
         }
         self.line = line;
-        Err(self.fault(&format!("section {} has no end", quoted(header))))
+        Err(self.fault(&format!("the end of section {} is missing", quoted(header))))
     }
 
     pub(super) fn expect_end(&mut self, header: &str) -> Result<()> {

@@ -1,4 +1,4 @@
-//! The data of the sections of a `.msh` file by its tags, and the triangulation from them.
+//! The data of the sections of a `.msh` file by tag, and the triangulation built from them.
 
 use super::lines::{Lines, at, fault};
 use crate::error::{Error, Result, ToolkitError};
@@ -34,7 +34,7 @@ pub(super) struct Raw {
     names: HashMap<(i32, i64), String>,
     /// Physical group of an entity (dimension, tag).
     pub(super) groups: HashMap<(i32, i64), i64>,
-    /// Line and place of a node tag.
+    /// Line and coordinates of a node, by its tag.
     nodes: HashMap<u64, (usize, [f64; 3])>,
     /// The lines with their physical group.
     pub(super) lines: Vec<Element<Option<i64>, 2>>,
@@ -47,7 +47,7 @@ impl Raw {
         let [count] = lines.exactly::<u64, 1>()?;
         for _ in 0..count {
             let line = lines.next_line()?;
-            let fault = || lines.fault("expected: dimension tag \"name\"");
+            let fault = || lines.fault("expected dimension, tag and \"name\"");
             let (head, name) = line.split_once('"').ok_or_else(fault)?;
             let mut words = head.split_whitespace().map(str::parse::<i64>);
             let (Some(Ok(dimension)), Some(Ok(tag))) = (words.next(), words.next()) else {
@@ -73,7 +73,7 @@ impl Raw {
         if self.nodes.len() as u64 == total {
             return Ok(());
         }
-        Err(lines.fault(&format!("{} nodes, {total} announced", self.nodes.len())))
+        Err(lines.fault(&format!("found {} nodes, expected {total}", self.nodes.len())))
     }
 
     pub(super) fn unknown_kind(kind: i64, lines: &Lines<'_>) -> Error {
@@ -108,7 +108,7 @@ impl Raw {
             let part = self.part(of).map_err(|cause| at(line, cause))?;
             let Some(part) = part else { continue };
             let (Some(&from), Some(&to)) = (number.get(&a), number.get(&b)) else {
-                return Err(fault(line, "an edge with a label belongs to no triangle"));
+                return Err(fault(line, "a labelled edge belongs to no triangle"));
             };
             boundary.push(BoundaryEdge { nodes: [from, to], part });
         }

@@ -10,7 +10,7 @@ impl Raw {
         for _ in 0..total {
             let [tag, x, y, z] = lines.exactly::<f64, 4>()?;
             if tag < 1.0 || tag.fract() != 0.0 || tag > 9e15 {
-                return Err(lines.fault(&format!("{tag:?} is not the number of a node")));
+                return Err(lines.fault(&format!("{tag:?} is not a valid node number")));
             }
             self.add_node(tag as u64, [x, y, z], lines)?;
         }
@@ -22,7 +22,7 @@ impl Raw {
         let [total] = lines.exactly::<u64, 1>()?;
         for _ in 0..total {
             let numbers: Vec<i64> = lines.numbers()?;
-            let short = || lines.fault("an element without its nodes");
+            let short = || lines.fault("the nodes of the element are missing");
             let [_, kind, tags, rest @ ..] = numbers.as_slice() else { return Err(short()) };
             let tags = usize::try_from(*tags).ok().filter(|&tags| tags <= rest.len()).ok_or_else(short)?;
             let (tags, nodes) = rest.split_at(tags);

@@ -18,7 +18,7 @@ impl Raw {
                     if groups > 1.0 && (dimension == 1 || dimension == 2) {
                         let what = if dimension == 1 { "curve" } else { "surface" };
                         let (tag, groups) = (tag as i64, groups as u64);
-                        let why = format!("{what} {tag} is in {groups} physical groups: one is expected");
+                        let why = format!("{what} {tag} is in {groups} physical groups, expected one");
                         return Err(lines.fault(&why));
                     }
                     // A negative tag says that the curve is turned.
@@ -74,7 +74,7 @@ impl Raw {
             }
         }
         if seen != total {
-            return Err(lines.fault(&format!("{seen} elements, {total} announced")));
+            return Err(lines.fault(&format!("found {seen} elements, expected {total}")));
         }
         Ok(())
     }
