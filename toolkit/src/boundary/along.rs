@@ -1,10 +1,10 @@
 //! Norms on polygonal curves that depend on the arc length s only: L^q, and dual norms of interpolation
 //! spaces.
 //!
-//! The eigenfunctions of −d²/ds² on a closed curve of length L are 1 and the pairs cos, sin of 2πks/L. The
-//! functions even about s = L/2 are the cosines of an interval of length L/2, the odd ones its sines, with
-//! the same eigenvalues: f splits into (f(s) ± f(L−s))/2 on (0, L/2), and the squares of the two dual norms
-//! there, doubled, add up.
+//! The eigenfunctions of −d²/ds² on a closed curve of length L are 1 and the pairs cos, sin of 2πks/L. Those
+//! even about s = L/2 are the cosines of an interval of length L/2, the odd ones its sines, with the same
+//! eigenvalues: f is the sum of (f(s) ± f(L−s))/2 on (0, L/2), and its squared dual norm is twice the sum of
+//! the squared dual norms of the two parts.
 
 use super::function::BoundaryFunction;
 use crate::dual::DualOf;
@@ -19,7 +19,7 @@ use crate::root::{accept, root_of_squares, scaled};
 const ONE_NODE: f64 = 16.0 * f64::EPSILON;
 
 impl BoundaryFunction {
-    /// ||u||\_{L^q(Γ)} = (∫_Γ |u|^q ds)^{1/q}, 1 ≤ q ≤ ∞, exact to rounding on every element as
+    /// The norm ||u||\_{L^q(Γ)} = (∫_Γ |u|^q ds)^{1/q}, 1 ≤ q ≤ ∞, exact to rounding on every element as
     /// [`PiecewisePolynomial::lq_norm`]. Cost O(N).
     ///
     /// # Errors
@@ -31,9 +31,9 @@ impl BoundaryFunction {
         self.along()?.lq_norm(q, tolerance)
     }
 
-    /// The dual norm for each norm of [`DualOf`]: [`BoundaryFunction::dual_norm`] for `Slobodeckij`; for
-    /// the interpolation spaces between L²(Γ) and H¹(Γ), or H¹_0(Γ), the norms of which are Σ_k (1+λ_k)^ν
-    /// v_k² with the eigenpairs of −d²/ds² along the curve.
+    /// The dual norm of the norm that [`DualOf`] names: [`BoundaryFunction::dual_norm`] for `Slobodeckij`;
+    /// otherwise that of an interpolation space between L²(Γ) and H¹(Γ), or H¹_0(Γ), with the norm Σ_k
+    /// (1+λ_k)^ν v_k², (λ_k, v_k) from the eigenpairs of −d²/ds² along the curve.
     ///
     /// # Method
     ///
@@ -63,13 +63,13 @@ impl BoundaryFunction {
         accept("dual norm", found, tolerance, "the dual norms of the even and the odd part")
     }
 
-    /// The function of the arc length.
+    /// The function of the arc length on (0, L).
     fn along(&self) -> Result<PiecewisePolynomial> {
         let lengths = (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect();
         PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(lengths)?, self.ends())
     }
 
-    /// (f(s) + f(L−s))/2 and (f(s) − f(L−s))/2 on (0, L/2), cut at the nodes of both halves.
+    /// (f(s) + f(L−s))/2 and (f(s) − f(L−s))/2 on (0, L/2), with the nodes of both halves.
     fn even_and_odd(&self) -> Result<[PiecewisePolynomial; 2]> {
         let (count, half) = (self.curve().len(), 0.5 * self.curve().length());
         let near = 2.0 * ONE_NODE * half;

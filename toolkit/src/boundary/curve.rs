@@ -9,14 +9,14 @@ use crate::mesh::Mesh;
 use crate::numeric::check::{require_entry, require_finite_at, require_length};
 use crate::numeric::scale::unit_of;
 
-/// The boundary of a polygon, or an open polygonal curve, with elements on every side.
+/// The boundary of a polygon, or an open polygonal curve, with a mesh on every side.
 #[doc(alias("polygon", "boundary mesh", "BEM"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
     vertices: Vec<[f64; 2]>,
     closed: bool,
     sides: Vec<Side>,
-    /// side and place in it of every element
+    /// side and index in the mesh of that side, for every element
     elements: Vec<(usize, usize)>,
 }
 
@@ -28,14 +28,14 @@ struct Side {
     mesh: Mesh,
 }
 
-/// Relative position of two elements, with the data from which distances are computed.
+/// Relative position of two elements, with the data needed for their distances.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Relation {
-    /// on one side: distances along it
+    /// on the same side: distances along it
     Same,
-    /// the first side ends where the second begins, |a − b|²
+    /// the first side ends where the second one begins; |a − b|²
     Before(f64),
-    /// the second side ends where the first begins
+    /// the second side ends where the first one begins
     After(f64),
     Apart,
 }
@@ -57,9 +57,9 @@ impl Curve {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for fewer than three vertices; [`Error::LengthMismatch`] unless there is
-    /// one mesh per side; [`Error::NotFinite`] with the index of the vertex; [`Error::EntryOutOfRange`]
-    /// with the index of a side of length zero, or of a vertex at which the curve turns back;
-    /// [`Error::Edge`] for a side that meets another.
+    /// one mesh per side; [`Error::NotFinite`] with the index of the vertex; [`Error::EntryOutOfRange`] with
+    /// the index of a side of length zero, or of a vertex at which the curve turns back; [`Error::Edge`] for a
+    /// side that meets another.
     pub fn closed(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, true)
     }
@@ -77,13 +77,13 @@ impl Curve {
     /// ```
     ///
     /// # Errors
-    /// As [`Curve::closed`]; two vertices suffice.
+    /// As [`Curve::closed`], with at least two vertices.
     pub fn open(vertices: &[[f64; 2]], meshes: &[Mesh]) -> Result<Self> {
         Self::build(vertices, meshes, false)
     }
 
-    /// The closed curve with `count` elements on every side, graded on both halves towards the corners like
-    /// (i/n)^β; equal elements for β = 1. `count` must be even.
+    /// The closed curve with `count` elements on every side, graded towards the corners on both halves of a
+    /// side like (i/n)^β; the elements are equal for β = 1. `count` must be even.
     ///
     /// ```
     /// use fractional_sobolev::Curve;
@@ -98,7 +98,11 @@ impl Curve {
     /// count.
     pub fn algebraic(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
         if !count.is_multiple_of(2) {
-            return Err(Error::CountOutOfRange { name: "elements of a side", value: count, range: "even" });
+            return Err(Error::CountOutOfRange {
+                name: "elements of a side",
+                value: count,
+                range: "the even numbers",
+            });
         }
         let mesh = Mesh::two_sided_algebraic(count / 2, exponent, 1.0)?;
         Self::closed(vertices, &vec![mesh; vertices.len()])
@@ -107,7 +111,7 @@ impl Curve {
     fn build(vertices: &[[f64; 2]], meshes: &[Mesh], closed: bool) -> Result<Self> {
         let least = if closed { 3 } else { 2 };
         if vertices.len() < least {
-            let (value, range) = (vertices.len(), if closed { ">= 3" } else { ">= 2" });
+            let (value, range) = (vertices.len(), if closed { "[3, inf)" } else { "[2, inf)" });
             return Err(Error::CountOutOfRange { name: "vertices", value, range });
         }
         for (index, vertex) in vertices.iter().enumerate() {
@@ -185,7 +189,7 @@ impl Curve {
         Ok(Self { sides, elements, ..self.clone() })
     }
 
-    /// Number of elements.
+    /// The number of elements.
     #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         self.elements.len()
@@ -196,7 +200,7 @@ impl Curve {
         self.closed
     }
 
-    /// Length of the curve.
+    /// The length of the curve.
     pub fn length(&self) -> f64 {
         self.sides.iter().map(|side| side.mesh.total()).sum()
     }
@@ -215,13 +219,13 @@ impl Curve {
         nodes
     }
 
-    /// Length of an element.
+    /// The length of an element.
     pub(super) fn element_length(&self, e: usize) -> f64 {
         let (side, cell) = self.elements[e];
         self.sides[side].mesh.lengths()[cell]
     }
 
-    /// The point at distance t from the left end of an element, as the argument of [`Curve::apart`].
+    /// The point at distance t from the left end of an element, as an argument of [`Curve::apart`].
     pub(super) fn place(&self, e: usize, t: f64) -> Place {
         let (side, cell) = self.elements[e];
         let mesh = &self.sides[side].mesh;
@@ -229,7 +233,7 @@ impl Curve {
         Place { side, from_start: mesh.from_left()[cell] + t, to_end: mesh.from_right()[cell + 1] + rest }
     }
 
-    /// The coordinates of a place, counted from the nearer end of its side.
+    /// The coordinates of a point, computed from the nearer end of its side.
     pub(super) fn point(&self, place: Place) -> [f64; 2] {
         let side = &self.sides[place.side];
         if place.from_start <= place.to_end {
@@ -239,8 +243,8 @@ impl Curve {
         [0, 1].map(|k| end[k] - place.to_end * side.direction[k])
     }
 
-    /// How far rounding may move a point along its side near the first and the last vertex of the side: an ulp of
-    /// the largest coordinate of the vertex that varies along the side.
+    /// The distances by which rounding may move a point along its side near the first and the last vertex of the
+    /// side: an ulp of the largest coordinate of the vertex that varies along the side.
     pub(super) fn blurs(&self, side: usize) -> [f64; 2] {
         [0, 1].map(|end| {
             let vertex = self.vertices[(side + end) % self.vertices.len()];
@@ -290,7 +294,7 @@ impl Curve {
         }
     }
 
-    /// The common node of two elements that follow each other, first e then f.
+    /// True if the end node of e is the first node of f.
     pub(super) fn follows(&self, e: usize, f: usize) -> bool {
         f == e + 1 || self.closed && e + 1 == self.len() && f == 0
     }

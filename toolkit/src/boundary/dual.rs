@@ -1,5 +1,5 @@
-//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linears, and its limit under mesh
-//! refinement.
+//! Dual norms on polygonal curves: sup ∫_Γ f v / ||v||_ν over piecewise linear functions, and its limit under
+//! mesh refinement.
 
 use super::curve::Curve;
 use super::function::BoundaryFunction;
@@ -20,23 +20,23 @@ const ENTRIES: f64 = 1e-13;
 const ROUNDING: f64 = 1e-12;
 
 impl BoundaryFunction {
-    /// The norm of H^{−ν}(Γ), sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ), the norm of normal derivatives and
-    /// boundary densities.
+    /// The norm of H^{−ν}(Γ), sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ), in which normal derivatives and boundary
+    /// densities are measured.
     ///
     /// # Method
     ///
-    /// On a mesh the supremum over continuous piecewise linears is √(bᵀ(M+A)⁻¹b), a lower bound, by one
-    /// dense factorization. The mesh is bisected up to 1500 elements. With increments d_k that shrink by a
-    /// factor r, the limit is extrapolated as v_k + d_k r/(1−r); its error is its last change, or its
-    /// distance to v_k if only one limit is available. Meshes graded towards corners and jumps of f give
-    /// more digits.
+    /// On a mesh the supremum over continuous piecewise linear functions is √(bᵀ(M+A)⁻¹b), a lower bound,
+    /// computed by one dense factorization. The mesh is bisected up to 1500 elements. If the increments d_k
+    /// shrink by a factor r, the limit is extrapolated as v_k + d_k r/(1−r); its error is its last change, or
+    /// its distance to v_k if only one limit is available. Meshes graded towards the corners and the jumps of f
+    /// give more digits.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
     /// [`Error::ToleranceNotMet`] with the best value.
     pub(super) fn dual_of_slobodeckij(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.curve().len() > MOST {
-            let (name, range) = ("elements of a dual norm", "<= 1500");
+            let (name, range) = ("elements of a dual norm", "[1, 1500]");
             return Err(Error::CountOutOfRange { name, value: self.curve().len(), range });
         }
         let (mut curve, mut ends) = (self.curve().clone(), self.ends().to_vec());

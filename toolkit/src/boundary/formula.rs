@@ -1,14 +1,15 @@
-//! A function of the place on the boundary of a polygon, and its norms with the distance in the plane.
+//! Norms of a function of the point on the boundary of a polygon, with the distance in the plane.
 //!
-//! |u|²_ν = ∫_Γ ∫_Γ (u(x) − u(y))² / |x − y|^{1+2ν} over the pairs of elements of a mesh graded by the factor 0.3 to every
-//! vertex, with n Gauss points on an element:
+//! |u|²_ν = ∫_Γ ∫_Γ (u(x) − u(y))² / |x − y|^{1+2ν} is summed over the pairs of elements of a mesh graded by the
+//! factor 0.3 towards every vertex, with n Gauss points on an element:
 //!
-//! - one element twice: 2 h^{1−2ν} ∫ z^{1−2ν} (1 − z) ∫ ((u(t + hz) − u(t))/z)², t = h (1 − z) s, s in (0, 1);
-//! - neighbours of lengths p, q, straight on or over a corner: over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq
-//!   (Duffy), pq ξ^{2−2ν} ((u(x) − u(y))/ξ)² / ρ(η)^{1+2ν}, ξρ the distance; cut in η about the singularity of ρ;
-//! - others: cut until no piece is longer than the distance to the other.
+//! - an element with itself: 2 h^{1−2ν} ∫ z^{1−2ν} (1 − z) ∫ ((u(t + hz) − u(t))/z)², t = h (1 − z) s, s in (0, 1);
+//! - neighbours of lengths p, q, on one side or across a corner: over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq
+//!   (Duffy), pq ξ^{2−2ν} ((u(x) − u(y))/ξ)² / ρ(η)^{1+2ν}, with the distance ξρ; subdivided in η about the singularity of ρ;
+//! - other pairs: subdivided until no piece is longer than its distance to the other.
 //!
-//! Where u is smooth but for the vertices, the error falls exponentially in n and in the number of layers.
+//! Where u is smooth except at the vertices, the error decreases exponentially in n and in the number of
+//! layers.
 
 use super::curve::{Curve, Relation};
 use super::pairs::{Part, cut, split};
@@ -25,23 +26,24 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Length of an element over that of its neighbour farther from the vertex.
+/// Ratio of the length of an element to that of its neighbour farther from the vertex.
 const RATIO: f64 = 0.3;
 /// Gauss points of an element and layers at a vertex, from coarse to fine: 0.3^160 is 1e-84 of a side.
 const STEPS: [(usize, usize); 5] = [(8, 10), (12, 20), (16, 40), (20, 80), (24, 160)];
-/// What lies below the last layer at a vertex where x is rounded, over the part of its element.
+/// Bound of the contribution below the last layer at a vertex where x is rounded, relative to that of its element.
 const BELOW: f64 = 10.0;
 /// Ratio of changes above which a slower decrease is not assumed.
 const SLOWEST: f64 = 0.95;
-/// Ratio of the growth of squares over twice as many layers: 2 − O(w) for contributions e^{−wt}, t = ln(1/distance).
+/// Ratio of the increments of the squares for twice as many layers: 2 − O(w) for contributions e^{−wt}, t =
+/// ln(1/distance).
 const DOUBLES: f64 = 1.9999;
-/// Share of a square above which its growth is not that of rounding.
+/// Share of a square above which its growth is not attributed to rounding.
 const GROWTH: f64 = 1e-6;
 /// Message: the layers at a vertex do not decrease.
 const ENDLESS: &str = "the contributions near a vertex do not decay";
 /// Message: what limits the accuracy.
-const LIMIT: &str = "rules graded to the vertices do not settle: declare kinks and jumps as vertices, move a singular vertex to \
-     the origin, where x is exact, and stay away from the order at which the norm is infinite";
+const LIMIT: &str = "rules graded towards the vertices do not converge: declare kinks and jumps as vertices, \
+     move a singular vertex to the origin, where x is exact, and stay away from the order at which the norm is infinite";
 
 /// A function on the boundary of a polygon.
 pub(crate) struct CurveFormula<'a> {
@@ -57,8 +59,8 @@ impl std::fmt::Debug for CurveFormula<'_> {
     }
 }
 
-/// The end of a side to which an element belongs: the rounding of its points, away from the vertex, and whether the
-/// element lies at the vertex with fewer layers than asked.
+/// The end of a side to which an element belongs: the rounding error of its points away from the vertex, and
+/// whether the element lies at the vertex with fewer layers than requested.
 #[derive(Clone, Copy)]
 struct End {
     blur: f64,
@@ -67,7 +69,7 @@ struct End {
     at_vertex: bool,
 }
 
-/// |u|²_ν and ‖u‖², both over the square of `size`, with what rounding leaves in the first.
+/// |u|²_ν and ‖u‖², both divided by the square of `size`, with the rounding error of the first.
 struct Squares {
     seminorm: f64,
     rounding: f64,
@@ -88,18 +90,18 @@ impl<'a> CurveFormula<'a> {
         Ok(Self { vertices, unit, f: Box::new(f) })
     }
 
-    /// |u|_ν, 0 < ν < 1.
+    /// The seminorm |u|_ν, 0 < ν < 1.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a value that is not finite; [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the
-    /// best value where the rules do not settle: kinks inside a side, strong singularities at vertices where x is
-    /// rounded.
+    /// [`Error::NotFinite`] for a value that is not finite; [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with
+    /// the best value if the rules do not converge: for kinks inside a side, or strong singularities at vertices
+    /// where x is rounded.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let [seminorm, _] = self.settle(order, tolerance, [1.0, 0.0])?;
         accept("seminorm", seminorm, tolerance, LIMIT)
     }
 
-    /// ‖u‖_ν, 0 < ν < 1.
+    /// The norm ‖u‖_ν, 0 < ν < 1.
     ///
     /// # Errors
     /// As [`CurveFormula::seminorm`].
@@ -108,7 +110,7 @@ impl<'a> CurveFormula<'a> {
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// ‖u‖ in L².
+    /// The L² norm ‖u‖.
     ///
     /// # Errors
     /// As [`CurveFormula::seminorm`].
@@ -117,8 +119,8 @@ impl<'a> CurveFormula<'a> {
         accept("norm", norm, tolerance, LIMIT)
     }
 
-    /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares changes little enough;
-    /// else the best of them.
+    /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares meets the
+    /// tolerance; otherwise the most accurate pair.
     fn settle(
         &self,
         order: impl Into<Option<Order>>,
@@ -171,7 +173,8 @@ impl<'a> CurveFormula<'a> {
         })
     }
 
-    /// The mesh with this many layers at every vertex, fewer where the elements reach the rounding of coordinates.
+    /// The mesh with this many layers at every vertex, or fewer if the elements reach the rounding of the
+    /// coordinates.
     fn graded(&self, layers: usize) -> Result<(Curve, Vec<End>)> {
         let count = self.vertices.len();
         let plain = Curve::closed(&self.vertices, &vec![Mesh::uniform(1, 1.0)?; count])?;
@@ -288,18 +291,18 @@ struct Pairs<'a> {
     kernel: &'a PowerKernel,
     value: &'a (dyn Fn(usize, f64) -> f64 + Sync),
     values: &'a [Vec<f64>],
-    /// of the values on an element, by the rounding of coordinates
+    /// rounding error of the values on an element, from the rounding of the coordinates
     noise: &'a [f64],
     ends: &'a [End],
     rule: Rule,
-    /// for the weights z^{1−2ν} and ξ^{2−2ν}
+    /// rules for the weights z^{1−2ν} and ξ^{2−2ν}
     own: PowerWeightRule,
     radial: PowerWeightRule,
-    /// evaluations that elements cut in pieces may still take
+    /// number of evaluations that remain for subdivided elements
     left: AtomicU64,
 }
 
-/// A term with the noise of its difference, beside the rounding of its values.
+/// Adds a term with the error `noise` of its difference, in addition to the rounding of the values.
 fn add(sum: &mut PairSum, weight: f64, difference: f64, noise: f64) {
     sum.value += weight * difference * difference;
     let twice = 2.0 * (noise + 4.0 * f64::EPSILON);
@@ -307,7 +310,7 @@ fn add(sum: &mut PairSum, weight: f64, difference: f64, noise: f64) {
     sum.points += 1;
 }
 
-/// √ of the weighted sum of squares: its relative error.
+/// The relative error of the square root of the weighted sum of squares.
 fn relative(found: &[Estimate; 2], weights: [f64; 2]) -> f64 {
     let largest = found.iter().fold(f64::MIN_POSITIVE, |most, part| part.value.max(most));
     let sum = |of: fn(&Estimate) -> f64| -> f64 {
@@ -318,8 +321,8 @@ fn relative(found: &[Estimate; 2], weights: [f64; 2]) -> f64 {
     if error == 0.0 { 0.0 } else { error / value }
 }
 
-/// The distance of the last value from its limit: all of the first, the change to the second, then the rest of a geometric
-/// series where the changes decrease slowly.
+/// The distance of the last value from its limit: the value itself if it is the only one, the change from the
+/// previous one if there are two, and the remainder of a geometric series where the changes decrease slowly.
 fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
     let change = |k: usize| (values[k] - values[k - 1]).abs();
     match values.len() - 1 {
@@ -333,8 +336,8 @@ fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
     }
 }
 
-/// True if the squares for numbers of layers that double grow by twice as much each time, or more, twice in a row:
-/// every layer then adds as much as the one before.
+/// True if the increments of the squares for doubled numbers of layers at least double twice in a row: every layer
+/// then contributes as much as the previous one.
 fn diverges(squares: &[f64]) -> bool {
     let &[.., a, b, c, d] = squares else { return false };
     let (first, second, third) = (b - a, c - b, d - c);
@@ -342,7 +345,7 @@ fn diverges(squares: &[f64]) -> bool {
 }
 
 impl Pairs<'_> {
-    /// All pairs with a first element and itself or a later one.
+    /// The sum over the pairs of element e with itself and with all later elements.
     fn row(&self, e: usize) -> PairSum {
         let mut sum = PairSum::default();
         let mut add_part = |pair: &[usize], part: PairSum| {
@@ -379,7 +382,7 @@ impl Pairs<'_> {
         sum
     }
 
-    /// e ends where f begins.
+    /// The pair of elements e and f, where e ends at the first node of f.
     fn touching(&self, e: usize, f: usize) -> PairSum {
         let mut sum = PairSum::default();
         let (p, q) = (self.curve.element_length(e), self.curve.element_length(f));
@@ -434,7 +437,7 @@ impl Pairs<'_> {
         }
     }
 
-    /// u at the points of the rule on a part of an element.
+    /// The values of u at the points of the rule on a part of an element.
     fn at_points(&self, e: usize, (start, length): Part) -> Cow<'_, [f64]> {
         if length == self.curve.element_length(e) {
             return self.values[e].as_slice().into();

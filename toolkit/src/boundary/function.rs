@@ -1,4 +1,4 @@
-//! Functions on polygonal curves: linear or constant on every element.
+//! Functions on polygonal curves that are linear or constant on every element.
 
 use super::curve::Curve;
 use super::pairs::CurvePairs;
@@ -12,9 +12,9 @@ use crate::order::Order;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
 use rayon::prelude::*;
 
-/// Largest number of elements; some minutes.
+/// Largest number of elements; such a seminorm takes some minutes.
 const MOST: usize = 20_000;
-/// Relative accuracy of the kernel over that of the seminorm.
+/// Ratio of the relative accuracy of the kernel to that of the seminorm.
 const SHARE: f64 = 0.5;
 /// Message: what limits the accuracy.
 const LIMIT: &str = "rounding of the values limits the accuracy of their differences";
@@ -42,7 +42,7 @@ impl BoundaryFunction {
         Ok(Self { curve, ends, constants: false })
     }
 
-    /// The function that is constant on every element, as approximate normal derivatives are.
+    /// The function that is constant on every element, like approximate normal derivatives.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -61,20 +61,20 @@ impl BoundaryFunction {
         &self.ends
     }
 
-    /// The seminorm |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 <
-    /// ν < 1; on a Lipschitz curve equivalent to the seminorm of the trace space.
+    /// The seminorm |u|_ν, |u|²_ν = ∫_Γ ∫_Γ (u(x)−u(y))² / |x−y|^{1+2ν} with the distance in the plane, 0 < ν <
+    /// 1; on a Lipschitz curve it is equivalent to the seminorm of the trace space.
     ///
     /// # Method
     ///
-    /// The sum over all pairs of elements: adjacent elements in Duffy's coordinates about their common
-    /// point, on one side or across a corner of any angle; all others by Gauss rules on pieces no longer
-    /// than their distance. Cost O(N²) pairs with 10 to 100 kernel values each, some seconds for 2000
-    /// elements; at most 20 000 elements.
+    /// The sum over all pairs of elements: adjacent elements in Duffy's coordinates about their common point,
+    /// on one side or across a corner of any angle; all others by Gauss rules on pieces no longer than their
+    /// distance. Cost: O(N²) pairs with 10 to 100 kernel values each, some seconds for 2000 elements; at most
+    /// 20 000 elements.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for piecewise constants with a jump and ν ≥ 1/2; [`Error::CountOutOfRange`]
-    /// beyond 20 000 elements, [`Error::TooLarge`] beyond memory; [`Error::ToleranceNotMet`] when rounding
-    /// exceeds the tolerance.
+    /// [`Error::InfiniteNorm`] for piecewise constants with a jump and ν ≥ 1/2; [`Error::CountOutOfRange`] for
+    /// more than 20 000 elements, [`Error::TooLarge`] if the memory does not suffice;
+    /// [`Error::ToleranceNotMet`] if rounding exceeds the tolerance.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
@@ -117,7 +117,7 @@ impl BoundaryFunction {
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         if n > MOST {
-            return Err(Error::CountOutOfRange { name: "elements", value: n, range: "<= 20000" });
+            return Err(Error::CountOutOfRange { name: "elements", value: n, range: "[1, 20000]" });
         }
         require_memory("elements", n, 64)?;
         let scale = self.size();

@@ -1,14 +1,14 @@
 //! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))² of piecewise linears
 //! or constants.
 //!
-//! - one element twice: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
-//! - neighbours of lengths p, q, straight on or over a corner: the integrand is homogeneous about the common
+//! - an element with itself: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
+//! - neighbours of lengths p, q, on one side or across a corner: the integrand is homogeneous about the common
 //!   point, so that over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) the integral in ξ is
-//!   1/(3−2ν), or 1/(1−2ν) for constants, and pq times a smooth integral in η is left: its integrand is
-//!   singular at η q = p e^{±iω} only, ω the angle, and cut until no piece is longer than its distance to
-//!   these;
-//! - others: cut until no piece is longer than the distance to the other, then Gauss rules whose order the
-//!   quotient of the two decides.
+//!   1/(3−2ν), or 1/(1−2ν) for constants, and pq times a smooth integral in η remains: its integrand is
+//!   singular only at η q = p e^{±iω}, ω the angle, and is subdivided until no piece is longer than its
+//!   distance to these points;
+//! - other pairs: subdivided until no piece is longer than its distance to the other, then Gauss rules whose
+//!   order depends on the ratio of length to distance.
 
 use super::curve::{Curve, Relation};
 use crate::error::{Error, Result};
@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 /// Largest number of points of a rule: enough for pieces as long as their distance.
 const MOST_POINTS: usize = 16;
 
-/// Kernel evaluations that one cut counts as.
+/// Number of kernel evaluations counted for one subdivision.
 const OF_CUT: u64 = 4;
 /// Message: the work limit is exceeded.
 const NEEDLES: &str = "the work limit is reached: two sides without a common corner, or at a small angle, are so close to \
@@ -36,7 +36,7 @@ pub(super) struct CurvePairs<'a> {
     digits: f64,
     /// 3 − 2ν, or 1 − 2ν for constants
     radial: f64,
-    /// evaluations of the kernel that elements cut in pieces may still take
+    /// number of kernel evaluations that remain for subdivided elements
     left: AtomicU64,
     asked: f64,
 }
@@ -58,12 +58,12 @@ impl<'a> CurvePairs<'a> {
         })
     }
 
-    /// The same with at most this many kernel evaluations for elements that are cut in pieces.
+    /// The same rules with at most this many kernel evaluations for subdivided elements.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { left: AtomicU64::new(evaluations), ..self }
     }
 
-    /// Deducts this many evaluations; false if fewer are left.
+    /// Deducts this many evaluations; false if fewer remain.
     fn spend(&self, count: u64) -> bool {
         let left = self.left.load(Ordering::Relaxed);
         self.left.store(left.saturating_sub(count), Ordering::Relaxed);
@@ -81,12 +81,12 @@ impl<'a> CurvePairs<'a> {
         Err(Error::out_of_reach("norm on a curve", self.asked, f64::INFINITY, NEEDLES))
     }
 
-    /// The form of one element of length h for linears whose end values differ by one.
+    /// The form of one element of length h for a linear function whose end values differ by one.
     pub(super) fn own(&self, h: f64) -> f64 {
         2.0 * self.kernel.scaling(h) / (self.kernel.two_minus * self.kernel.three_minus)
     }
 
-    /// Visits (w, s, t) with s, t local coordinates on e ≠ f: both orders of x and y are counted in w.
+    /// Calls `visit` with (w, s, t), s and t local coordinates on e ≠ f; w counts both orders of x and y.
     pub(super) fn visit(&self, e: usize, f: usize, visit: &mut impl FnMut(f64, f64, f64)) {
         if self.curve.follows(e, f) {
             self.touching(e, f, visit);
@@ -101,7 +101,7 @@ impl<'a> CurvePairs<'a> {
         }
     }
 
-    /// e ends where f begins.
+    /// The pair of elements e and f, where e ends at the first node of f.
     fn touching(&self, e: usize, f: usize, visit: &mut impl FnMut(f64, f64, f64)) {
         let (p, q) = (self.curve.element_length(e), self.curve.element_length(f));
         let bend = match self.curve.relation_of(e, f) {
@@ -155,8 +155,8 @@ impl<'a> CurvePairs<'a> {
         });
     }
 
-    /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²),
-    /// and one point for the linears.
+    /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and
+    /// one more point for the linear functions.
     fn rule(&self, ratio: f64) -> &Rule {
         let z = 2.0 / ratio.max(1e-8);
         let rho = z + z.hypot(1.0);
@@ -165,8 +165,8 @@ impl<'a> CurvePairs<'a> {
     }
 }
 
-/// Parts of two elements no longer than the distance between them, with that distance: the longer part is halved as
-/// long as `may_cut`; false if it was refused.
+/// Parts of two elements no longer than the distance between them, with that distance: the longer part is bisected
+/// as long as `may_cut` allows; false if it did not.
 pub(super) fn split(
     curve: &Curve,
     pair: [usize; 2],

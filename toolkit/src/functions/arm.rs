@@ -10,12 +10,12 @@ pub(crate) struct Arm {
     pub(crate) length: f64,
     /// largest t at which values of the function are reliable
     pub(crate) depth: f64,
-    /// rounding of x = c + δ; 0 for functions of the offset
+    /// rounding error of x = c + δ; 0 for functions of the offset
     pub(crate) blur: f64,
 }
 
 impl Arm {
-    /// δ = R e^{-t}.
+    /// The distance δ = R e^{-t}.
     pub(crate) fn delta(&self, t: f64) -> f64 {
         self.length * (-t).exp()
     }

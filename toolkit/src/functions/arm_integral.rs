@@ -1,11 +1,12 @@
 //! ∫₀^∞ ℓ(t) dt along a side, for integrands that decay like exponentials or like powers of t.
 //!
-//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells
-//! shrink geometrically. The cells go on until what is left is small against the tolerance; where ℓ decays
-//! too slowly for that, wide cells down to the depth of the side feed [`crate::quadrature::extrapolate`]
-//! and [`Partials`], or a [`DeepTail`] is added. A divergent integral is recognised by its integrand.
+//! Gauss rules of n points on cells of width h; towards t = 0, where ℓ may behave like t^{2−2ν}, cells shrink
+//! geometrically. Cells are added until the remainder is small relative to the tolerance; where ℓ decays too
+//! slowly for that, wide cells down to the depth of the side are passed to [`crate::quadrature::extrapolate`]
+//! and [`Partials`], or a [`DeepTail`] is added. A divergent integral is detected from the growth of its
+//! integrand.
 //!
-//! The rest beyond a cell is bounded from both sides of the law ℓ may follow ([`super::rest`]).
+//! The remainder beyond a cell is bounded for concave and for convex ln ℓ ([`super::rest`]).
 
 use super::deep_tail::DeepTail;
 use super::level::{ArmValue, Density, Level};
@@ -21,36 +22,36 @@ pub(crate) struct ArmIntegral {
     rule: Rule,
     /// requested relative accuracy of the integral
     tolerance: f64,
-    /// cells of width h are needed up to here
+    /// depth up to which cells of width h are needed
     structured: f64,
-    /// layers towards t = 0
+    /// number of layers towards t = 0
     start_layers: usize,
     order: f64,
 }
 
-/// Standard deviations by which rounding may exceed its expectation.
+/// Number of standard deviations by which the rounding error may exceed its expectation.
 const ROUNDING_SAFETY: f64 = 1.5;
-/// Cells that shrink towards t = 0.
+/// Ratio of the lengths of consecutive cells towards t = 0.
 const START_RATIO: f64 = 0.15;
 /// Message: the integrand grows towards the breakpoint.
 const GROWS: &str = "contributions still grow at the smallest distance from a breakpoint at which the function \
      can be evaluated";
-/// Safety factor for the difference between the geometric remainder and the one by chords.
+/// Safety factor for the difference between the geometric and the chord-based remainder.
 const BETWEEN: f64 = 4.0;
 /// Relative uncertainty of a remainder that is sampled at a few points.
 const UNSEEN: f64 = 0.1;
 /// Smallest depth at which a tail is accepted: e^{-6} of the side.
 const SETTLED: f64 = 6.0;
-/// Width of a wide block, beyond all structure, and the cells in it.
+/// Width of a wide block, beyond all structure, and the number of cells in it.
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
 
-/// Depth from which the tail formula is used: up to it, differences keep the digits that the tolerance
-/// requires.
+/// Depth from which the tail formula is used: up to this depth, differences of values keep the digits that the
+/// tolerance requires.
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
-    /// The parameters; `spread` is ln of the largest quotient of side lengths, `order` is ν, for messages.
+    /// The parameters; `spread` is ln of the largest ratio of side lengths, `order` is ν, for messages.
     pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.
@@ -87,8 +88,8 @@ impl ArmIntegral {
         Ok(ArmValue { limit, rounding, is_settled: settled.get() > 0.0 })
     }
 
-    /// As [`ArmIntegral::integrate`], for a density that receives its quadrature weight; with the rounding
-    /// of the sum and of the last density.
+    /// As [`ArmIntegral::integrate`], for a density that is passed its quadrature weight. The cells hold the
+    /// rounding errors of the sum and of the last density, and whether the integrand decayed below rounding.
     fn limit(
         &self,
         depth: f64,
@@ -168,7 +169,7 @@ impl ArmIntegral {
         self.decide(&partials)
     }
 
-    /// ∫₀^h with layers towards 0.
+    /// ∫₀^h ℓ dt with layers towards 0.
     fn start(&self, density: &mut impl FnMut(f64, f64) -> Result<f64>) -> Result<f64> {
         let mut right = self.level.width;
         let mut sum = 0.0;
@@ -195,12 +196,13 @@ impl ArmIntegral {
         Ok(sum)
     }
 
-    /// The width of a wide cell: whole cells, whose rules then leave the same share of ℓ in every wide one.
+    /// The width of a wide cell: a multiple of h, so that the rules have the same relative error in all wide
+    /// cells.
     fn wide(&self) -> f64 {
         (BLOCK / BLOCK_CELLS as f64 / self.level.width).round() * self.level.width
     }
 
-    /// Wide cells as far as the tail begins, and the tail.
+    /// The integral by wide cells up to the start of the tail, plus the tail.
     fn with_tail(
         &self,
         tail: &DeepTail,
@@ -227,7 +229,8 @@ impl ArmIntegral {
         Ok(Limit { value: found.sum() + rest.limit.value, error: rest.limit.error })
     }
 
-    /// Wide blocks, from the depth at which the integrand is smooth on the scale of t.
+    /// The integral by wide cells, from the depth at which the integrand is smooth on the scale of t; `None` if
+    /// its limit does not meet the tolerance.
     fn deep(
         &self,
         depth: f64,

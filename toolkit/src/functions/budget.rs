@@ -23,10 +23,10 @@ impl Budget {
         self.left.load(Ordering::Relaxed)
     }
 
-    /// Deducts `count` evaluations; threads may exceed the limit by one block each.
+    /// Deducts `count` evaluations; each thread may exceed the limit by one block.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] when fewer are left.
+    /// [`Error::ToleranceNotMet`] if fewer are left.
     pub(super) fn spend(&self, count: u64) -> Result<()> {
         let left = self.left();
         self.left.store(left.saturating_sub(count), Ordering::Relaxed);

@@ -11,14 +11,14 @@ use crate::quadrature::Rule;
 const ORDERS: [usize; 2] = [9, 14];
 /// Share of the tolerance for one cell.
 const SHARE: f64 = 0.003;
-/// Fraction of a cell between its end and the first point of the fine rule.
+/// Distance of the first point of the fine rule from the end of a cell, as a fraction of the cell.
 const END: f64 = 0.007;
-/// Halvings of a cell, and cells, at most.
+/// Largest number of bisections of a cell, and largest number of cells.
 const HALVINGS: u32 = 50;
 const CELLS: usize = 100_000;
 /// Safety factor for errors extrapolated at their observed rate.
 const SAFETY: f64 = 10.0;
-/// Rounding of values of f, relative.
+/// Relative rounding error of values of f.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Ratio of errors above which they count as not decreasing.
 const FALLS: f64 = 0.99;
@@ -34,13 +34,13 @@ fn apart_of(sums: &Sums) -> f64 {
     (sums[0] - sums[1]).abs().max((sums[2] - sums[1]).abs())
 }
 
-/// The error of the halves of a cell whose rules differ by `coarse`, those of its halves by `fine`: errors
-/// are extrapolated at the observed rate with a safety factor, by three digits at most.
+/// The error of the halves of a cell whose rules differ by `coarse`, where the rules of the halves differ by
+/// `fine`: the errors are extrapolated at the observed rate with a safety factor, by at most three digits.
 fn after(coarse: f64, fine: f64) -> f64 {
     if fine < coarse { SAFETY * fine * (fine / coarse).max(1e-3) } else { fine }.min(coarse.max(fine))
 }
 
-/// Weights of the value at `end` of the polynomial through points.
+/// Weights of the values at given points in the value of the interpolating polynomial at `end`.
 fn extrapolation(points: &[f64], end: f64) -> Vec<f64> {
     let weight = |k: usize| {
         let others = (0..points.len()).filter(|&j| j != k);
@@ -50,7 +50,8 @@ fn extrapolation(points: &[f64], end: f64) -> Vec<f64> {
 }
 
 impl SingularFunction<'_> {
-    /// ∫ f(u(x)) dx with its error, even above the tolerance; cells are bisected to the relative tolerance.
+    /// ∫ f(u(x)) dx with its error, which may exceed the tolerance; cells are bisected to the relative
+    /// tolerance.
     pub(super) fn integral_by_scales(&self, tolerance: f64, f: &impl Fn(f64) -> f64) -> Result<Estimate> {
         let [coarse, fine] = [Rule::gauss_legendre(ORDERS[0])?, Rule::gauss_legendre(ORDERS[1])?];
         let to_ends = [0.0, 1.0].map(|end| extrapolation(fine.points(), end));

@@ -1,5 +1,5 @@
-//! The end of a side beyond binary64: ∫_{t₀}^∞ ℓ(t) dt for functions known by the logarithm of the distance
-//! to their break.
+//! The tail of a side below the range of binary64: ∫_{t₀}^∞ ℓ(t) dt for functions of the logarithm of the
+//! distance to their breakpoint.
 //!
 //! Where t = ln(R/δ) is large, ℓ depends only on points of depth t − s with s = O(1), since other
 //! breakpoints contribute O(e^{−t}): ℓ(t) = δ^{1−2ν} (A + B),
@@ -7,8 +7,8 @@
 //! A = ∫₀^∞ (f(t)−f(t−s))² e^s (e^s−1)^{−1−2ν} ds,  B = ∫₀^∞ (f(t)−g(t−s))² ρ (1+ρ)^{−1−2ν} ds,  ρ = (R′/R)
 //! e^s,
 //!
-//! with g on the other side (of length R′) of the same breakpoint. What decays like a power of t decays
-//! exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no
+//! with g on the other side (of length R′) of the same breakpoint. A quantity that decays like a power of t
+//! decays exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no
 //! digits: f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided
 //! difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) −
 //! T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
@@ -28,26 +28,26 @@ const CELL: f64 = 1.0;
 const LAST: f64 = 700.0;
 /// Largest s: beyond s = 50, e^{−s} is below rounding.
 const REACH: f64 = 50.0;
-/// Exponent from which on e^{−x} is below rounding.
+/// Value of x beyond which e^{−x} is below rounding.
 const NOTHING: f64 = 36.0;
-/// A larger reach than a quarter of the depth of a side is of no use.
+/// Largest useful reach: a quarter of the largest depth of a side.
 const DEEPEST_START: f64 = 170.0;
 /// Increment of τ after which a growing integrand, such as that of δ^a with small a, must have begun to
 /// decay.
 const SETTLED: f64 = 40.0;
-/// Rounding of an exponent of t that is estimated from values.
+/// Rounding error of an exponent of t that is estimated from values.
 const FLAT: f64 = 1e-13;
-/// |1 − 2ν| t from which on e^{−(1−2ν)t} shows.
+/// Value of |1 − 2ν| t from which on the factor e^{−(1−2ν)t} has an effect.
 const BEGUN: f64 = 4.0;
 /// Largest growth e^{GROWTH} of f on one cell, estimated between t and STEP t.
 const GROWTH: f64 = 4.0;
 const STEP: f64 = 1.125;
 const MORE_TERMS: f64 = 60.0;
-/// Cells that shrink by no more than this come from a power of t, which ends at 1e-308, not from a function
-/// with a limit.
+/// Ratio of consecutive cell integrals above which the decay is that of a power of t, which ends at 1e-308, and
+/// not that of a function with a limit.
 const ALGEBRAIC: f64 = 1e-6;
-/// Message: no value is returned.
-const UNSEEN: &str = "so close to the limit of finiteness the value depends on distances below exp(-1e300)";
+/// Message: the limit depends on distances that cannot be represented.
+const UNSEEN: &str = "so close to the order at which the norm becomes infinite, the value depends on distances below exp(-1e300)";
 const BEYOND: &str = "contributions near a breakpoint exceed the range of binary64";
 /// The part (0, 2) of s next to the singularity; cells of width 3 beyond.
 const NEAR: f64 = 2.0;
@@ -56,7 +56,7 @@ const FAR_CELL: f64 = 3.0;
 /// A depth difference s and the weight of ((f(t)−f(t−s))/s)², or across the breakpoint of (f(t)−g(t−s))².
 type Node = (f64, f64);
 
-/// The rules in s for one side, and its breakpoint's other side.
+/// Quadrature rules in s for one side of a breakpoint and for the other side.
 pub(crate) struct DeepTail<'a> {
     function: &'a SingularFunction<'a>,
     arm: Arm,
@@ -64,7 +64,7 @@ pub(crate) struct DeepTail<'a> {
     own: Vec<Node>,
     across: Vec<Node>,
     rule: Rule,
-    /// coefficients of an interpolant
+    /// number of coefficients of an interpolant
     terms: usize,
     reach: f64,
     /// 1 − 2ν, and ln of the side's length in the unit of the energy
@@ -124,12 +124,12 @@ impl<'a> DeepTail<'a> {
         })
     }
 
-    /// The depth from which on the formula holds.
+    /// The depth from which the formula holds.
     pub(crate) fn start(&self) -> f64 {
         4.0 * self.reach
     }
 
-    /// True when the end beyond t is deep enough for the formula.
+    /// True if the formula holds beyond t.
     pub(crate) fn starts_at(&self, t: f64) -> bool {
         self.reach < 0.25 * t
     }
@@ -212,7 +212,7 @@ impl<'a> DeepTail<'a> {
         }
     }
 
-    /// True if t ℓ(t) does not decay in ln t, never while the factor e^{−(1−2ν)t} has not begun to act.
+    /// True if t ℓ(t) does not decay in ln t; false as long as the factor e^{−(1−2ν)t} has no effect.
     fn is_infinite(&self, ends: &[f64], densities: &[f64]) -> bool {
         let [first, last] = [ends[0], ends[ends.len() - 1]];
         if self.decay > 0.0 || last - first < SETTLED {
@@ -224,7 +224,8 @@ impl<'a> DeepTail<'a> {
         power > 4.0 * self.reach * (-ends[from]).exp() - FLAT
     }
 
-    /// Cells on which f, a power of t, grows by e^{GROWTH} at most.
+    /// Width of the cells in τ on which f, a power of t, grows by at most e^{GROWTH}, and the number of
+    /// coefficients on them.
     fn shape(&self, from: f64) -> Result<Shape> {
         let [here, there] = [from, STEP * from].map(|t| self.function.at_depth(&self.arm, t));
         let power = ((there? / here?).abs().ln() / STEP.ln()).abs();

@@ -285,7 +285,7 @@ impl<'a> SingularFunction<'a> {
         Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
     }
 
-    /// The value at distance δ from the anchor of a side.
+    /// The value at distance δ from the breakpoint of a side.
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
         let offset = arm.sign * delta;
         self.value_at(arm.anchor, offset, None)
@@ -303,7 +303,7 @@ impl<'a> SingularFunction<'a> {
         self.sight == Sight::LogDistance
     }
 
-    /// The value at an offset from a breakpoint, the ln of its size where it underflows.
+    /// The value at an offset from a breakpoint; `depth` is ln of the distance where the distance underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };

@@ -1,15 +1,15 @@
 //! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a
 //! breakpoint, short intervals beside long ones, undeclared kinks and peaks.
 //!
-//! Every side is cut at R/2^k towards its breakpoint as deep as u differs there from one polynomial by more
-//! than the tolerance, at all scales ([`Profile`]); cells away from the breakpoint are halved likewise. A
-//! difference ε at the scale δ counts as ε δ^{1/2−ν} beside |u|_ν. The seminorm is |p|_ν of the piecewise
-//! polynomial, which depends on lengths only and is accurate on all scales.
+//! Every side is cut at R/2^k towards its breakpoint, down to the scale below which u agrees with a single
+//! polynomial to the tolerance at all scales ([`Profile`]); cells away from the breakpoint are bisected by the
+//! same criterion. A difference ε at the scale δ contributes ε δ^{1/2−ν} to |u|_ν. The seminorm is |p|_ν of the
+//! piecewise polynomial, which depends on lengths only and is accurate on all scales.
 //!
 //! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. This bound adds the
-//! residuals e of all cells with one sign; but e is orthogonal to polynomials of lower degree, and |u|² −
-//! |p|² = 2(p, e)_ν + |e|²_ν is much smaller. The first term is estimated from polynomials ten times as far
-//! from u on every cell, those without their last bubbles; the second one is at most B².
+//! residuals e of all cells with one sign; but e is orthogonal to polynomials of lower degree, and |u|² − |p|² =
+//! 2(p, e)_ν + |e|²_ν is much smaller. The first term is estimated from polynomials with an error ten times
+//! as large on every cell, obtained by dropping the last bubbles; the second term is at most B².
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -33,20 +33,20 @@ const HALVINGS: u32 = 50;
 const FLOOR: f64 = 64.0 * f64::EPSILON;
 /// Number of ulps up to which values count as linear.
 const STRAIGHT: f64 = 8.0 * f64::EPSILON;
-/// Share of the variation on a cell that rounding of x may explain.
+/// Share of the variation on a cell that the rounding of x may explain.
 const MOVED: f64 = 0.1;
-/// Rounding of a polynomial.
+/// Relative rounding error of a polynomial.
 const NOISE: f64 = 8.0 * f64::EPSILON;
-/// Bound of the largest residual over the largest one at the points of a rule.
+/// Bound of the ratio of the largest residual to the largest residual at the points of a rule.
 const UNSEEN: f64 = 2.0;
 
-/// Factor by which the error of the polynomials for comparison is larger.
+/// Factor by which the error of the comparison polynomials is larger.
 const COARSER: f64 = 10.0;
-/// Largest number of cells for which the comparison is made: two sums over their pairs.
+/// Largest number of cells for which the comparison is made, at the cost of two sums over their pairs.
 const COMPARED: usize = 400;
-/// Largest accuracy for a best value.
+/// Coarsest accuracy with which a best value is computed.
 const COARSEST: f64 = 1e-3;
-/// Share of the goal for differences that are neglected.
+/// Share of the requested accuracy for differences that are neglected.
 const BELOW: f64 = 0.01;
 
 /// Message: what limits the accuracy.
@@ -54,37 +54,37 @@ const LIMIT: &str = "structure on many scales limits the accuracy";
 /// Message: the function is not smooth between its breakpoints.
 pub(super) const UNDECLARED: &str =
     "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
-/// Message: no limit at a breakpoint.
+/// Message: the contributions do not decay at a breakpoint.
 const ENDLESS: &str = "contributions do not decay down to the smallest distance from a breakpoint at which the \
      function can be evaluated";
 /// Message: too many cells.
 const TOO_MANY: &str = "the structure of the function is not resolved by 6000 cells";
 
-/// A cell of a side, δ from its breakpoint, with its polynomial from left to right.
+/// A cell of a side: its distances from the breakpoint and its polynomial, from left to right.
 struct Cell {
     near: f64,
     far: f64,
     piece: Piece,
-    /// |u − p| at points between, less rounding
+    /// max |u − p| between the points of p, less the rounding error
     residual: f64,
-    /// Σ ε² δ^{1−2ν} over the scales of the end of a side, over |u|²_ν
+    /// Σ ε² δ^{1−2ν} / |u|²_ν, summed over the scales at the end of a side
     rest: f64,
 }
 
-/// Criterion for the cells.
+/// Criterion for the choice of the cells.
 struct Fit<'a> {
     profile: &'a Profile,
     kernel: PowerKernel,
     degree: usize,
-    /// |u|_ν, crudely
+    /// a crude value of |u|_ν
     size: f64,
-    /// accuracy times that
+    /// the requested accuracy times `size`
     goal: f64,
     between: Rule,
 }
 
 impl Fit<'_> {
-    /// The ε that is negligible at the scale δ.
+    /// The largest error ε that is negligible at the scale δ.
     fn allowed(&self, delta: f64) -> f64 {
         self.goal * (-0.5 * self.kernel.one_minus * delta.ln()).exp()
     }
@@ -93,7 +93,7 @@ impl Fit<'_> {
 /// |u|_ν with its error for one choice of cells.
 pub(super) struct Found {
     pub(super) value: Estimate,
-    /// not smooth at a point between breakpoints
+    /// true if u is not smooth at a point between breakpoints
     pub(super) is_rough: bool,
 }
 
@@ -101,7 +101,7 @@ impl SingularFunction<'_> {
     /// |u|_ν of a function of size 1 on an interval of length 1.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] if u jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_by_scales(
         &self,
         profile: &Profile,
@@ -281,8 +281,7 @@ impl SingularFunction<'_> {
         Ok((cells, is_rough))
     }
 
-    /// Σ ε² δ^{1−2ν} over the samples below a cell at the breakpoint; zero if all of them are within the
-    /// allowed error.
+    /// Zero if all samples below a cell at the breakpoint are within the allowed error, else `None`.
     fn rest(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> Option<f64> {
         let at_break = if arm.sign > 0.0 { cell.piece.left } else { cell.piece.right };
         let mut inside = fit.profile.samples(index).filter(|(delta, _)| *delta < cell.far);
@@ -294,7 +293,8 @@ impl SingularFunction<'_> {
         fits.then_some(0.0)
     }
 
-    /// The same if they are not, with a geometric series below the last sample.
+    /// Σ ε² δ^{1−2ν} / |u|²_ν over the samples below such a cell, times a factor that depends on ν, continued
+    /// by a geometric series below the last sample.
     fn below(&self, index: usize, arm: &Arm, fit: &Fit, cell: &Cell) -> f64 {
         let kernel = fit.kernel;
         let factor = 16.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
@@ -363,13 +363,13 @@ impl Cell {
         bubbles
     }
 
-    /// p at δ.
+    /// The value of p at δ.
     fn value(&self, arm: &Arm, delta: f64) -> f64 {
         let t = (delta - self.near) / (self.far - self.near);
         self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
     }
 
-    /// Bound of the difference between the value at the breakpoint and the limit there.
+    /// A bound of the difference between the value at the breakpoint and the limit there.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.piece.size();
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);

@@ -12,7 +12,7 @@ pub(super) struct Interpolant {
 }
 
 impl Interpolant {
-    /// Through n points on (from, from + width).
+    /// The interpolant through n points on (from, from + width).
     pub(super) fn new(u: &SingularFunction, arm: &Arm, from: f64, width: f64, n: usize) -> Result<Self> {
         let angles: Vec<f64> = (0..n).map(|j| PI * (j as f64 + 0.5) / n as f64).collect();
         let values = angles
@@ -28,7 +28,7 @@ impl Interpolant {
         Ok(Self { coefficients, largest: values.iter().fold(0.0, |m, v| v.abs().max(m)) })
     }
 
-    /// (p(x) − p(y))/(x − y).
+    /// The divided difference (p(x) − p(y))/(x − y).
     pub(super) fn divided_difference(&self, x: f64, y: f64) -> f64 {
         let (mut before, mut current) = (0.0, 1.0);
         let (mut chebyshev_before, mut chebyshev) = (1.0, y);
@@ -41,7 +41,7 @@ impl Interpolant {
         sum
     }
 
-    /// p(x) − q(x), exactly zero for equal p and q.
+    /// The difference p(x) − q(x), exactly zero for equal p and q.
     pub(super) fn minus(&self, other: &Self, x: f64) -> f64 {
         let (mut before, mut current, mut sum) = (x, 1.0, 0.0);
         for (a, b) in self.coefficients.iter().zip(&other.coefficients) {

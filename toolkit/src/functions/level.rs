@@ -10,8 +10,8 @@ pub(crate) struct Level {
     pub(crate) width: f64,
 }
 
-/// A value of ℓ and its rounding error; errors of different terms are independent, so that they add as
-/// squares do.
+/// A value of ℓ and its rounding error; the errors of different terms are independent, so that their squares
+/// add.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Density {
     pub(crate) value: f64,
@@ -31,7 +31,7 @@ impl Add for Density {
 pub(crate) struct ArmValue {
     pub(crate) limit: Limit,
     pub(crate) rounding: f64,
-    /// the integrand decayed below rounding on cells of the level's width
+    /// true if the integrand decayed below rounding on cells of the level's width
     pub(crate) is_settled: bool,
 }
 
@@ -41,9 +41,9 @@ pub(crate) struct LevelValue {
     pub(crate) value: f64,
     pub(crate) tail: f64,
     pub(crate) rounding: f64,
-    /// error that the rules cannot detect
+    /// the error that the rules cannot detect
     pub(crate) missed: f64,
-    /// error of the rules of this level, estimated by other rules on the same cells
+    /// the error of the rules of this level, estimated by other rules on the same cells
     pub(crate) of_rules: Option<f64>,
     pub(crate) points: u64,
 }

@@ -4,10 +4,11 @@
 //! |u|²_ν = 2 Σ_a ∫₀^∞ ℓ_a(t) dt,  ℓ_a(t) = δ Σ_b ∫₀^t ε (u(x)−u(y))² |x−y|^{-1-2ν} dt′,
 //! x = c_a ± δ(t), y = c_b ± ε(t′).
 //!
-//! On the own side t′ → t is singular like s^{1-2ν} (s = t − t′), integrated by [`PowerWeightRule`] with the
-//! difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a is smooth for t > 0 and
-//! decays as its breakpoint allows ([`super::arm_integral`]). Distances have full relative accuracy:
-//! δ(e^s − 1) on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across a midpoint.
+//! On the side of x itself the integrand is singular like s^{1-2ν} as s = t − t′ → 0 and is integrated by
+//! [`PowerWeightRule`] with the difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a
+//! is smooth for t > 0, and its decay depends on u at the breakpoint ([`super::arm_integral`]). Distances have
+//! full relative accuracy: δ(e^s − 1) on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across
+//! a midpoint.
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
@@ -22,7 +23,7 @@ use crate::quadrature::{PowerWeightRule, Rule};
 
 /// Depth of a point at which other breakpoints are effectively infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
-/// Two rules agree if they differ by at most this many times their rounding.
+/// Two rules agree if they differ by at most this multiple of their rounding error.
 const NOISE: f64 = 4.0;
 
 /// Values of u on one cell of one side.
@@ -42,11 +43,11 @@ pub(crate) struct LogEnergy<'a> {
     kernel: PowerKernel,
     rule: Rule,
     near: PowerWeightRule,
-    /// away from the other breakpoints, whose distance is e^t δ: fewer points, not so close to s = 0, lose
-    /// fewer digits
+    /// rule away from the other breakpoints, whose distance is e^t δ: with fewer points, not so close to s = 0,
+    /// fewer digits are lost
     near_deep: PowerWeightRule,
     level: Level,
-    /// S in which all lengths are measured: the longest side
+    /// S, the unit of all lengths: the length of the longest side
     unit: f64,
     points: u64,
 }
@@ -78,7 +79,7 @@ impl<'a> LogEnergy<'a> {
         })
     }
 
-    /// The squared seminorm to about the relative `tolerance`, within the accuracy of this level.
+    /// The squared seminorm to a relative accuracy of about `tolerance`, as far as this level permits.
     pub(crate) fn compute(mut self, tolerance: f64) -> Result<LevelValue> {
         let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
         let spread = (self.unit / shortest).ln();
@@ -105,7 +106,7 @@ impl<'a> LogEnergy<'a> {
         })
     }
 
-    /// The end of a side below 1e-300, for functions that are known there.
+    /// The tail of a side below 1e-300, for functions that can be evaluated there.
     fn tail(&self, arm: usize) -> Result<Option<DeepTail<'a>>> {
         if !self.function.is_known_at_any_depth() {
             return Ok(None);
@@ -179,8 +180,8 @@ impl<'a> LogEnergy<'a> {
         Ok(self.against(x, other, &cell))
     }
 
-    /// The remainder of a side whose function cannot be evaluated closer to its breakpoint: it is continued
-    /// by a constant.
+    /// The remainder of a side whose function cannot be evaluated closer to its breakpoint; the function is
+    /// continued by a constant.
     fn blurred_rest(&mut self, x: Outer, other: usize) -> Result<Density> {
         let arm = &self.arms[other];
         let from = (arm.depth / self.level.width).floor().max(1.0) * self.level.width;
@@ -241,7 +242,7 @@ impl<'a> LogEnergy<'a> {
         (left..right).map(|k| 2.0 * self.arms[2 * k].length).sum()
     }
 
-    /// The own side on t − s, 0 < s < `reach`.
+    /// The contribution of the side of x itself, at t − s with 0 < s < `reach`.
     fn near_piece(&mut self, x: Outer, reach: f64) -> Result<Density> {
         let fine = self.near_by(x, reach, &self.near)?;
         self.points += (self.level.points + 6) as u64;
@@ -255,7 +256,7 @@ impl<'a> LogEnergy<'a> {
         Ok(if is_resolved { coarse } else { fine })
     }
 
-    /// The same by one rule.
+    /// The same by the given rule.
     fn near_by(&self, x: Outer, reach: f64, rule: &PowerWeightRule) -> Result<Density> {
         let arm = self.arms[x.arm];
         let (mut sum, mut rounding) = (0.0, 0.0);

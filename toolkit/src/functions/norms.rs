@@ -49,12 +49,11 @@ impl SingularFunction<'_> {
     /// and give the function by positions.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when the contributions near a breakpoint do not decay,
-    /// [`Error::ToleranceNotMet`], [`Error::NotFinite`] when the function is NaN or infinite between the
-    /// breakpoints.
+    /// [`Error::InfiniteNorm`] if the contributions near a breakpoint do not decay, [`Error::ToleranceNotMet`],
+    /// [`Error::NotFinite`] if the function is NaN or infinite between the breakpoints.
     ///
-    /// A function of x alone that is singular at a breakpoint x₀ other than 0 is rejected, because x − x₀
-    /// is rounded there (use [`SingularFunction::from_positions`]); so is a computation beyond
+    /// A function of x alone that is singular at a breakpoint x₀ other than 0 is rejected, because x − x₀ is
+    /// rounded there (use [`SingularFunction::from_positions`]); so is a computation that exceeds the limit of
     /// [`Tolerance::with_work`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let normalized = self.normalized(tolerance)?;
@@ -103,8 +102,8 @@ impl SingularFunction<'_> {
 
     /// The norm ||u||_{1+ν} of a function and its derivative.
     ///
-    /// # Errors
-    /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] when the two live on intervals of different
+    /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] if the intervals of the function and of its
+    /// derivative differ in length.
     /// length.
     pub(crate) fn norm_with_derivative(
         &self,
@@ -116,7 +115,7 @@ impl SingularFunction<'_> {
         Error::require(
             "length of the derivative's interval",
             derivative.length(),
-            "that of the function",
+            "the length of the function's interval",
             same,
         )?;
         whole([self.l2_norm(tolerance), derivative.norm(order, tolerance)], tolerance)
@@ -130,7 +129,7 @@ impl SingularFunction<'_> {
         self.lq_norm(2.0, tolerance)
     }
 
-    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Declare the zeros of u, for q = ∞ its jumps, as
+    /// The norm ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞. Declare the zeros of u (for q = ∞ its jumps) as
     /// breakpoints.
     ///
     /// # Errors
@@ -166,7 +165,7 @@ impl SingularFunction<'_> {
             .and_then(root)
     }
 
-    /// (1/|I|) ∫ u; the tolerance is relative to the mean of |u|.
+    /// The mean (1/|I|) ∫ u; the tolerance is relative to the mean of |u|.
     ///
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
@@ -193,7 +192,7 @@ impl SingularFunction<'_> {
             .and_then(back)
     }
 
-    /// ∫ f(u(x)) dx, f about |u|^q, to `factor` times the tolerance.
+    /// ∫ f(u(x)) dx, f comparable to |u|^q, to `factor` times the tolerance.
     fn integral_of(
         &self,
         profile: &Profile,
@@ -261,7 +260,7 @@ impl SingularFunction<'_> {
     }
 }
 
-/// √(Σ parts²) of the best estimates of the parts, if it meets the tolerance.
+/// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance.
 fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
     let [a, b] = parts.map(Estimate::or_best);
     accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)

@@ -3,18 +3,18 @@
 use super::two_rates::TwoRates;
 use crate::quadrature::{Limit, extrapolate};
 
-/// Value of wT in t^p e^{-wt} from which on the exponential is distinguished from corrections to the power,
-/// which are about p/T.
+/// Value of wT in t^p e^{-wt} from which the exponential is distinguished from corrections to the power, which
+/// are about p/T.
 const BEGUN: f64 = 1.0;
 
-/// ∫₀^{t_k} ℓ and ℓ(t_k).
+/// The partial integrals ∫₀^{t_k} ℓ and the values ℓ(t_k).
 pub(super) struct Partials {
     pub(super) ends: Vec<f64>,
     pub(super) partial: Vec<f64>,
     pub(super) densities: Vec<f64>,
     /// 2ν
     pub(super) gap: f64,
-    /// of the sum, by the rounding of the function's values
+    /// rounding error of the sum, from the rounding of the function's values
     pub(super) rounding: f64,
 }
 
@@ -41,7 +41,7 @@ impl Partials {
         self.densities.push(density);
     }
 
-    /// A rough estimate of the integral beyond the end.
+    /// A rough estimate of the integral beyond the last t_k.
     pub(super) fn rest(&self) -> f64 {
         self.densities[self.densities.len() - 1].abs() * self.end()
     }
@@ -68,7 +68,7 @@ impl Partials {
         !self.sum().is_finite() || self.growth().is_some_and(grows)
     }
 
-    /// w of ℓ ~ t^p e^{-wt}: growth = p of_t − w length, twice.
+    /// The rate w of ℓ ~ t^p e^{-wt}, from growth = p of_t − w length on two intervals.
     fn final_rate(&self) -> Option<f64> {
         let [before, after] = self.growth()?;
         let determinant = before.of_t * after.length - after.of_t * before.length;

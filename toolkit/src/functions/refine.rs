@@ -1,12 +1,12 @@
-//! Levels of growing accuracy until two agree.
+//! Levels of increasing accuracy until two agree.
 
 use super::function::SingularFunction;
 use super::level::{Level, LevelValue};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 
-/// Orders and cell widths of increasing accuracy: one decade and a half per step for functions analytic up
-/// to their breakpoints.
+/// Orders and cell widths of increasing accuracy: one and a half decades per step for functions analytic up to
+/// their breakpoints.
 const LEVELS: [Level; 11] = [
     Level { points: 4, width: 1.5 },
     Level { points: 6, width: 1.4 },
@@ -21,7 +21,7 @@ const LEVELS: [Level; 11] = [
     Level { points: 26, width: 0.06 },
 ];
 
-/// The integral of a function of size 1 that does not vary is below this: (64 ε)².
+/// Upper bound of the integral of a function of size 1 that is constant to rounding: (64 ε)².
 const ZERO: f64 = 2e-28;
 
 /// Message: what limits the accuracy of a function given by code.
@@ -34,13 +34,13 @@ const ROUNDED: &str = "x is rounded near a breakpoint other than 0, where the fu
 /// Largest ratio of the difference of two levels to the estimated error of the coarser one.
 const EXPLAINED: f64 = 4.0;
 
-/// Number of levels after which the errors of the ends of the sides and of rounding should have decreased,
-/// and the factor.
+/// Number of levels after which the errors of the ends of the sides and of rounding should have decreased, and
+/// the factor by which they should have.
 const TRIED: usize = 4;
 const FALLS: f64 = 0.3;
 
-/// Levels of growing accuracy until two agree to `factor` times the tolerance, the accuracy of the integral
-/// for which the derived quantity meets the tolerance.
+/// The estimate from levels of increasing accuracy, until two agree to `factor` times the tolerance, the
+/// accuracy of the integral for which the derived quantity meets the tolerance.
 ///
 /// Stops when finer rules do not help: when the total error does not decrease, or when the part independent
 /// of the rules (rounding and the limit at a breakpoint) stays above the tolerance.
@@ -107,8 +107,8 @@ pub(super) fn refine(
     Err(Error::best_of("integral", asked.relative(), best, why))
 }
 
-/// The error of the rules of the finer level, estimated by the difference to the coarser level. Where the
-/// error estimates of both levels explain that difference, the error decreases as they do.
+/// The error of the rules of the finer level, estimated by the difference from the coarser level. If the error
+/// estimates of both levels explain that difference, it is reduced by the ratio of these estimates.
 fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
     let apart = (fine.value - coarse.value).abs();
     match (fine.of_rules, coarse.of_rules) {
@@ -122,9 +122,9 @@ fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
 /// Ratio of error to difference for slowly converging levels: 1/(2^{1/3} − 1) for errors like h^{1/3}.
 const UNSETTLED: f64 = 4.0;
 
-/// The best of levels that do not meet the tolerance: since two levels may agree by accident, the error of
-/// a level includes its distance to all later ones. The last level is used if three in succession gained a
-/// digit each.
+/// The best of several levels that do not meet the tolerance: since two levels may agree by accident, the error
+/// of a level includes its distance to all later ones. The last level is returned if each of the last three
+/// gained a digit.
 fn best_of_levels(found: &[Estimate]) -> Option<Estimate> {
     if let [.., a, b, c] = found
         && b.error <= 0.1 * a.error

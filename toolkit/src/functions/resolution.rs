@@ -18,13 +18,13 @@ use crate::kernel::power::{PowerKernel, expm1_over};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 
-/// Depth down to which cells are examined: oscillations in ln δ beyond it would have to begin there.
+/// Depth down to which cells are examined: oscillations in ln δ are expected to begin above it.
 const DEEPEST: f64 = 45.0;
 
 /// Rounding error of the projection of a smooth function, in ulps of the largest value per point of a rule.
 const ROUNDING: f64 = 3.0;
 
-/// The part of one cell in the bound of |e|²_ν.
+/// The contribution of one cell to the bound of |e|²_ν.
 pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, length: f64, total: f64) -> f64 {
     let steep = 2.0 * ((degree + 2) as f64).powi(2);
     let beyond = expm1_over(-kernel.twice, (steep * total / length).ln());
@@ -76,7 +76,7 @@ pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) ->
     Ok((sum, points))
 }
 
-/// The error of the rules of a level in ∫ f(u): on every cell the difference to one more point.
+/// The error of the rules of a level in ∫ f(u): on every cell the difference from a rule with one more point.
 pub(super) fn missed_of_integral(u: &SingularFunction, level: Level, f: impl Fn(f64) -> f64) -> Result<f64> {
     let rules = [Rule::gauss_legendre(level.points)?, Rule::gauss_legendre(level.points + 1)?];
     let mut missed = 0.0;

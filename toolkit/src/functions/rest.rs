@@ -19,7 +19,7 @@ const CHORDS: usize = 10;
 /// Values of ℓ below this many times their rounding are ignored.
 const NOISE: f64 = 4.0;
 
-/// ∫ ℓ beyond `from` by chords of ln ℓ, |ℓ| = `first` there, values are computed up to `end`.
+/// ∫ ℓ beyond `from` by chords of ln ℓ; |ℓ| = `first` there, and values are computed up to `end`.
 ///
 /// Sampling stops at a depth where the function has no value, or where the value is dominated by rounding.
 pub(super) fn rest_by_chords(
@@ -53,7 +53,7 @@ pub(super) fn rest_by_chords(
     Ok(if rate > 0.0 { sum + value / rate } else { f64::INFINITY })
 }
 
-/// The same through samples (t, ℓ) on all scales, those beyond `from`, up to the last one.
+/// The same from samples (t, ℓ) on all scales, those beyond `from`, up to the last one.
 pub(super) fn rest_through(from: f64, first: f64, samples: &[(f64, f64)]) -> f64 {
     let (mut t, mut value, mut sum) = (from, first.abs().max(f64::MIN_POSITIVE), 0.0);
     for &(next, there) in samples.iter().filter(|(next, _)| *next > from) {
@@ -64,7 +64,7 @@ pub(super) fn rest_through(from: f64, first: f64, samples: &[(f64, f64)]) -> f64
     sum
 }
 
-/// ∫ of the exponential with these values at the ends of an interval.
+/// The integral of the exponential with these values at the ends of an interval.
 fn chord(width: f64, value: f64, there: f64) -> f64 {
     let fall = (value / there).ln();
     if fall.abs() < 1e-6 { width * value.max(there) } else { width * (value - there) / fall }

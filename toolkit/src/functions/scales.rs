@@ -1,14 +1,14 @@
 //! Samples of a function on all scales: one value per unit of t = ln(R/δ) along every side, down to the
 //! smallest distance at which it can be evaluated.
 //!
-//! They give a rough profile of the integrand along a side: of |u|²_ν
+//! They give a rough profile of the integrand along a side: for |u|²_ν
 //!
 //! e(t) = δ^{1−2ν} max_s e^{−2νs} |u(t−s) − u(t−s−1)|²,
 //!
-//! of ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and functions that the rules in t resolve cell by cell,
-//! have profiles without a local minimum that are smooth in t far from the beginning. Where a profile rises
+//! and for ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and functions that the rules in t resolve cell by cell,
+//! have profiles without a local minimum that are smooth in t far from the midpoint. Where a profile rises
 //! again after a decay below rounding, as for x + exp(−x/w), or bends sharply at a large depth, as for
-//! exp(−x/w), the rules might stop before it or use too wide cells: such functions are computed by
+//! exp(−x/w), the rules might stop too early or use too wide cells: such functions are computed by
 //! [`super::graded`] and [`super::by_scales`].
 
 use super::arm::Arm;
@@ -20,11 +20,11 @@ use crate::numeric::scale::power_of_two;
 const BEGUN: f64 = 3.0;
 /// ln of the factor by which a profile rises after a significant local minimum.
 const RISE: f64 = 2.0;
-/// Depth from which on cells of a rule may be wide, and the second difference of ln e for which they are
-/// too wide.
+/// Depth from which the cells of a rule may be wide, and the second difference of ln e for which they are too
+/// wide.
 const FAR: f64 = 35.0;
 const BEND: f64 = 0.3;
-/// Share of the tolerance that is significant.
+/// Share of the tolerance above which a contribution is significant.
 const COUNTS: f64 = 0.01;
 /// ln of a size up to which no rescaling is needed.
 const MODERATE: f64 = 7.0;
@@ -32,7 +32,7 @@ const MODERATE: f64 = 7.0;
 const FADES: f64 = 3.0;
 /// Differences of this many ulps count as rounding.
 const ULPS: f64 = 16.0 * f64::EPSILON;
-/// Ratio of neighbouring intervals from which on the shorter one is treated as a layer.
+/// Ratio of neighbouring intervals from which the shorter one is treated as a layer.
 const UNEQUAL: f64 = 1e8;
 
 /// Values of u at t = 1/2, 3/2, ... along every side.

@@ -4,7 +4,7 @@ use super::function::{Position, Sight, SingularFunction};
 use crate::error::Result;
 
 impl<'a> SingularFunction<'a> {
-    /// The remaining work of a tolerance.
+    /// The number of evaluations that remain within the work limit.
     pub(crate) fn work_left(&self) -> u64 {
         self.budget.left()
     }
@@ -14,7 +14,7 @@ impl<'a> SingularFunction<'a> {
         self.coordinate_if_seen(k).abs()
     }
 
-    /// The coordinate of breakpoint k for a function of x, else 0.
+    /// The coordinate of breakpoint k for a function of x, 0 for a function of positions.
     pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
         if self.sight == Sight::Coordinate { self.breaks()[k] } else { 0.0 }
     }
@@ -27,7 +27,7 @@ impl<'a> SingularFunction<'a> {
     /// Counts kernel values against the work limit.
     ///
     /// # Errors
-    /// [`crate::Error::ToleranceNotMet`] when the limit is reached.
+    /// [`crate::Error::ToleranceNotMet`] if the limit is exceeded.
     pub(super) fn spend(&self, count: u64) -> Result<()> {
         self.budget.spend(count)
     }

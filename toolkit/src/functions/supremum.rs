@@ -12,17 +12,16 @@ use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::search::golden_section;
 use crate::root::accept;
 
-/// Samples per unit of t, in turn.
+/// Successive numbers of samples per unit of t.
 const DENSITIES: [f64; 4] = [4.0, 8.0, 16.0, 32.0];
 /// Width to which a maximum is located; the error of u is of the order of its square.
 const WIDTH: f64 = 1e-8;
-/// Differences that decrease by less than this count as not decreasing: ln t grows by equal amounts when t
-/// doubles.
+/// Ratio of differences above which they count as not decreasing: ln t grows by equal amounts when t doubles.
 const FALLS: f64 = 1.0 - 1e-9;
-/// Rounding of a value of u, relative.
+/// Relative rounding error of a value of u.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
-/// The largest value on one side or several, with its uncertainty.
+/// The largest value on one or several sides, with its uncertainty.
 #[derive(Debug, Clone, Copy, Default)]
 struct Peak {
     value: f64,
@@ -92,7 +91,7 @@ impl SingularFunction<'_> {
     }
 }
 
-/// The limit of values that grow at depth/4, depth/2, depth, and its uncertainty.
+/// The limit of values that grow from depth/4 to depth/2 to depth, and its uncertainty.
 fn beyond([first, middle, last]: [f64; 3]) -> Result<(f64, f64)> {
     let (before, after) = (middle - first, last - middle);
     if after <= ROUNDING * last {

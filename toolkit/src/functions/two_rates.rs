@@ -1,20 +1,20 @@
 //! The end of a side on which ℓ decays with two rates whose difference is known.
 //!
-//! Where u ~ δ^a with a < 0, the point x of depth t meets the y that are not deeper in two ways: those of
-//! its own depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is negligible against
-//! u(x), give ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
+//! If u ~ δ^a with a < 0, the points y that are not deeper than the point x of depth t contribute in two ways:
+//! those of about its depth give e^{−wt}, w = 1 + 2a − 2ν, and the shallower ones, where u(y) is negligible
+//! compared with u(x), give ∫₀^t e^{2νs} ds e^{−(w+2ν)t}. So
 //!
 //! ℓ(t) = c₁ e^{−wt} + c₂ e^{−(w+2ν)t},
 //!
-//! with c₁ ≈ −c₂ ≈ 1/(2ν) for a small order: t e^{−wt} as far as νt is small, which grows until t = 1/w
-//! although the integral is finite. For three values ℓ₀, ℓ₁, ℓ₂ at distances H, with r = e^{−2νH}, the
-//! unknown q = e^{−wH} solves
+//! with c₁ ≈ −c₂ ≈ 1/(2ν) for a small order: t e^{−wt} as long as νt is small, which grows until t = 1/w
+//! although the integral is finite. For three values ℓ₀, ℓ₁, ℓ₂ at distances H, with r = e^{−2νH}, the unknown
+//! q = e^{−wH} solves
 //!
 //! r ℓ₀ q² − (1+r) ℓ₁ q + ℓ₂ = 0,
 //!
-//! of which the smaller root, 2ℓ₂ over the sum of (1+r) ℓ₁ and the root of the discriminant, is the one
+//! of which the smaller root, 2ℓ₂ divided by the sum of (1+r) ℓ₁ and the root of the discriminant, is the one
 //! with c₁ > r c₂, both taken at ℓ₀. It loses no digits where c₁ and c₂ nearly cancel. With b = ℓ(T−H)/ℓ(T) =
-//! e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the rest is
+//! e^{wH} (1 + βE), E = (e^{2νH} − 1)/(2ν), the remainder is
 //!
 //! ∫_T^∞ ℓ = ℓ(T) (1/w − β/(w (w+2ν))).
 //!
@@ -22,22 +22,22 @@
 
 use crate::quadrature::Limit;
 
-/// Least rounding of the densities, relative.
+/// Smallest relative rounding error of the densities.
 const ROUNDING: f64 = 4e-15;
 
-/// Rounding of a density over that of a sum of some hundred of them.
+/// Ratio of the rounding error of a density to that of a sum of some hundred densities.
 const OF_ONE: f64 = 16.0;
 
-/// The rates of the two triples agree to this.
+/// Relative difference up to which the rates of the two triples agree.
 const AGREED: f64 = 0.05;
 
-/// ℓ at equal distances, three times: the last one at the end of the summed part.
+/// Three values of ℓ at equal distances, the last one at the end of the part that is summed.
 struct Triple {
     step: f64,
     values: [f64; 3],
 }
 
-/// w with its error, and the rest beyond the last value.
+/// The rate w with its error, and the remainder beyond the last value.
 #[derive(Clone, Copy)]
 struct Law {
     rate: f64,
@@ -73,8 +73,8 @@ pub(super) struct TwoRates {
 }
 
 impl TwoRates {
-    /// The law from values ℓ(t), the last of them equidistant; `gap` = 2ν, `rounding` that of a sum,
-    /// relative. `None` if there are too few values, if they vanish, or if the two triples disagree.
+    /// The law from values ℓ(t), the last of them equidistant; `gap` = 2ν, `rounding` is the relative rounding
+    /// error of a sum. `None` if there are too few values, if they vanish, or if the two triples disagree.
     pub(super) fn of(t: &[f64], densities: &[f64], gap: f64, rounding: f64) -> Option<Self> {
         let rounding = ROUNDING.max(OF_ONE * rounding);
         let last = t.len().checked_sub(1)?;
@@ -102,7 +102,7 @@ impl TwoRates {
         self.deep.rate > 0.0
     }
 
-    /// The limit of an integral that is `sum` so far.
+    /// The limit of an integral with the partial sum `sum`.
     pub(super) fn limit(self, sum: f64) -> Option<Limit> {
         let Self { shallow, deep, rounding } = self;
         // The rest is at most of the kind 1/w².

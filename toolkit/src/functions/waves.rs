@@ -1,15 +1,14 @@
 //! Functions with many oscillations between their breakpoints, as piecewise polynomials.
 //!
-//! Each half of an interval between breakpoints is halved until a polynomial p of degree d agrees with the
-//! function on every cell K: ε_K = max |u − p| at points between those of p. Where that takes many cells of
-//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many
-//! cells in each of two variables, and |p|_ν is taken instead ([`PiecewisePolynomial::seminorm`],
-//! O(cells)).
+//! Each half of an interval between breakpoints is bisected until a polynomial p of degree d agrees with the
+//! function on every cell K: ε_K = max |u − p| at points between those of p. Where this requires many cells of
+//! comparable lengths, the rules in logarithmic coordinates ([`super::log_energy`]) would need as many cells in
+//! each of two variables, and |p|_ν is computed instead ([`PiecewisePolynomial::seminorm`], O(cells)).
 //!
 //! The error is | |u|_ν − |p|_ν | ≤ |u − p|_ν, bounded in [`super::resolution`].
 //!
-//! Cells that shrink geometrically towards a point mean that u is not smooth there: such functions are left
-//! to the rules in logarithmic coordinates. Cost: 3d values of u per cell.
+//! Cells that shrink geometrically towards a point indicate that u is not smooth there: the rules in
+//! logarithmic coordinates are used for such functions. Cost: 3d values of u per cell.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -22,20 +21,20 @@ use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
 
-/// Number of cells from which on a function counts as oscillating.
+/// Number of cells from which a function counts as oscillating.
 const MANY: usize = 32;
-/// More cells of one side than the finest rules in logarithmic coordinates resolve.
+/// Number of cells of one side above which the finest rules in logarithmic coordinates do not resolve them.
 const BEYOND_RULES: usize = 512;
-/// Largest number of cells, each with 3 d values and about 100 numbers.
+/// Largest number of cells, each with 3 d values and about 100 stored numbers.
 const MOST: usize = 1 << 17;
 /// Largest number of bisections of a side.
 const DEEPEST: u32 = 40;
-/// A cell has none of GRADED times its length within REACH times its length, unless cells are graded.
+/// Cells count as graded if one of them has a cell GRADED times as long within REACH times its own length.
 const GRADED: f64 = 8.0;
 const REACH: f64 = 64.0;
 /// Ratio of the cell at a breakpoint to the shortest cell, unless the latter lies at the breakpoint.
 const INSIDE: f64 = 4.0;
-/// Bound of the largest residual over the largest one at the points of a rule.
+/// Bound of the ratio of the largest residual to the largest residual at the points of a rule.
 const UNSEEN: f64 = 2.0;
 /// Number of refinement rounds, each to a tenth of the error of the previous one or less.
 const ROUNDS: usize = 4;
@@ -71,12 +70,12 @@ pub(super) enum OfWaves {
 pub(super) struct Resolved {
     u: PiecewisePolynomial,
     degree: usize,
-    /// ε of every cell
+    /// ε_K of every cell
     residuals: Vec<f64>,
     points: u64,
 }
 
-/// A cell of a side, δ from its breakpoint: its ends, polynomial and residual.
+/// A cell of a side: its distances from the breakpoint, end values, polynomial and residual.
 struct Cell {
     near: f64,
     far: f64,
@@ -84,11 +83,11 @@ struct Cell {
     ends: [f64; 2],
     bubbles: Vec<f64>,
     residual: f64,
-    /// rounding error of the residuals, by x and by u
+    /// rounding error of the residuals, from the rounding of x and of u
     noise: f64,
 }
 
-/// Polynomials of one degree and what they are compared with.
+/// The rules for polynomials of one degree and for the residual.
 struct Fit {
     degree: usize,
     accuracy: f64,
@@ -100,7 +99,7 @@ impl SingularFunction<'_> {
     /// structure.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] where it jumps at a breakpoint and ν ≥ 1/2.
+    /// [`Error::ToleranceNotMet`], [`Error::InfiniteNorm`] if it jumps at a breakpoint and ν ≥ 1/2.
     pub(super) fn seminorm_of_waves(&self, order: Order, tolerance: Tolerance) -> Result<OfWaves> {
         let asked = tolerance.relative();
         let mut best: Option<Estimate> = None;
@@ -151,7 +150,7 @@ impl SingularFunction<'_> {
         }
     }
 
-    /// Polynomials that agree with u to the given accuracy.
+    /// The classification of the function by polynomials that agree with it to the given accuracy.
     fn waves(&self, accuracy: f64) -> Result<Waves> {
         let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
         let fit = Fit { degree, accuracy, between: Rule::gauss_legendre(2 * degree)? };
@@ -209,7 +208,8 @@ impl SingularFunction<'_> {
         Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
     }
 
-    /// The cells of a side from its breakpoint on, and whether all are resolved; `None` beyond `most`.
+    /// The cells of a side from its breakpoint outwards, and whether all are resolved; `None` if there are more
+    /// than `most`.
     fn cells_of(&self, arm: &Arm, fit: &Fit, most: usize) -> Result<Option<(Vec<Cell>, bool)>> {
         let mut cells = Vec::new();
         let mut is_resolved = true;
@@ -263,8 +263,8 @@ impl SingularFunction<'_> {
 }
 
 impl Cell {
-    /// Bound of the difference between the value at the breakpoint and the limit there, from the distance
-    /// of evaluation and the rounding of x.
+    /// A bound of the difference between the value at the breakpoint and the limit there, from the distance of
+    /// evaluation and the rounding of x.
     fn slack(&self, arm: &Arm, degree: usize) -> f64 {
         let size = self.ends[0].abs().max(self.ends[1].abs()).max(1.0);
         let slope = 2.0 * (degree * degree) as f64 * size / (self.far - self.near);
