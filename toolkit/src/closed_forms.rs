@@ -11,9 +11,9 @@
 //! | [`coordinate_on_square_seminorm_squared`]: x₁ | the unit square | 0 < ν < 1 |
 //! | [`fractional_laplacian_constant`]: C(1, ν) | the line | 0 < ν < 1 |
 //!
-//! Every value is the *squared* seminorm, as in the name, except that of [`power_seminorm`]; all are sums
-//! of positive terms or differences of well separated ones. They are exact to rounding and take no
-//! tolerance.
+//! Every value is the *squared* seminorm, as its name says, except for [`power_seminorm`] and
+//! [`fractional_laplacian_constant`]; all are sums of positive terms or differences of well separated ones.
+//! They are exact to rounding and take no tolerance.
 
 use super::gram::dense::{diagonal_linear, require_constants_finite};
 use super::kernel::cells::CellPairs;
@@ -24,7 +24,7 @@ use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Work};
 use crate::quadrature::Rule;
 
-/// Rounding of the sums below, in units of the value: at most a few hundred operations, all of one sign.
+/// Rounding error of the sums below, relative to the value: at most a few hundred operations, all of one sign.
 const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Number of points for an integrand analytic in an ellipse with ρ = 2 + √5 about (0, 1), singular at ±i:
@@ -50,10 +50,10 @@ const SQUARE_POINTS: usize = 20;
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] for a not finite or above 1e4.
+/// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] if a is not finite or exceeds 1e4.
 pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
-    Error::require("exponent a", a, "finite and at most 1e4", a.is_finite() && a <= 1e4)?;
+    Error::require("exponent a", a, "(-inf, 1e4]", a.is_finite() && a <= 1e4)?;
     if a == 0.0 {
         return Estimate::new(0.0, 0.0, Work::default());
     }
@@ -75,8 +75,8 @@ pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estima
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning) + f64::MIN_POSITIVE, work)
 }
 
-/// |x^a|_ν, accurate also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up to
-/// relative terms of the size of a.
+/// |x^a|_ν on (0, 1), accurate also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up
+/// to relative terms of the size of a.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;
@@ -98,7 +98,7 @@ pub fn power_seminorm(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     Estimate::new(found.value, found.error + f64::MIN_POSITIVE * f64::EPSILON, found.work)
 }
 
-/// ∫₀^ε (1−t^a)² (1−t)^{-1-2ν} dt and the number of terms.
+/// ∫₀^ε (1−t^a)² (1−t)^{-1-2ν} dt and the number of terms of its series.
 fn power_below(a: f64, order: Order, end: f64) -> (f64, u64) {
     let e = (a * end.ln()).exp_m1();
     let (mut sum, mut coefficient, mut terms) = (0.0, end, 0);
@@ -118,7 +118,7 @@ fn power_below(a: f64, order: Order, end: f64) -> (f64, u64) {
     (sum, terms)
 }
 
-/// ∫₀^η (1−(1−τ)^a)² τ^{-1-2ν} dτ and the number of terms.
+/// ∫₀^η (1−(1−τ)^a)² τ^{-1-2ν} dτ and the number of terms of its series.
 fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
     // (1 − (1−τ)^a)/τ = Σ c_j τ^j, c_0 = a, c_j = c_{j-1} (j − a)/(j + 1); here c_j η^j
     let mut series = vec![a];
@@ -149,7 +149,7 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Mesh::from_lengths`] for bad lengths.
+/// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Mesh::from_lengths`] for inadmissible lengths.
 pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     require_constants_finite(order)?;
@@ -158,10 +158,10 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |φ|²_ν for the hat function φ that rises over `rise`, falls over `fall`, and vanishes on `before` and
-/// `after`.
+/// |φ|²_ν for the hat function φ that increases from 0 to 1 over the length `rise`, decreases to 0 over the
+/// length `fall`, and vanishes on intervals of lengths `before` and `after` on either side.
 ///
-/// `before` and `after` may be zero: the hat function then touches the end of the interval.
+/// `before` and `after` may be zero: the support of the hat function then reaches the end of the interval.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Mesh, Order, closed_forms};
@@ -174,7 +174,7 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
 /// ```
 ///
 /// # Errors
-/// As [`Mesh::from_lengths`] for bad lengths.
+/// As [`Mesh::from_lengths`] for inadmissible lengths.
 pub fn hat_seminorm_squared(
     before: f64,
     rise: f64,
@@ -197,9 +197,9 @@ pub fn hat_seminorm_squared(
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫ (1 − cos kθ) (2 sin θ/2)^{-1-2ν} dθ, by
-/// Cauchy's Beta integral 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k (j−1/2+ν)/(j−1/2−ν) − 1/2 + ν];
-/// 2π²k for ν = 1/2. Cost k products.
+/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫ (1 − cos kθ) (2 sin θ/2)^{-1-2ν} dθ, which
+/// by Cauchy's Beta integral is 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k (j−1/2+ν)/(j−1/2−ν) −
+/// 1/2 + ν]; 2π²k for ν = 1/2. Cost: k products.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;

@@ -1,4 +1,4 @@
-//! Best constants: their domains, their norms, and their bounds.
+//! Best constants: their domains, norms and bounds.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
@@ -8,7 +8,7 @@ use crate::order::{Order, SobolevOrder};
 use std::fmt;
 use std::sync::Arc;
 
-/// The domain of a best constant.
+/// The domain to which a best constant belongs.
 ///
 /// | domain | interpolation, projection | trace |
 /// | --- | --- | --- |
@@ -27,7 +27,7 @@ use std::sync::Arc;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Domain {
-    /// The interval (0, h), one element; h is given.
+    /// The interval (0, h) as a single element; the field is h.
     Interval(f64),
     /// All elements of a mesh.
     Mesh(Mesh),
@@ -35,20 +35,20 @@ pub enum Domain {
     Triangle([[f64; 2]; 3]),
     /// The half-plane y > 0 and its edge y = 0.
     HalfPlane,
-    /// The sector 0 < θ < ω and its edge θ = 0; ω is given, in radians.
+    /// The sector 0 < θ < ω and its edge θ = 0; the field is ω, in radians.
     Corner(f64),
     /// The unit square and its edge y = 0.
     Square,
 }
 
 impl Domain {
-    /// The error for a domain without a method.
+    /// [`Error::Incompatible`] for a domain without a method.
     pub(crate) fn refused(&self, with: &'static str, expected: &'static str) -> Error {
         Error::Incompatible { what: "domain", given: format!("{self:?}"), with, expected }
     }
 }
 
-/// The norm of the error e that a constant bounds.
+/// The norm of an error e that a constant bounds.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
@@ -60,26 +60,26 @@ impl Domain {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ErrorNorm {
-    /// ‖e‖.
+    /// The L² norm ‖e‖.
     L2,
-    /// ‖∇e‖.
+    /// The norm ‖∇e‖ of the derivative.
     Derivative,
-    /// (‖e‖² + ‖∇e‖²)^{1/2}.
+    /// The norm (‖e‖² + ‖∇e‖²)^{1/2}.
     H1,
     /// The norm of e of order −1/2, dual to that of order 1/2.
     Dual,
-    /// |e(x)| at a point x.
+    /// The value |e(x)| at a point x.
     At(f64),
 }
 
 impl ErrorNorm {
-    /// The error for a norm without a method.
+    /// [`Error::Incompatible`] for a norm without a method.
     pub(crate) fn refused(self, with: &'static str, expected: &'static str) -> Error {
         Error::Incompatible { what: "norm of the error", given: format!("{self:?}"), with, expected }
     }
 }
 
-/// A best constant: its value, lower and upper bounds, and a function for which it is attained.
+/// A best constant: its value, its lower and upper bounds, and a function that attains it.
 ///
 /// ```
 /// use fractional_sobolev::{BestConstant, Domain, ErrorNorm, interpolation_constant};
@@ -94,9 +94,9 @@ impl ErrorNorm {
 /// ```
 #[derive(Clone)]
 pub struct BestConstant {
-    /// The constant, to the requested tolerance.
+    /// The constant, accurate to the requested tolerance.
     pub constant: Estimate,
-    /// A lower bound: the quotient of a function, up to quadrature and rounding.
+    /// A lower bound: the quotient for a particular function, up to quadrature and rounding errors.
     pub lower: Estimate,
     /// A proved upper bound, where one is known.
     pub upper: Option<Estimate>,
@@ -104,7 +104,7 @@ pub struct BestConstant {
     others: Option<Others>,
 }
 
-/// The constant in another norm.
+/// The constant in another norm, computed on request.
 type Others = Arc<dyn Fn(ErrorNorm) -> Result<BestConstant> + Send + Sync>;
 
 impl fmt::Debug for BestConstant {
@@ -138,7 +138,7 @@ impl BestConstant {
         Self { others: Some(Arc::new(others)), ..self }
     }
 
-    /// Constant and bounds times a factor.
+    /// The constant and its bounds, multiplied by a factor.
     pub(crate) fn times(self, factor: f64) -> Result<Self> {
         let upper = self.upper.map(|upper| upper.times(factor)).transpose()?;
         Ok(Self { constant: self.constant.times(factor)?, lower: self.lower.times(factor)?, upper, ..self })
@@ -153,16 +153,18 @@ impl BestConstant {
     }
 
     /// The constant of the same domain, order and tolerance in another norm of the error. On a triangle the
-    /// Gram matrices, nearly all of the cost, are reused.
+    /// Gram matrices, which account for nearly all of the cost, are reused.
     ///
     /// # Errors
-    /// As the function that returned this constant; [`Error::Incompatible`] for the embedding and the trace.
+    /// As for the function that returned this constant; [`Error::Incompatible`] for the embedding and trace
+    /// constants.
     pub fn in_norm(&self, norm: ErrorNorm) -> Result<Self> {
-        let refused = || norm.refused("this constant", "a constant of interpolation or projection");
+        let refused = || norm.refused("this constant", "an interpolation or projection constant");
         self.others.as_ref().ok_or_else(refused)?(norm)
     }
 
-    /// A function that attains the constant (for the embedding, the lower bound); `None` where none is known.
+    /// A function that attains the constant (for the embedding constant, the lower bound); `None` if none is
+    /// known.
     #[doc(alias("eigenfunction", "worst function"))]
     pub fn extremal(&self) -> Option<&Extremal> {
         self.extremal.as_ref()
@@ -172,21 +174,23 @@ impl BestConstant {
 /// A function of the coordinates of a point.
 type PointFunction = dyn Fn(&[f64]) -> f64 + Send + Sync;
 
-/// Nodes of an interpolant closer than this, relative to their position or their distance from 1, are one.
+/// Nodes of an interpolant are merged if they are closer than this, relative to their position or to their
+/// distance from 1.
 const ONE_NODE: f64 = 1e-10;
-/// Nodes of the graded cells closer than this to a given node (in the same sense) are removed.
+/// Nodes of the graded cells are removed if they are closer than this (in the same sense) to a given node.
 const MAKES_WAY: f64 = 1e-5;
 
 /// A function of x in (0, 1) on graded cells.
 pub(crate) trait OnInterval: fmt::Debug + Send + Sync {
-    /// u(x) for 0 ≤ x ≤ 1 (constant beyond); the position is taken from the nearer end of the interval.
+    /// u(x) for 0 ≤ x ≤ 1, extended by its end values; the position is taken from the nearer end of the
+    /// interval.
     fn value(&self, x: f64) -> f64;
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every cell, increasing in x.
+    /// The positions x and values u(x) at `per_cell` + 1 points of every cell, with increasing x.
     fn profile(&self, per_cell: usize) -> Vec<(f64, f64)>;
 }
 
-/// The function for which a best constant is attained.
+/// A function for which a best constant is attained.
 ///
 /// | constant | function | sign |
 /// | --- | --- | --- |
@@ -235,7 +239,7 @@ impl Extremal {
     }
 
     /// The value at a point of the domain: one coordinate on an interval, two in the plane. NaN outside the
-    /// domain; the extremal functions of `gamma` and `moment` are continued by their end values.
+    /// domain; the extremal functions of `gamma` and `moment` are extended by their end values.
     pub fn value(&self, point: &[f64]) -> f64 {
         match &self.0 {
             Kind::Points(u) => u(point),
@@ -243,9 +247,9 @@ impl Extremal {
         }
     }
 
-    /// Position x and value u(x) at `per_cell` + 1 points of every graded cell, increasing in x, for
-    /// pictures that resolve all scales. Empty for a function without cells; those of `gamma` and `moment`
-    /// have cells.
+    /// The positions x and values u(x) at `per_cell` + 1 points of every graded cell, with increasing x, for
+    /// plots that resolve all scales. Empty for a function without graded cells; the extremal functions of
+    /// `gamma` and `moment` have such cells.
     pub fn profile(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match &self.0 {
             Kind::Points(_) => Vec::new(),
@@ -253,15 +257,16 @@ impl Extremal {
         }
     }
 
-    /// The interpolant of the given degree on the graded cells, each cut into `pieces`, with additional
-    /// nodes at `breaks`. Nodes closer than 1e-10 of their position (or of their distance from 1, or than
-    /// 1e-5 to a breakpoint) are left out.
+    /// The interpolant of the given degree on the graded cells, each divided into `pieces`, with additional
+    /// nodes at `breaks`. Nodes within a relative distance of 1e-10 of each other (with respect to their
+    /// position or their distance from 1), or of 1e-5 of a breakpoint, are omitted.
     ///
     /// # Errors
-    /// As for [`Function::interpolate`]; [`Error::Incompatible`] for a function without cells.
+    /// As [`Function::interpolate`]; [`Error::Incompatible`] for a function without graded cells.
     pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
         let Kind::Interval(u) = &self.0 else {
-            let (given, expected) = ("of a function without cells".to_owned(), "one of gamma or moment");
+            let (given, expected) =
+                ("of a function without cells".to_owned(), "an extremal function of gamma or moment");
             return Err(Error::Incompatible { what: "interpolant", given, with: "graded cells", expected });
         };
         let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
@@ -275,7 +280,7 @@ impl Extremal {
     }
 }
 
-/// An order 0 ≤ s ≤ 1 of a seminorm.
+/// The order 0 ≤ s ≤ 1 of a seminorm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum UnitOrder {
     /// s = 0.
@@ -287,7 +292,7 @@ pub(crate) enum UnitOrder {
 }
 
 impl UnitOrder {
-    /// The order s of a norm.
+    /// The order s, classified.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] outside [0, 1].
@@ -302,7 +307,7 @@ impl UnitOrder {
         }
     }
 
-    /// s.
+    /// The order s.
     pub(crate) fn value(self) -> f64 {
         match self {
             Self::Zero => 0.0,

@@ -1,4 +1,4 @@
-//! The one error type of the library. Every variant carries the offending value; a tolerance that is not met
+//! The error type of the library. Every variant carries the offending value; if a tolerance is not met, it
 //! carries the best estimate.
 
 mod given;
@@ -10,9 +10,9 @@ use crate::value::Estimate;
 /// Result with the library's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The error of this library: invalid input, an infinite result, or a tolerance that is not met.
+/// The error type of this library: invalid input, an infinite result, or a tolerance that is not met.
 ///
-/// The termination of an iteration (converged, stalled, cycled) is a status in its result, not an error.
+/// How an iteration ended (converged, stalled, cycled) is a status in its result, not an error.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Error, Order, gamma};
@@ -57,16 +57,16 @@ pub enum Error {
         /// The admissible set, as text.
         range: &'static str,
     },
-    /// A count that requires more memory than the machine has.
+    /// A count for which the machine does not have enough memory.
     #[error("{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB")]
     TooLarge {
         /// Name of the count.
         name: &'static str,
         /// The count that was given.
         count: usize,
-        /// The required memory, in 10^9 bytes.
+        /// The required memory, in units of 10^9 bytes.
         needed: f64,
-        /// The physical memory, in 10^9 bytes.
+        /// The physical memory, in units of 10^9 bytes.
         available: f64,
     },
     /// A name that is not one of the known names.
@@ -101,7 +101,7 @@ pub enum Error {
         /// The value.
         value: f64,
     },
-    /// A function of the plane is NaN or infinite at an evaluation point.
+    /// A function on the plane is NaN or infinite at an evaluation point.
     #[error("{name} is not finite: {value} at ({:?}, {:?})", point[0], point[1])]
     NotFiniteAt {
         /// Name of the function.
@@ -111,7 +111,7 @@ pub enum Error {
         /// The value.
         value: f64,
     },
-    /// Two arrays that must agree in length do not.
+    /// An array does not have the required length.
     #[error("{name} has length {given}, expected {expected}")]
     LengthMismatch {
         /// Name of the array.
@@ -121,7 +121,7 @@ pub enum Error {
         /// The length it should have.
         expected: usize,
     },
-    /// The norm asked for is infinite.
+    /// The requested norm is infinite.
     #[error("the norm is infinite: {why} (order {order})")]
     InfiniteNorm {
         /// Order of the Sobolev norm.
@@ -129,16 +129,16 @@ pub enum Error {
         /// The reason, as text.
         why: &'static str,
     },
-    /// The tolerance could not be met; carries the best estimate and the limiting factor.
+    /// The tolerance was not met; the best estimate and the limiting factor are given.
     #[error("{what}: relative error {reached:.1e}, requested {asked:e}{}: {why}", value_of(best))]
     ToleranceNotMet {
         /// The quantity.
         what: &'static str,
-        /// The relative tolerance asked for.
+        /// The requested relative tolerance.
         asked: f64,
-        /// The estimated relative error reached.
+        /// The estimated relative error that was reached.
         reached: f64,
-        /// The best estimate of the quantity; `None` where no value was reached at all.
+        /// The best estimate of the quantity; `None` if no value was obtained.
         best: Option<Estimate>,
         /// The limiting factor, as text.
         why: &'static str,
@@ -157,16 +157,16 @@ pub enum Error {
         /// Its message.
         reason: String,
     },
-    /// Two triangles of a mesh overlap: they have interior points in common.
+    /// Two triangles of a mesh overlap: their interiors intersect.
     #[error("triangles {} and {} overlap", triangles[0], triangles[1])]
     Overlap {
-        /// Their numbers, from 0.
+        /// Their indices, from 0.
         triangles: [usize; 2],
     },
     /// A triangle of a mesh is invalid.
     #[error("triangle {triangle} {reason} {value:?}")]
     Triangle {
-        /// Its number, from 0.
+        /// Its index, from 0.
         triangle: usize,
         /// Description of the error.
         reason: &'static str,
@@ -184,14 +184,14 @@ pub enum Error {
     /// A node of a mesh is invalid.
     #[error("node {node} {reason}")]
     Node {
-        /// Its number, from 0.
+        /// Its index, from 0.
         node: usize,
         /// Description of the error.
         reason: &'static str,
     },
 }
 
-/// The text of the best value in the message.
+/// The best value as it appears in the message; empty if there is none.
 fn value_of(best: &Option<Estimate>) -> String {
     best.map_or_else(String::new, |best| format!(" (best value {best})"))
 }
@@ -207,7 +207,7 @@ impl Error {
         Error::ToleranceNotMet { what, asked, reached, best: None, why }
     }
 
-    /// [`Error::not_met`] with the best of several attempts, if there is one.
+    /// [`Error::not_met`] with the best of several attempts; without a value if there is none.
     pub(crate) fn best_of(what: &'static str, asked: f64, best: Option<Estimate>, why: &'static str) -> Self {
         best.map_or(Self::out_of_reach(what, asked, f64::INFINITY, why), |best| {
             Self::not_met(what, asked, best, why)
@@ -222,7 +222,7 @@ impl Error {
         }
     }
 
-    /// The same error for a quantity derived from the one that missed its tolerance.
+    /// The same error for a quantity derived from the one whose tolerance was not met.
     pub(crate) fn carry(self, quantity: &'static str, of: impl FnOnce(Estimate) -> Result<Estimate>) -> Self {
         match self {
             Error::ToleranceNotMet { asked, best: Some(best), why, .. } => match of(best) {
@@ -233,7 +233,7 @@ impl Error {
         }
     }
 
-    /// The parameter `name` if it satisfies `admissible`. NaN is never admissible.
+    /// The value of the parameter `name` if it is admissible; NaN never is.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] otherwise.

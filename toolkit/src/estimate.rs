@@ -1,14 +1,14 @@
-//! Accuracy against cost: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
+//! Accuracy and cost: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
 //!
 //! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|.
-//! The `error` of an estimate is *absolute*: an estimate of |v − v*|, at least the rounding error of v.
+//! The `error` of an estimate is *absolute*: it estimates |v − v*| and is at least the rounding error of v.
 
 use crate::error::{Error, Given, Result};
 pub use crate::value::{Estimate, Work};
 use std::fmt;
 use std::str::FromStr;
 
-/// Requested relative accuracy in [1e-15, 0.1], with a limit of work.
+/// A requested relative accuracy in [1e-15, 0.1], with a work limit.
 #[doc(alias("accuracy", "precision", "relative tolerance"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance {
@@ -17,14 +17,14 @@ pub struct Tolerance {
 }
 
 /// Message: the work limit is reached.
-pub(crate) const SPENT: &str = "the work limit is reached; raise Tolerance::with_work";
+pub(crate) const SPENT: &str = "the work limit is reached; raise it with Tolerance::with_work";
 
 impl Tolerance {
-    /// Default limit of function and kernel evaluations of an integral, see [`Tolerance::with_work`]: about
-    /// ten seconds for a cheap function.
+    /// Default limit for the function and kernel evaluations of an integral (see [`Tolerance::with_work`]):
+    /// about ten seconds for a cheap function.
     pub const WORK: u64 = 1 << 28;
 
-    /// A number between 1e-15 and 0.1.
+    /// The tolerance with a relative accuracy between 1e-15 and 0.1.
     ///
     /// ```
     /// use fractional_sobolev::Tolerance;
@@ -34,7 +34,7 @@ impl Tolerance {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] otherwise.
+    /// [`Error::OutOfRange`] for all other numbers.
     pub fn new(relative: f64) -> Result<Self> {
         let admissible = (1e-15..=0.1).contains(&relative);
         Error::require("tolerance", relative, "[1e-15, 0.1]", admissible).map(Self::of)
@@ -44,8 +44,8 @@ impl Tolerance {
         Self { relative, work: Self::WORK }
     }
 
-    /// The same accuracy with at most this many evaluations of the function and of the kernel. The limit
-    /// applies to each integral of a norm separately.
+    /// The same tolerance with at most this many evaluations of the function and of the kernel. The limit
+    /// applies separately to each integral of a norm.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Tolerance};
@@ -58,22 +58,22 @@ impl Tolerance {
         Self { relative: self.relative, work: evaluations }
     }
 
-    /// The limit of evaluations of an integral.
+    /// The limit for the evaluations of an integral.
     pub(crate) const fn work(self) -> u64 {
         self.work
     }
 
-    /// 1e-4: enough for a picture.
+    /// The tolerance 1e-4: enough for a plot.
     pub const fn fast() -> Self {
         Self::of(1e-4)
     }
 
-    /// 1e-8: enough for a table.
+    /// The tolerance 1e-8: enough for a table.
     pub const fn balanced() -> Self {
         Self::of(1e-8)
     }
 
-    /// 1e-12: close to the limit of binary64.
+    /// The tolerance 1e-12: close to the limit of binary64.
     pub const fn reference() -> Self {
         Self::of(1e-12)
     }
@@ -124,7 +124,7 @@ impl fmt::Display for Tolerance {
 impl FromStr for Tolerance {
     type Err = Error;
 
-    /// `fast`, `balanced`, `reference` or a number.
+    /// The tolerance for `fast`, `balanced`, `reference` or a number.
     fn from_str(text: &str) -> Result<Self> {
         match text {
             "fast" => Ok(Self::fast()),
@@ -143,10 +143,11 @@ impl FromStr for Tolerance {
 }
 
 impl Estimate {
-    /// A value with its absolute error; the error is raised to the rounding of the value.
+    /// The estimate with this value and absolute error; the error is raised to the rounding error of the value
+    /// if it is smaller.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when the value or the error is NaN or infinite: no NaN is returned as a value.
+    /// [`Error::NotFinite`] if the value or the error is NaN or infinite.
     pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
         for (index, number) in [value, error].into_iter().enumerate() {
             if !number.is_finite() {
@@ -156,7 +157,8 @@ impl Estimate {
         Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
     }
 
-    /// The estimate, or the best estimate of a tolerance that was not met, for callers who read its error.
+    /// The estimate, or the best estimate if the tolerance was not met, for callers who examine the error
+    /// themselves.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Estimate, Order, gamma, Tolerance};
@@ -169,12 +171,12 @@ impl Estimate {
     /// ```
     ///
     /// # Errors
-    /// The errors that carry no value.
+    /// All errors that carry no value.
     pub fn or_best(found: Result<Self>) -> Result<Self> {
         found.or_else(|error| error.best().ok_or(error))
     }
 
-    /// The square root: √v with error e/(2√v), or √e where v does not exceed e.
+    /// The square root: √v with error e/(2√v), or √e if v does not exceed e.
     ///
     /// ```
     /// use fractional_sobolev::{Estimate, Work};
@@ -185,7 +187,7 @@ impl Estimate {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when the value is negative beyond its error.
+    /// [`Error::OutOfRange`] if the value is negative by more than its error.
     pub fn sqrt(self) -> Result<Self> {
         if self.value < -self.error {
             return Err(Error::OutOfRange { name: "radicand", value: self.value, range: "[0, inf)" });
@@ -206,7 +208,7 @@ impl Estimate {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`] where the result overflows.
+    /// [`Error::NotFinite`] if the result overflows.
     pub fn hypot(self, other: Self) -> Result<Self> {
         let value = self.value.hypot(other.value);
         let weight = |part: f64| if value > 0.0 { (part / value).abs() } else { 1.0 };
@@ -214,10 +216,10 @@ impl Estimate {
         Self::new(value, error, self.work + other.work)
     }
 
-    /// The estimate times an exact number.
+    /// The estimate multiplied by an exact number.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when the product is not finite.
+    /// [`Error::NotFinite`] if the product is not finite.
     pub fn times(self, factor: f64) -> Result<Self> {
         Self::new(self.value * factor, self.error * factor, self.work)
     }

@@ -33,24 +33,24 @@ use std::ops::Range;
 ///
 /// The seminorm is |u|²_s = ∫∫ (u(x)−u(y))² / |x−y|^{d+2s} dx dy, d the dimension of the domain, 0 < s < 1;
 /// ‖u‖²_s = ‖u‖² + |u|²_s, ‖u‖²\_{1+s} = ‖u‖² + ‖∇u‖²_s, and ‖u‖\_{−s} = sup ∫ u v / ‖v‖_s. Each is computed to the
-/// relative tolerance by the method for its kind of function; a combination without a method is
-/// [`Error::Incompatible`], which names what is possible.
+/// relative tolerance by the method for its kind of function; for a combination without a method
+/// [`Error::Incompatible`] names what is possible.
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
 /// | formula | (−1, 1), below 2 with its derivative | rules graded to the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
-/// | load | (−1, 0) | supremum over the piecewise linears of the mesh | O(N) per step of an iteration |
-/// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules beside them | O(N log² 1/τ) |
+/// | load | (−1, 0) | supremum over the piecewise linear functions on the mesh | O(N) per step of an iteration |
+/// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
-/// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded to the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
+/// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded towards the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
 /// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
-/// The error of an estimate is that of comparing two accuracies, plus rounding; infinite norms are detected
-/// at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of functions on
-/// an interval take 10⁵ elements in seconds for s ≤ −0.3; for the interpolation spaces of [`DualOf`] in a
-/// fraction of a second.
+/// The error of an estimate is obtained by comparing two levels of accuracy, plus rounding; infinite norms are
+/// detected at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of
+/// functions on an interval take seconds for 10⁵ elements and s ≤ −0.3, and a fraction of a second for the
+/// interpolation spaces of [`DualOf`].
 ///
 /// ```
 /// use fractional_sobolev::{Function, Mesh};
@@ -67,14 +67,14 @@ use std::ops::Range;
 #[derive(Debug)]
 pub struct Function<'a> {
     kind: Kind<'a>,
-    /// the partial derivatives, where they were given
+    /// the partial derivatives, if they were given
     gradient: Vec<Function<'a>>,
 }
 
 #[derive(Debug)]
 enum Kind<'a> {
     Formula(SingularFunction<'a>),
-    /// x^a for small |a|: its seminorms by another integral.
+    /// x^a for small |a|: its seminorms are computed by another integral.
     NearlyOne(NearlyOne, SingularFunction<'a>),
     Piecewise(PiecewisePolynomial),
     Load(MeshFunctional),
@@ -94,7 +94,7 @@ impl<'a> Function<'a> {
 
     /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
-    /// At a singularity at a breakpoint x₀ other than 0 the distance x − x₀ is rounded: use
+    /// If the function is singular at a breakpoint x₀ other than 0, the distance x − x₀ is rounded: use
     /// [`Function::from_positions`].
     ///
     /// # Errors
@@ -115,11 +115,10 @@ impl<'a> Function<'a> {
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
-    /// Layers at a breakpoint are resolved at any width down to 1e-290. Between the breakpoints f is
-    /// evaluated at some dozens of points: a kink or a wide peak is detected, at additional cost, but a
-    /// layer narrower than about 1/50 of the interval may lie between these points and is then missed in
-    /// both the value and the error. Declare its position as a breakpoint and express f by the distance to
-    /// it:
+    /// Layers at a breakpoint are resolved for any width down to 1e-290. Between the breakpoints f is sampled
+    /// at some dozens of points: a kink or a wide peak is detected, at additional cost, but a layer narrower
+    /// than about 1/50 of the interval may lie between these points and is then missed in both the value and
+    /// the error. Declare its position as a breakpoint and express f by the distance to it:
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -135,8 +134,8 @@ impl<'a> Function<'a> {
         SingularFunction::from_positions(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
-    /// The function f of a [`Position`], evaluated also where the distance underflows, by
-    /// [`Position::log_distance`]: for |ln x|^α at order 1/2, where distances below 1e-300 contribute.
+    /// The function f of a [`Position`] that is evaluated, by [`Position::log_distance`], even where the
+    /// distance underflows: for |ln x|^α at order 1/2, where distances below 1e-300 contribute.
     ///
     /// ```
     /// use fractional_sobolev::{Function, closed_forms};
@@ -190,7 +189,7 @@ impl<'a> Function<'a> {
     }
 
     /// The piecewise polynomial of degree p with p + 1 values on every element, at equidistant points from its
-    /// left to its right end; one value per element for p = 0. It may jump between elements.
+    /// left to its right end; one value per element if p = 0. It may jump between elements.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -203,7 +202,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] for degrees above 20.
     pub fn piecewise(mesh: &Mesh, degree: usize, values: &[f64]) -> Result<Self> {
         PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
     }
@@ -224,13 +223,14 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
+    /// [`Error::NotFinite`] if a value of f is not finite, [`Error::CountOutOfRange`] for degree 0 and for
+    /// degrees above 20.
     pub fn interpolate(mesh: &Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
         PiecewisePolynomial::interpolate(mesh.clone(), degree, f).map(Self::from)
     }
 
-    /// The functional with the values ⟨f, φ_i⟩ on the hat functions of a mesh. Only its norms of order −1 <
-    /// s < 0 are defined, as suprema over the piecewise linears of the mesh.
+    /// The functional with the values ⟨f, φ_i⟩ on the hat functions of a mesh. Only its norms of order −1 < s <
+    /// 0 are defined, as suprema over the piecewise linear functions on the mesh.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -259,7 +259,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 1.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] for degrees above 1.
     pub fn on_triangles(mesh: &Triangles, degree: usize, values: &[f64]) -> Result<Self> {
         let (mesh, values) = (mesh.clone(), values.to_vec());
         let u = match low_degree(degree)? {
@@ -284,7 +284,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for a corner that is not a node; [`Error::OutOfRange`] for an
+    /// [`Error::CountOutOfRange`] if the index of a corner is not that of a node; [`Error::OutOfRange`] for an
     /// inadmissible exponent.
     pub fn from_plane_positions(
         mesh: &Triangles,
@@ -294,8 +294,8 @@ impl<'a> Function<'a> {
         SingularPlaneFunction::new(mesh.clone(), corners, f).map(Kind::PlaneFormula).map(Self::of)
     }
 
-    /// r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω: its seminorms of order 0 < s < 1, and for a = b, where it is
-    /// harmonic, those of order 1 < s < 2, |∇u|\_{s−1}. They scale like R^{a+1−s}.
+    /// The function r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω: its seminorms of order 0 < s < 1, and for a =
+    /// b, where it is harmonic, those of order 1 < s < 2, |∇u|\_{s−1}. They scale like R^{a+1−s}.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -339,8 +339,9 @@ impl<'a> Function<'a> {
     /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
     /// 1), or constant on every element (degree 0).
     ///
-    /// Norms are those of this piecewise polynomial: if its values approximate another function, the error
-    /// of the norm does not include the approximation error. Compare with half the elements to estimate it.
+    /// Norms are those of this piecewise polynomial: if its values approximate another function, the error of
+    /// the norm does not include the approximation error. To estimate it, compare with a mesh of half as many
+    /// elements.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Curve};
@@ -353,7 +354,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 1.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] for degrees above 1.
     pub fn on_curve(curve: &Curve, degree: usize, values: &[f64]) -> Result<Self> {
         let u = match low_degree(degree)? {
             true => BoundaryFunction::linears(curve.clone(), values)?,
@@ -362,18 +363,19 @@ impl<'a> Function<'a> {
         Ok(Self::of(Kind::Curve(u)))
     }
 
-    /// The function f of the point on the boundary of the polygon with these vertices, smooth on every side; at a vertex it may
-    /// be singular, or jump.
+    /// The function f of a point on the boundary of the polygon with these vertices, smooth on every side; at a
+    /// vertex it may be singular or have a jump.
     ///
     /// ```text
     /// |f|²_s = ∫_Γ ∫_Γ (f(x) − f(y))² / |x − y|^{1+2s} ds ds,   0 < s < 1,   |x − y| the distance in the plane.
     /// ```
     ///
     /// Its norms are those of f; those of [`Function::on_curve`] are norms of the interpolant of f, and their
-    /// error does not include the interpolation error. The error is the change to a coarser mesh, plus
+    /// error does not include the interpolation error. The error is the change from a coarser mesh, plus
     /// rounding. At a vertex other than the origin x is rounded; the effect on a singularity there is part of
     /// the error. Place the vertex of a strong singularity at the origin. Cost: a third of a second for a
-    /// smooth function on six sides, ten seconds for singularities near the limit of H^s.
+    /// smooth function on six sides, ten seconds for singularities close to the order at which the norm becomes
+    /// infinite.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -396,7 +398,7 @@ impl<'a> Function<'a> {
     }
 
     /// The function together with its partial derivatives (one on an interval, two in the plane), which are
-    /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials need none.
+    /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials do not need them.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -410,10 +412,10 @@ impl<'a> Function<'a> {
         Self { gradient, ..self }
     }
 
-    /// ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm.
+    /// The norm ‖u‖_s for −1 < s < 2: for s < 0 the dual norm sup ∫ u v / ‖v‖\_{−s}, for s = 0 the L² norm.
     ///
-    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2 `-order` and [`Order::plus_one`] represent the
-    /// distance from these to full relative accuracy.
+    /// s is a plain number or an [`Order`]; near ±1/2 and 3/2, `-order` and [`Order::plus_one`] give the
+    /// distance of s from these values to full relative accuracy.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Order};
@@ -426,7 +428,7 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the best value; [`Error::OutOfRange`] for s outside
-    /// (−1, 2); [`Error::Incompatible`] where this kind of function has no method for the order.
+    /// (−1, 2); [`Error::Incompatible`] if there is no method for this kind of function and order.
     #[doc(alias("dual norm", "negative norm", "l2_norm"))]
     pub fn norm(&self, s: impl Given<SobolevOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
@@ -455,13 +457,14 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} beyond. s as for [`Function::norm`].
+    /// The seminorm |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} for s > 1. s as for
+    /// [`Function::norm`].
     ///
-    /// Finite for s < 1/2 where u jumps; at a corner or breakpoint with r^a for a > s − d/2. In the plane
-    /// (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve the distance is that
-    /// of the plane, the norm of traces on a Lipschitz curve up to equivalence. There is no special rule
-    /// for a singularity along an edge of a triangulation: [`Error::ToleranceNotMet`] reports the accuracy
-    /// that is reached.
+    /// It is finite for s < 1/2 if u jumps, and for s < a + d/2 if u behaves like r^a at a corner or
+    /// breakpoint. In the plane (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve
+    /// the distance is that of the plane; on a Lipschitz curve this is the norm of traces up to equivalence.
+    /// There is no special rule for a singularity along an edge of a triangulation: [`Error::ToleranceNotMet`]
+    /// reports the accuracy that was reached.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Order};
@@ -504,7 +507,7 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The norm of u in L^q, (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane q = 2.
+    /// The norm of u in L^q: (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane only q = 2.
     ///
     /// For values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree
     /// are bisected until a Gauss rule and its two halves agree. For a formula, declare the zeros (for q =
@@ -536,7 +539,7 @@ impl<'a> Function<'a> {
     /// exact to rounding for a piecewise polynomial.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is not on an interval; else as [`Function::norm`].
+    /// [`Error::Incompatible`] if the function is not defined on an interval; else as [`Function::norm`].
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match &self.kind {
@@ -546,17 +549,17 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// sup ∫ u v / ‖v‖ for the norm of order 0 < s < 1 that [`DualOf`] names; [`Function::norm`] of order −s is that
-    /// of [`DualOf::Slobodeckij`].
+    /// The dual norm sup ∫ u v / ‖v‖ with respect to the norm of order 0 < s < 1 that [`DualOf`] names;
+    /// [`Function::norm`] of order −s is the one for [`DualOf::Slobodeckij`].
     ///
     /// In the interpolation spaces the dual norm of a piecewise polynomial is Balakrishnan's integral of
-    /// resolvents, each in closed form on every element: exact to rounding on every mesh, some hundred
-    /// passes over the elements. In the norm of [`DualOf::Slobodeckij`] the supremum is taken over
-    /// piecewise linears on M equal elements, with a correction of the discretisation error; M doubles up
-    /// to 2^20, and the error estimate is the change under doubling. A formula is replaced by a piecewise
-    /// polynomial graded to its breakpoints; the L² norm of the difference bounds the dual norm of the
-    /// difference and is part of the error. On a closed curve the interpolation spaces are periodic in the
-    /// arc length.
+    /// resolvents, each in closed form on every element: exact to rounding on every mesh, at the cost of some
+    /// hundred passes over the elements. For [`DualOf::Slobodeckij`] the supremum is taken over the piecewise
+    /// linear functions on M equal elements, with a correction of the discretisation error; M is doubled up to
+    /// 2^20, and the error estimate is the change at the last doubling. A formula is replaced by a piecewise
+    /// polynomial on a mesh graded towards its breakpoints; the L² norm of the difference bounds the dual norm
+    /// of the difference and is part of the error. On a closed curve the interpolation spaces are periodic in
+    /// the arc length.
     ///
     /// ```
     /// use fractional_sobolev::{DualOf, Function, Mesh};
@@ -585,7 +588,7 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The difference u − v: a formula minus a piecewise polynomial on the same interval, or two piecewise
+    /// The difference u − v of a formula and a piecewise polynomial on the same interval, or of two piecewise
     /// polynomials on one mesh.
     ///
     /// ```
@@ -607,7 +610,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for other pairs.
+    /// [`Error::Incompatible`] for other pairs of functions.
     pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
         let kind = match (&self.kind, &other.kind) {
             (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => Kind::Difference(u.minus(v)),
@@ -634,12 +637,12 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function of another kind, [`Error::NotFinite`] when a slope overflows.
+    /// [`Error::Incompatible`] for a function of another kind, [`Error::NotFinite`] if a slope overflows.
     pub fn derivative(&self) -> Result<Self> {
         self.polynomials("derivative")?.derivative().map(Self::from)
     }
 
-    /// The largest degree of a piecewise polynomial on an element, as declared.
+    /// The largest declared degree of a piecewise polynomial on an element.
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
@@ -649,7 +652,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial.
+    /// [`Error::Incompatible`] if the function is not a piecewise polynomial.
     pub fn degree(&self) -> Result<usize> {
         self.polynomials("degree").map(PiecewisePolynomial::degree)
     }
@@ -657,9 +660,8 @@ impl<'a> Function<'a> {
     /// The value at the local coordinate t ∈ \[0, 1\] of an element, from left to right.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial;
-    /// [`Error::CountOutOfRange`] for an element outside the mesh; [`Error::OutOfRange`] for t outside \[0,
-    /// 1\].
+    /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
+    /// element outside the mesh; [`Error::OutOfRange`] for t outside \[0, 1\].
     pub fn value(&self, element: usize, t: f64) -> Result<f64> {
         self.polynomials("value on an element")?.value(element, t)
     }
@@ -675,21 +677,21 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial.
+    /// [`Error::Incompatible`] if the function is not a piecewise polynomial.
     pub fn mesh(&self) -> Result<&Mesh> {
         self.polynomials("mesh").map(PiecewisePolynomial::mesh)
     }
 
-    /// The part of a piecewise polynomial on the given elements.
+    /// The restriction of a piecewise polynomial to the given elements.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for a function that is not a piecewise polynomial;
-    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the mesh.
+    /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
+    /// empty range or one that is not contained in the mesh.
     pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
     }
 
-    /// The piecewise polynomial that this function is.
+    /// The underlying piecewise polynomial.
     pub(crate) fn polynomials(&self, quantity: &str) -> Result<&PiecewisePolynomial> {
         match &self.kind {
             Kind::Piecewise(u) => Ok(u),
@@ -715,7 +717,7 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// ‖u‖_{1+ν}.
+    /// The norm ‖u‖_{1+ν}.
     fn norm_above_one(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         match (&self.kind, &self.gradient[..]) {
             (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
@@ -731,7 +733,7 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// |∇u|_ν.
+    /// The seminorm |∇u|_ν.
     fn seminorm_above_one(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let why = "a function that jumps has no derivative in L^2";
         let infinite = || Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
@@ -768,13 +770,13 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The error for a quantity that is not defined for this kind of function.
+    /// [`Error::Incompatible`] for a quantity that is not defined for this kind of function.
     fn refused(&self, quantity: &str) -> Error {
         let expected = match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => {
                 "norms of order below 1; of order below 2 with Function::with_gradient"
             }
-            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean, values, parts",
+            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean, values, restrictions",
             Kind::Load(_) => "norms of order in (-1, 0)",
             Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
@@ -805,6 +807,6 @@ fn low_degree(degree: usize) -> Result<bool> {
     match degree {
         0 => Ok(false),
         1 => Ok(true),
-        value => Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "0 or 1" }),
+        value => Err(Error::CountOutOfRange { name: "polynomial degree", value, range: "{0, 1}" }),
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result};
 
-/// L σ^m, then L σ^k (1 − σ), k = m − 1, ..., 0.
+/// The lengths L σ^m, then L σ^k (1 − σ), k = m − 1, ..., 0.
 pub(super) fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Result<Vec<f64>> {
     require_length_of_interval(length)?;
     Error::require("grading ratio", ratio, "(0, 1)", ratio > 0.0 && ratio < 1.0)?;
@@ -12,7 +12,7 @@ pub(super) fn geometric_lengths(layers: usize, ratio: f64, length: f64) -> Resul
     Ok(lengths)
 }
 
-/// L ((i+1)/n)^β − L (i/n)^β, i < n.
+/// The lengths L ((i+1)/n)^β − L (i/n)^β, i < n.
 pub(super) fn algebraic_lengths(count: usize, exponent: f64, length: f64) -> Result<Vec<f64>> {
     require_length_of_interval(length)?;
     let admissible = exponent > 0.0 && exponent.is_finite();
@@ -24,7 +24,7 @@ pub(super) fn algebraic_lengths(count: usize, exponent: f64, length: f64) -> Res
     Ok((0..count).map(element).collect())
 }
 
-/// 0 < L < ∞.
+/// The length L if 0 < L < ∞.
 pub(super) fn require_length_of_interval(length: f64) -> Result<f64> {
     Error::require("length of the interval", length, "(0, inf)", length > 0.0 && length.is_finite())
 }

@@ -15,18 +15,18 @@ use crate::numeric::sum::compensated;
 use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
-/// Sum of a load over the sum of its absolute values, where it must vanish.
+/// Largest ratio of |sum| to sum of absolute values for a load that must sum to zero.
 const BALANCED: f64 = 1e-8;
 
 /// The Gram matrix A of |·|_s in a nodal basis, uᵀAu = |u|²_s, and the mass matrix M of the same basis.
 ///
 /// # Method
 ///
-/// Products are computed by FFT on uniform meshes and grids, by H²-matrices on other meshes: O(N log N) to
-/// O(N log²(1/τ)) at the relative tolerance τ; memory about 10 N numbers on a uniform mesh, 60 N on other
-/// meshes, 200 N on a grid. On an interval the fast product is prepared at its first use; the dense matrix
-/// has entries exact to rounding, sums of a few integrals of one sign each, and costs O(N²) kernel values.
-/// Constants are removed from x before a product, since A maps them to zero.
+/// Products are computed by FFT on uniform meshes and grids, and by H²-matrices on other meshes, in O(N log N)
+/// to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on a uniform
+/// mesh, 60 N on other meshes, 200 N on a grid. On an interval the fast product is prepared at its first use.
+/// The entries of the dense matrix are sums of a few integrals of one sign each, exact to rounding, and cost
+/// O(N²) kernel values. Constants are subtracted from x before a product, since A maps them to zero.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};
@@ -92,8 +92,8 @@ impl std::fmt::Debug for Gram {
 }
 
 impl Gram {
-    /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral over
-    /// the square of the interval, the form of the *regional* fractional Laplacian. The form of the
+    /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral over the
+    /// square of the interval, which is the form of the *regional* fractional Laplacian. The form of the
     /// integral one, over the whole line, is [`Gram::zero_outside`].
     ///
     /// # Errors
@@ -120,12 +120,13 @@ impl Gram {
         Ok(Self::on_interval(mesh, order, tolerance.given()?, Basis::Indicators))
     }
 
-    /// The Gram matrix on the whole line for the hat functions of the N − 1 inner nodes of a mesh, which
-    /// vanish outside it: the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 < s < 1.
+    /// The Gram matrix on the whole line for the hat functions of the N − 1 inner nodes of a mesh, which vanish
+    /// outside it: the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 < s < 1.
     ///
-    /// This is the integral fractional Laplacian with u = 0 outside the interval: the weak form of (−Δ)^s u = f is
-    /// C(1, s)/2 A x = b with [`fractional_laplacian_constant`](crate::closed_forms::fractional_laplacian_constant).
-    /// [`Gram::new`] is the *regional* form, over the square of the interval: another operator, with another solution.
+    /// This is the form of the integral fractional Laplacian with u = 0 outside the interval: the weak form of (−Δ)^s
+    /// u = f is C(1, s)/2 A x = b with
+    /// [`fractional_laplacian_constant`](crate::closed_forms::fractional_laplacian_constant). [`Gram::new`] is the
+    /// *regional* form, over the square of the interval: a different operator, with different solutions.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
@@ -140,7 +141,7 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a mesh of one element; as [`Gram::new`].
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a mesh with one element; as [`Gram::new`].
     #[doc(alias(
         "fractional Laplacian",
         "integral fractional Laplacian",
@@ -150,7 +151,7 @@ impl Gram {
     ))]
     pub fn zero_outside(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
         if mesh.len() < 2 {
-            return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: ">= 2" });
+            return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "[2, inf)" });
         }
         Ok(Self::on_interval(mesh, s.given()?, tolerance.given()?, Basis::InnerHats))
     }
@@ -188,7 +189,7 @@ impl Gram {
         Ok(Self { form: Form::Grid { squares, h, form } })
     }
 
-    /// Number of basis functions.
+    /// The number of basis functions.
     #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         match &self.form {
@@ -197,7 +198,7 @@ impl Gram {
         }
     }
 
-    /// A x; the error is relative to |A| |x − mean|.
+    /// The product A x; its error is relative to |A| |x − mean|.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`](crate::Error::LengthMismatch), [`Error::NotFinite`](crate::Error::NotFinite).
@@ -208,7 +209,7 @@ impl Gram {
         }
     }
 
-    /// M x, M the Gram matrix of L², exact to rounding in O(N).
+    /// The product M x with the Gram matrix M of L², exact to rounding, in O(N) operations.
     ///
     /// # Errors
     /// As [`Gram::apply`].
@@ -227,15 +228,15 @@ impl Gram {
         }
     }
 
-    /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of iterations.
+    /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of
+    /// iterations.
     ///
-    /// By conjugate gradients; the preconditioner is the same power of the tridiagonal pencil of (u′, v′) and
-    /// L², by 10 to 40 tridiagonal solves. The number of iterations depends neither on the number of elements
-    /// nor on their lengths: about 15 for eight digits. Except for [`Gram::zero_outside`] constants have
-    /// seminorm zero: then the entries of b must sum to zero, and x is the solution of mean zero. The error
-    /// of xᵀA x includes the rounding of the entries of A, which exceeds the tolerance where elements are
-    /// very short and s is near 1.
-    ///
+    /// The method of conjugate gradients is preconditioned by the power s of the tridiagonal pencil of (u′, v′)
+    /// and L², at the cost of 10 to 40 tridiagonal solves per step. The number of iterations depends neither on
+    /// the number of elements nor on their lengths: about 15 for eight digits. Except for
+    /// [`Gram::zero_outside`], constants have seminorm zero: then the entries of b must sum to zero, and x is
+    /// the solution with mean zero. The error of xᵀA x includes the rounding of the entries of A, which exceeds
+    /// the tolerance if elements are very short and s is near 1.
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
     /// let form = Gram::new(&Mesh::uniform(50, 1.0)?, 0.3, 1e-10)?;
@@ -246,7 +247,7 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for a load whose sum is not zero where it must be;
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) if the entries of b must sum to zero but do not;
     /// [`Error::Incompatible`](crate::Error::Incompatible) on a grid of the plane;
     /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best energy; as [`Gram::apply`].
     #[doc(alias("fractional Laplacian", "preconditioner", "conjugate gradients"))]
@@ -260,19 +261,19 @@ impl Gram {
             Error::require(
                 "sum of the load",
                 sum,
-                "0 +- 1e-8 of the sum of its absolute values",
+                "[-1e-8, 1e-8] times the sum of its absolute values",
                 admissible,
             )?;
         }
         solve(interval.fast()?, interval.inverse(), load, interval.tolerance)
     }
 
-    /// The preconditioner of [`Gram::solve`] times r: a symmetric approximate inverse of A, for other
-    /// iterations.
+    /// The preconditioner of [`Gram::solve`] applied to r: a symmetric approximate inverse of A, for use in
+    /// other iterations.
     ///
-    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh. Cost:
-    /// 10 to 40 tridiagonal solves. Where constants have seminorm zero it acts on r minus its mean and
-    /// returns a function of mean zero.
+    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh. Cost: 10 to
+    /// 40 tridiagonal solves. If constants have seminorm zero, it is applied to r minus its mean, and the
+    /// result has mean zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -296,11 +297,11 @@ impl Gram {
         Ok(out)
     }
 
-    /// The smallest positive and the largest eigenvalue of A x = λ M x, to the tolerance of the form: on an interval.
+    /// The smallest positive and the largest eigenvalue of A x = λ M x on an interval, to the tolerance of the form.
     ///
-    /// By block iterations with preconditioned residuals (LOBPCG): 5 to 20 steps of a few products each.
-    /// The error bounds the distance to the spectrum by the residual and the tolerance of the product.
-    /// Their quotient is the condition number of A relative to M, on the functions of mean zero where
+    /// They are computed by a block iteration with preconditioned residuals (LOBPCG): 5 to 20 steps of a few
+    /// products each. The error bounds the distance to the spectrum by the residual and the tolerance of the
+    /// product. Their ratio is the condition number of A relative to M, on the functions of mean zero if
     /// constants have seminorm zero.
     ///
     /// ```
@@ -314,19 +315,20 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// As [`Gram::solve`]; [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four functions.
+    /// As [`Gram::solve`]; [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis
+    /// functions.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
         let interval = self.interval("extreme_eigenvalues")?;
         if self.len() < 4 {
-            let (name, range) = ("functions", ">= 4");
+            let (name, range) = ("basis functions", "[4, inf)");
             return Err(Error::CountOutOfRange { name, value: self.len(), range });
         }
         let (fast, inverse) = (interval.fast()?, interval.inverse());
         extreme_eigenvalues(fast, inverse, &interval.mesh, interval.basis, interval.tolerance)
     }
 
-    /// The interval data, for methods that exist on an interval only.
+    /// The data on an interval, for methods that exist only there.
     fn interval(&self, what: &'static str) -> Result<&Interval> {
         match &self.form {
             Form::Interval(interval) => Ok(interval),
@@ -339,7 +341,7 @@ impl Gram {
         }
     }
 
-    /// The memory of the fast product in bytes.
+    /// The memory of the fast product, in bytes.
     ///
     /// # Errors
     /// As [`Gram::new`].
@@ -350,7 +352,7 @@ impl Gram {
         }
     }
 
-    /// The diagonal of A: stored on an interval; from N products on a grid.
+    /// The diagonal of A: stored on an interval, computed by N products on a grid.
     ///
     /// # Errors
     /// As [`Gram::apply`].
@@ -361,8 +363,8 @@ impl Gram {
         }
     }
 
-    /// A as a dense matrix: on an interval by closed forms, exact to rounding, at a cost of O(N²) kernel
-    /// evaluations; on a grid from N products.
+    /// A as a dense matrix: on an interval by closed forms, exact to rounding, at the cost of O(N²) kernel
+    /// evaluations; on a grid by N products.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::apply`].
@@ -386,7 +388,7 @@ impl Gram {
     }
 }
 
-/// A column of the matrix.
+/// A column of the matrix, by one product.
 fn column(form: &GridOperator, k: usize) -> Result<Vec<f64>> {
     let mut unit = vec![0.0; form.size()];
     unit[k] = 1.0;

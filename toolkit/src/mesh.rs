@@ -7,9 +7,9 @@ use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_between;
 use crate::numeric::sum::RunningSum;
 
-/// Longest admissible quotient of the interval's length by an element's length.
+/// Largest admissible ratio of the interval's length to an element's length.
 ///
-/// Scaled by its own size, every integral over two elements then stays inside the range of binary64.
+/// Scaled by its own size, every integral over two elements then remains in the range of binary64.
 const LARGEST_RATIO: f64 = 1e303;
 
 /// Bytes per element: its length, its distances, and the workspace of their sums.
@@ -20,9 +20,9 @@ const BYTES: usize = 48;
 /// # Method
 ///
 /// Distances between elements are sums of lengths, never differences of coordinates: an element of length
-/// 1e-300 may be adjacent to one of length 1 anywhere in the interval, and every distance keeps full
-/// relative accuracy. Coordinates exist only for evaluation and plotting. Sums are compensated (Neumaier 1974),
-/// relative error about 1 ulp for every number of elements.
+/// 1e-300 may be adjacent to one of length 1 anywhere in the interval, and every distance keeps full relative
+/// accuracy. Coordinates serve for evaluation and plotting only. Sums are compensated (Neumaier 1974), with a
+/// relative error of about 1 ulp for any number of elements.
 ///
 /// ```
 /// use fractional_sobolev::Mesh;
@@ -48,20 +48,20 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// The mesh with the given element lengths, left end at 0.
+    /// The mesh with the given element lengths and its left end at 0.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
-    /// and finite, [`Error::OutOfRange`] for a total length that overflows, or when the total length exceeds
-    /// 1e303 times the shortest element.
+    /// and finite, [`Error::OutOfRange`] if the total length overflows or exceeds 1e303 times the shortest
+    /// element.
     pub fn from_lengths(lengths: Vec<f64>) -> Result<Self> {
         Self::at(0.0, lengths)
     }
 
-    /// The mesh with the given nodes; lengths are their differences.
+    /// The mesh with the given nodes; the lengths are their differences.
     ///
     /// # Errors
-    /// As [`Mesh::from_lengths`]; [`Error::EntryOutOfRange`] unless nodes increase; [`Error::NotFinite`].
+    /// As [`Mesh::from_lengths`]; [`Error::EntryOutOfRange`] unless the nodes increase; [`Error::NotFinite`].
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
         require_finite("node", nodes)?;
         for (k, pair) in nodes.windows(2).enumerate() {
@@ -81,7 +81,7 @@ impl Mesh {
         Self::from_lengths(vec![length / count.max(1) as f64; count])
     }
 
-    /// The mesh with nodes 0, L σ^{m}, ..., L σ, L: lengths decrease by the factor σ towards the left end,
+    /// The mesh with nodes 0, L σ^{m}, ..., L σ, L: the lengths decrease by the factor σ towards the left end,
     /// where the first element has length L σ^m.
     ///
     /// ```
@@ -98,8 +98,8 @@ impl Mesh {
         Self::from_lengths(geometric_lengths(layers, ratio, length)?)
     }
 
-    /// The mesh with nodes L (i/n)^β, i = 0, ..., n, β > 0: graded to the left end for β > 1, for powers
-    /// x^a. Lengths x_{i+1} (1 − (i/(i+1))^β) without cancellation.
+    /// The mesh with nodes L (i/n)^β, i = 0, ..., n, β > 0: graded towards the left end for β > 1, as for
+    /// powers x^a. The lengths x_{i+1} (1 − (i/(i+1))^β) are computed without cancellation.
     ///
     /// ```
     /// use fractional_sobolev::Mesh;
@@ -123,7 +123,7 @@ impl Mesh {
         Self::from_lengths(lengths)
     }
 
-    /// Geometric from both ends towards the middle: the shortest elements, L/2 σ^m, lie at the two ends.
+    /// The mesh that is geometric towards both ends: the shortest elements, L/2 σ^m, lie at the two ends.
     fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, 2 * BYTES)?;
         let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
@@ -132,9 +132,9 @@ impl Mesh {
         Self::from_lengths(lengths)
     }
 
-    /// The mesh that is geometric towards every given point, of which the first and the last are the ends
-    /// of the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either
-    /// half, the shortest, ℓ/2 σ^m, at its ends.
+    /// The mesh that is geometric towards every given point, the first and the last of which are the ends of
+    /// the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either half, the
+    /// shortest ones, of length ℓ/2 σ^m, at its ends.
     ///
     /// # Errors
     /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1.
@@ -148,9 +148,9 @@ impl Mesh {
         Self::at(coarse.left, lengths)
     }
 
-    /// (λ, the mesh in units of λ), λ a power of two: between the shortest and the longest length if
-    /// lengths lie outside [1e-100, 1e100], so that their squares and powers neither overflow nor
-    /// underflow; else 1.
+    /// (λ, the mesh in units of λ), λ a power of two: between the shortest and the longest length if some
+    /// lengths lie outside [1e-100, 1e100], so that their squares and powers neither overflow nor underflow;
+    /// else 1.
     pub(crate) fn of_moderate_lengths(&self) -> Result<(f64, Self)> {
         let shortest = self.lengths.iter().copied().fold(f64::INFINITY, f64::min);
         if shortest >= 1e-100 && self.total() <= 1e100 {
@@ -160,14 +160,14 @@ impl Mesh {
         Ok((unit, Self { left: 0.0, ..self.over(unit)? }))
     }
 
-    /// The mesh in units of a power of two.
+    /// The mesh in the given unit, a power of two.
     pub(crate) fn over(&self, unit: f64) -> Result<Self> {
         Self::at(self.left / unit, self.lengths.iter().map(|length| length / unit).collect())
     }
 
     fn at(left: f64, lengths: Vec<f64>) -> Result<Self> {
         if lengths.is_empty() {
-            return Err(Error::CountOutOfRange { name: "elements", value: 0, range: ">= 1" });
+            return Err(Error::CountOutOfRange { name: "elements", value: 0, range: "[1, inf)" });
         }
         for (index, &length) in lengths.iter().enumerate() {
             require_entry("element length", index, length, "(0, inf)", length > 0.0 && length.is_finite())?;
@@ -176,7 +176,7 @@ impl Mesh {
         let mut from_right = running_sums(lengths.iter().rev().copied());
         from_right.reverse();
         let total = from_left[lengths.len()];
-        Error::require("total length", total, "finite", total.is_finite())?;
+        Error::require("total length", total, "(0, inf)", total.is_finite())?;
         let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
         let admissible = shortest >= f64::MIN_POSITIVE && total / shortest <= LARGEST_RATIO;
         let range = "[2.3e-308, inf) and at least 1e-303 of the interval";
@@ -184,43 +184,43 @@ impl Mesh {
         Ok(Self { left, lengths, from_left, from_right })
     }
 
-    /// Number of elements.
+    /// The number of elements.
     #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
         self.lengths.len()
     }
 
-    /// Element lengths, left to right.
+    /// The element lengths, from left to right.
     pub fn lengths(&self) -> &[f64] {
         &self.lengths
     }
 
-    /// Length of the interval.
+    /// The length of the interval.
     pub fn total(&self) -> f64 {
         self.from_left[self.lengths.len()]
     }
 
-    /// Coordinate of the left end.
+    /// The coordinate of the left end.
     pub(crate) fn left(&self) -> f64 {
         self.left
     }
 
-    /// Distances of the nodes 0..=len from the left end.
+    /// The distances of the nodes 0..=len from the left end.
     pub fn from_left(&self) -> &[f64] {
         &self.from_left
     }
 
-    /// Distances of the nodes 0..=len from the right end.
+    /// The distances of the nodes 0..=len from the right end.
     pub fn from_right(&self) -> &[f64] {
         &self.from_right
     }
 
-    /// Coordinates of the nodes, rounded: for evaluation and plotting, not for distances.
+    /// The coordinates of the nodes, rounded: for evaluation and plotting, not for distances.
     pub fn nodes(&self) -> Vec<f64> {
         self.from_left.iter().map(|d| self.left + d).collect()
     }
 
-    /// Distance between the nodes i and j, as a sum of lengths. Cost O(|i − j|).
+    /// The distance between the nodes i and j, as a sum of lengths. Cost O(|i − j|).
     pub(crate) fn distance(&self, i: usize, j: usize) -> f64 {
         let (low, high) = (i.min(j), i.max(j));
         let mut sum = RunningSum::default();

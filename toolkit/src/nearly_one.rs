@@ -1,10 +1,10 @@
-//! Seminorms of x^a for small |a|, where values of x^a lose the digits of its variation.
+//! Seminorms of x^a for small |a|, where the values of x^a do not retain the digits of its variation.
 //!
-//! With x = ty and t = e^{−s}, |x^a|²_ν = a²/(a − ν + 1/2) ∫₀^∞ s² φ(as)² e^{−s} (1 − e^{−s})^{−1−2ν} ds on
-//! (0, 1), φ(z) = (1 − e^{−z})/z = 1 − z/2 + ...: no difference of near numbers is taken at any a, and for
-//! a → 0 the integral is that of ln x. The trapezoidal rule in s = exp(τ − e^{−τ}) converges exponentially
-//! (Takahasi & Mori, Publ. RIMS 9 (1974) 721-741); the same rule with twice the step gives the error. Cost
-//! 305 points.
+//! With x = ty and t = e^{−s}, |x^a|²_ν = a²/(a − ν + 1/2) ∫₀^∞ s² φ(as)² e^{−s} (1 − e^{−s})^{−1−2ν} ds on (0,
+//! 1), φ(z) = (1 − e^{−z})/z = 1 − z/2 + ...: no nearly equal numbers are subtracted for any a, and as a → 0
+//! the integral tends to that of ln x. The trapezoidal rule in s = exp(τ − e^{−τ}) converges exponentially
+//! (Takahasi & Mori, Publ. RIMS 9 (1974) 721-741); the same rule with twice the step gives the error. Cost: 305
+//! points.
 
 use super::order::Order;
 use crate::error::{Error, Result};
@@ -12,10 +12,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 
 /// Largest |a| for which this method is used.
 const NEARLY: f64 = 1.0 / 256.0;
-/// Ends of the rule in τ, where the integrand is below 1e-39 of what it is at s = 1, and its step.
+/// Ends of the rule in τ, where the integrand is below 1e-39 of its value at s = 1, and its step.
 const ENDS: [i32; 2] = [-144, 160];
 const STEP: f64 = 1.0 / 32.0;
-/// Rounding of the integrand and of the sum, all terms positive.
+/// Relative rounding error of the integrand and of the sum, whose terms are all positive.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// x^a, 0 < |a| ≤ 1/256.
@@ -23,21 +23,21 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub(super) struct NearlyOne(f64);
 
 impl NearlyOne {
-    /// `None` if x^a is far from 1, or equal to 1.
+    /// The method for x^a; `None` if x^a is far from 1, or equal to 1.
     pub(super) fn new(a: f64) -> Option<Self> {
         (a != 0.0 && a.abs() <= NEARLY).then_some(Self(a))
     }
 
-    /// |x^a|_ν.
+    /// The seminorm |x^a|_ν.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2; [`Error::ToleranceNotMet`] where the value is subnormal.
+    /// [`Error::InfiniteNorm`] for a ≤ ν − 1/2; [`Error::ToleranceNotMet`] if the value is subnormal.
     pub(super) fn seminorm(self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let found = self.value(order)?;
         met("seminorm", found, tolerance)
     }
 
-    /// ||x^a||_ν, its square 1/(1 + 2a) + |x^a|²_ν.
+    /// The norm ||x^a||_ν, the square of which is 1/(1 + 2a) + |x^a|²_ν.
     ///
     /// # Errors
     /// As [`NearlyOne::seminorm`].

@@ -8,9 +8,9 @@ use std::str::FromStr;
 ///
 /// # Method
 ///
-/// Formulas switch character at ν = 1/2 (traces, logarithms), and most of them hold 1 − 2ν in an exponent or
-/// a denominator. The offset δ = ν − 1/2 is therefore kept beside ν: orders such as 1/2 + 1e-20, whose ν
-/// rounds to 1/2, are admissible.
+/// Formulas change character at ν = 1/2 (traces, logarithms), and most of them contain 1 − 2ν in an exponent or
+/// a denominator. The offset δ = ν − 1/2 is therefore stored together with ν: orders such as 1/2 + 1e-20, for
+/// which ν rounds to 1/2, are admissible.
 #[doc(alias("H1/2", "Sobolev order", "nu", "fractional order"))]
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Order {
@@ -58,17 +58,17 @@ impl Order {
         Ok(Self { value, offset })
     }
 
-    /// ν.
+    /// The order ν, rounded.
     pub const fn value(self) -> f64 {
         self.value
     }
 
-    /// ν − 1/2.
+    /// The offset ν − 1/2.
     pub const fn offset(self) -> f64 {
         self.offset
     }
 
-    /// 1 − ν, exact for ν ≥ 1/2.
+    /// The complement 1 − ν, exact for ν ≥ 1/2.
     pub(crate) const fn complement(self) -> f64 {
         1.0 - self.value
     }
@@ -92,7 +92,7 @@ impl Order {
         SobolevOrder::OnePlus(self)
     }
 
-    /// ν < 1/2, the range in which piecewise constants belong to H^ν.
+    /// True if ν < 1/2, the range in which piecewise constants belong to H^ν.
     pub(crate) fn is_below_half(self) -> bool {
         self.offset < 0.0
     }
@@ -139,7 +139,7 @@ impl fmt::Display for Order {
 impl FromStr for Order {
     type Err = Error;
 
-    /// A number in (0, 1), `1/2`, or `1/2` with a signed offset such as `1/2+1e-20`.
+    /// The order given as a number in (0, 1), `1/2`, or `1/2` with a signed offset such as `1/2+1e-20`.
     fn from_str(text: &str) -> Result<Self> {
         let text = text.trim();
         match text.strip_prefix("1/2") {
@@ -160,10 +160,10 @@ fn unreadable(text: &str) -> Error {
     }
 }
 
-/// The order s of a norm, −1 < s < 2, by its fractional part, so that the distance from ±1/2 and 3/2 has full
-/// relative accuracy.
+/// The order s of a norm, −1 < s < 2, stored by its fractional part, so that its distance from ±1/2 and 3/2 has
+/// full relative accuracy.
 ///
-/// Given as a plain number, an [`Order`] ν for s = ν, `-ν`, or [`Order::plus_one`].
+/// It is given as a plain number, as an [`Order`] ν for s = ν, as `-ν`, or by [`Order::plus_one`].
 ///
 /// ```
 /// use fractional_sobolev::{Function, Order};

@@ -1,18 +1,18 @@
-//! Roots of squares with their errors, and the comparison with a tolerance.
+//! Square roots of estimates with their errors, and the comparison of estimates with a tolerance.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// Relative rounding of one entry of a Gram matrix or of one pair of elements: a few dozen operations of one
-/// sign.
+/// Relative rounding error of one entry of a Gram matrix or of one pair of elements: a few dozen operations on
+/// terms of one sign.
 pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// The estimate times a power of two.
+/// The estimate multiplied by a power of two.
 pub(super) fn scaled(scale: f64, estimate: Estimate) -> Result<Estimate> {
     Estimate::new(scale * estimate.value, scale * estimate.error, estimate.work)
 }
 
-/// S √v for a power of two S.
+/// S √v for the squared estimate v and a power of two S.
 pub(super) fn scaled_root(scale: f64, squared: Estimate) -> Result<Estimate> {
     scaled(scale, squared.sqrt()?)
 }
@@ -30,7 +30,7 @@ pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
     Estimate::new(value, error, work)
 }
 
-/// The estimate, or the error with the reason if it exceeds the tolerance.
+/// The estimate, or [`Error::ToleranceNotMet`] with the reason if its error exceeds the tolerance.
 pub(super) fn accept(
     what: &'static str,
     estimate: Estimate,

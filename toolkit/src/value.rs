@@ -1,4 +1,5 @@
-//! A number with its error and its work: plain data, used by the errors, which carry the best estimate.
+//! A number with its error and its work, as plain data: the errors of the library carry it as the best
+//! estimate.
 
 use std::fmt;
 use std::ops::{Add, AddAssign};
@@ -14,7 +15,7 @@ use std::ops::{Add, AddAssign};
 pub struct Work {
     /// Evaluations of a function or a kernel.
     pub points: u64,
-    /// Pairs of cells of a double integral.
+    /// Pairs of elements or cells of a double integral.
     pub pairs: u64,
     /// Steps of an iteration.
     pub iterations: u64,
@@ -56,12 +57,12 @@ pub struct Estimate {
     pub value: f64,
     /// Estimated absolute error; at least the rounding of `value`.
     pub error: f64,
-    /// The work.
+    /// The work spent on it.
     pub work: Work,
 }
 
 impl Estimate {
-    /// error / |value|, or the absolute error if the value is zero.
+    /// The relative error, error / |value|; the absolute error if the value is zero.
     pub fn relative_error(&self) -> f64 {
         if self.value == 0.0 { self.error } else { self.error / self.value.abs() }
     }
