@@ -1,10 +1,11 @@
-//! Quadratic forms of e^{-τ|x-y|} over piecewise polynomials, exactly and in one pass over the elements.
+//! Quadratic forms of e^{-τ|x-y|} for piecewise polynomials, exact and computed in one pass over the elements.
 //!
 //! For a block of consecutive elements of total length ℓ
 //!   a = ∫ e^{-τ(x-left)} f,  b = ∫ e^{-τ(right-x)} f,  d = ∫∫ e^{-τ|x-y|} f(x) f(y),  e = e^{-τℓ},
 //! and two neighbouring blocks are joined by
 //!   a = a₁ + e₁ a₂,  b = b₂ + e₂ b₁,  d = d₁ + d₂ + 2 b₁ a₂,  e = e₁ e₂,
-//! in a binary tree: rounding grows like the logarithm of the number of elements, and is carried along.
+//! in a binary tree: the rounding error grows like the logarithm of the number of elements, and is computed
+//! along with the sums.
 //! On an element of length h, z = τh, f = Σ f_k P_k(2t-1) and its autocorrelation
 //! ∫_0^{1-r} f(t) f(t+r) dt = Σ c_n P_n(2r-1), n ≤ 2p + 1:
 //!   a = h Σ f_k m_k(z),  b = h Σ (-1)^k f_k m_k(z),  d = 2h² Σ c_n m_n(z),
@@ -20,14 +21,14 @@ use crate::quadrature::Rule;
 /// Number of elements summed sequentially before halves are joined.
 const RUN: usize = 4;
 
-/// A piecewise polynomial on (0, 1) by Legendre coefficients.
+/// A piecewise polynomial on (0, 1), given by Legendre coefficients.
 #[derive(Debug, Clone)]
 pub(super) struct Cells {
     degree: usize,
     lengths: Vec<f64>,
-    /// per element p + 1 coefficients
+    /// p + 1 coefficients per element
     values: Vec<f64>,
-    /// per element 2p + 2 coefficients of the autocorrelation
+    /// 2p + 2 coefficients of the autocorrelation per element
     correlations: Vec<f64>,
 }
 
@@ -66,7 +67,7 @@ impl Run {
 }
 
 impl Cells {
-    /// u over `unit`, on the interval as (0, 1).
+    /// The function u / `unit`, with its interval scaled to (0, 1).
     pub(super) fn new(u: &PiecewisePolynomial, unit: f64) -> Result<Self> {
         let (degree, total) = (u.degree(), u.mesh().total());
         let lengths: Vec<f64> = u.mesh().lengths().iter().map(|h| h / total).collect();
@@ -98,14 +99,14 @@ impl Cells {
         self.lengths.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// ∫ f.
+    /// The mean ∫ f.
     pub(super) fn mean(&self) -> f64 {
         let mut sum = RunningSum::default();
         self.pieces().for_each(|(h, f)| sum.add(h * f[0]));
         sum.value()
     }
 
-    /// ∫ f².
+    /// The square ∫ f².
     pub(super) fn square(&self) -> f64 {
         let mut sum = RunningSum::default();
         for (h, f) in self.pieces() {
@@ -114,14 +115,14 @@ impl Cells {
         sum.value()
     }
 
-    /// f - c.
+    /// The function f - c.
     pub(super) fn minus(&self, constant: f64) -> Result<Self> {
         let mut values = self.values.clone();
         values.iter_mut().step_by(self.degree + 1).for_each(|f| *f -= constant);
         Self::of_coefficients(self.degree, self.lengths.clone(), values)
     }
 
-    /// θ f for θ constant on every element.
+    /// The product θ f for θ constant on every element.
     pub(super) fn times(&self, share: impl Fn(usize) -> f64) -> Result<Self> {
         let mut values = self.values.clone();
         for (i, f) in values.chunks_exact_mut(self.degree + 1).enumerate() {
@@ -130,7 +131,7 @@ impl Cells {
         Self::of_coefficients(self.degree, self.lengths.clone(), values)
     }
 
-    /// F = ∫_0^x f.
+    /// The primitive F = ∫_0^x f.
     pub(super) fn primitive(&self) -> Result<Self> {
         let stride = self.degree + 2;
         let mut values = vec![0.0; self.lengths.len() * stride];
@@ -201,7 +202,7 @@ impl Cells {
     }
 }
 
-/// c_n of every element.
+/// The coefficients c_n of every element.
 fn correlations(degree: usize, values: &[f64]) -> Result<Vec<f64>> {
     let stride = degree + 1;
     let mut out = vec![0.0; 2 * values.len()];
@@ -229,7 +230,7 @@ fn correlations(degree: usize, values: &[f64]) -> Result<Vec<f64>> {
     Ok(out)
 }
 
-/// m_n(z) of the last z.
+/// The moments m_n(z) for the last z.
 struct Moments {
     z: f64,
     values: Vec<f64>,
@@ -246,7 +247,8 @@ impl Moments {
     }
 }
 
-/// m_0(z) ... by i_{n-1} - i_{n+1} = (2n+1)/x i_n, x = z/2: upwards where x exceeds n², else downwards.
+/// The values m_0(z), ... by the recurrence i_{n-1} - i_{n+1} = (2n+1)/x i_n, x = z/2: upwards if x exceeds n²,
+/// otherwise downwards.
 fn fill_moments(z: f64, values: &mut [f64]) {
     let (x, last) = (0.5 * z, values.len() - 1);
     values[0] = if z > 0.0 { -(-z).exp_m1() / z } else { 1.0 };

@@ -1,11 +1,11 @@
-//! Dual norms of functions with declared breakpoints: of a piecewise polynomial approximation, and of the
-//! remainder.
+//! Dual norms of functions with declared breakpoints: the dual norm of a piecewise polynomial approximation,
+//! and a bound of the remainder.
 //!
-//! Every side is cut at R/2^k towards its breakpoint, and f interpolated by a polynomial of degree p at
-//! Gauss points on each piece: with a singularity at the breakpoint no nearer than the piece is long, the
-//! difference falls like (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the
-//! difference is at most its L² norm, which is integrated at other points; within the last piece, layer by
-//! layer as far as f can be evaluated, and as a geometric series beyond.
+//! Every side is cut at R/2^k towards its breakpoint, and f is interpolated by a polynomial of degree p at
+//! Gauss points on each piece: if the piece is no longer than its distance from a singularity at the
+//! breakpoint, the difference decreases like (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual
+//! norm of the difference is at most its L² norm. This is integrated at other points; on the last piece it is
+//! integrated layer by layer as far as f can be evaluated, and continued by a geometric series.
 
 use super::functional::DualOf;
 use crate::error::{Error, Result};
@@ -17,12 +17,12 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::quadrature::Rule;
 
-/// Degrees, in turn, until the difference is small enough.
+/// Successive degrees, until the difference is small enough.
 const DEGREES: [usize; 3] = [6, 12, 18];
 /// Number of layers of the last piece that are evaluated.
 const LOOKED_AT: usize = 24;
 
-/// A piecewise polynomial, and the square of the L² norm of the remainder.
+/// A piecewise polynomial and the square of the L² norm of the remainder.
 #[derive(Default)]
 pub(crate) struct Interpolant {
     lengths: Vec<f64>,
@@ -32,17 +32,18 @@ pub(crate) struct Interpolant {
 }
 
 impl SingularFunction<'_> {
-    /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||, as
-    /// [`PiecewisePolynomial::dual_norm`]: dual to [`SingularFunction::norm`].
+    /// The dual norm sup ∫ u v / ||v|| of the functional v ↦ ∫ u v, as [`PiecewisePolynomial::dual_norm`]; the
+    /// norm of v is that of [`SingularFunction::norm`] for (1.1).
     ///
-    /// The function is replaced by a piecewise polynomial graded to its breakpoints; the L² norm of the
-    /// difference bounds the dual norm of the difference and is part of the error. Functions of
+    /// The function is replaced by a piecewise polynomial on a mesh graded towards its breakpoints; the L² norm
+    /// of the difference bounds the dual norm of the difference and is part of the error. Functions of
     /// [`SingularFunction::from_positions`] are evaluated accurately at singularities; those of
-    /// [`SingularFunction::new`] are not. Cost: some dozens of pieces per breakpoint, then that of the
+    /// [`SingularFunction::new`] are not. Cost: some dozens of pieces per breakpoint, and the dual norm of the
     /// piecewise polynomial.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] for a value of the function.
+    /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] if a value of the function is not
+    /// finite.
     pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let Normalized { size: scale, length, u: unit } = self.normalized(tolerance)?;
         let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
@@ -74,13 +75,14 @@ impl SingularFunction<'_> {
                 break;
             }
         }
-        let why = "error of the piecewise polynomial approximation or of its dual norm";
+        let why =
+            "the error of the piecewise polynomial approximation or of its dual norm exceeds the tolerance";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }
 
 impl Interpolant {
-    /// The polynomial, and the L² norm of the remainder, on an interval `unit` times as long.
+    /// The polynomial and the L² norm of the remainder, on an interval multiplied by `unit`.
     pub(crate) fn finish(self, unit: f64) -> Result<(PiecewisePolynomial, f64)> {
         let partition = Mesh::from_lengths(self.lengths.iter().map(|length| length * unit).collect())?;
         let left = self.left.sqrt() * unit.sqrt();
@@ -162,7 +164,7 @@ impl Interpolant {
     }
 }
 
-/// ∫ (f - value)² within the last piece of a side.
+/// ∫ (f - value)² on the last piece of a side.
 fn within(arm: &Arm, layers: usize, value: f64, middle: &impl Fn(usize) -> Result<f64>) -> Result<f64> {
     let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
     let (mut sum, mut last, mut ratio) = (0.0, 0.0, 0.0f64);

@@ -1,14 +1,15 @@
-//! Comparison forms, known exactly and discretely, that approximate the regional form locally.
+//! Comparison forms that approximate the regional form locally and are known both exactly and discretely.
 //!
-//! The form m ∫ u v + a (u, v)_ν of (1.1) on (0, 1) acts on short waves at x like b(x) + ac |ξ|^{2ν},
+//! On short waves at x, the form m ∫ u v + a (u, v)_ν of (1.1) on (0, 1) acts like b(x) + ac |ξ|^{2ν},
 //!   b(x) = m - a (x^{-2ν} + (1-x)^{-2ν}) / ν:
-//! beside c A^ν of [`super::cosines`] it lacks twice the integral of the kernel over the outside. With nodes
-//! β_j ≥ 0 and Lagrange's polynomials θ_j in b(x),
+//! since it differs from c A^ν of [`super::cosines`] by twice the integral of the kernel over the exterior.
+//! With nodes β_j ≥ 0 and the Lagrange polynomials θ_j in b(x),
 //!   R = Σ_j ⟨f, (β_j + acA^ν)^{-1} θ_j f⟩
-//! interpolates 1/(b(x) + ac |ξ|^{2ν}): on waves of length h it differs by Π (b(x) - β_j) h^{2ν} of it, which
-//! is (b(x) - β) h^{2ν} for one node. b < 0 nearly everywhere, hence the θ_j are large where there are many.
-//! θ_j is constant on each element of f, so that θ_j f is as simple as f; closer to an end than `NEAR`, b is
-//! b(NEAR): the windows of [`super::missed`] are for the rest. For the exact R
+//! interpolates 1/(b(x) + ac |ξ|^{2ν}): on waves of length h the relative difference is Π (b(x) - β_j) h^{2ν},
+//! which is (b(x) - β) h^{2ν} for one node. Since b < 0 nearly everywhere, the θ_j are large if there are many
+//! of them. θ_j is constant on each element of f, so that θ_j f has the same form as f; at distances below
+//! `NEAR` from an end, b is replaced by b(NEAR), and the windows of [`super::missed`] account for the
+//! remainder. For the exact R
 //!   ⟨f, Gθf⟩ = (t/4) (⟨f + θf/t, G(f + θf/t)⟩ - ⟨f - θf/t, G(f - θf/t)⟩),   t = max |θ|.
 
 use super::cells::Cells;
@@ -20,28 +21,28 @@ use crate::order::Order;
 use std::f64::consts::PI;
 use std::ops::Range;
 
-/// Closer to an end than this, b is held constant.
+/// Distance from an end below which b is held constant.
 const NEAR: f64 = 0.003;
 /// Largest number of nodes; smallest number of elements and largest order for which more than one node is
 /// used.
 const MOST_NODES: usize = 8;
 const MANY: usize = 1000;
 const LARGEST_ORDER: f64 = 0.8;
-/// Equal elements for whose waves the nodes are counted.
+/// Number of equal elements for whose waves the nodes are counted.
 const SHORT: f64 = 262_144.0;
-/// Error left at the ends with one node, relative to Q.
+/// Error that remains at the ends with one node, relative to Q.
 const ENDS: f64 = 1e-6;
-/// Value of b h^{2ν} from which on more nodes gain nothing.
+/// Value of b h^{2ν} from which more nodes have no advantage.
 const TOO_SLOW: f64 = 0.5;
 
-/// An interval of length ℓ in (0, 1) as (0, 1): the elements of f that count there, m and a.
+/// An interval of length ℓ in (0, 1), scaled to (0, 1): the elements of f that count there, m and a.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub(super) start: f64,
     pub(super) length: f64,
     pub(super) elements: Range<usize>,
     pub(super) weights: [f64; 2],
-    /// b stays as at these distances from the ends
+    /// distances from the ends below which b is held constant
     near: [f64; 2],
 }
 
@@ -50,7 +51,8 @@ impl Part {
         Self { start: 0.0, length: 1.0, elements: 0..partition.len(), weights, near: [NEAR, NEAR] }
     }
 
-    /// f within ℓ/2 of an end. m + a (ℓ^{-2ν} - 1)/ν beside a ℓ^{-2ν} leaves b there what it is.
+    /// The part of f within ℓ/2 of an end. With m + a (ℓ^{-2ν} - 1)/ν and a ℓ^{-2ν} as weights, b is unchanged
+    /// there.
     pub(super) fn window(&self, partition: &Mesh, order: Order, length: f64, right: bool) -> Self {
         let (nu, [m, a]) = (order.value(), self.weights);
         let half = 0.5 * length * partition.total();
@@ -70,7 +72,7 @@ impl Part {
     }
 }
 
-/// β_j and c.
+/// The nodes β_j and the factor c.
 #[derive(Debug, Clone)]
 pub(super) struct Comparison {
     order: Order,
@@ -79,7 +81,7 @@ pub(super) struct Comparison {
 }
 
 impl Comparison {
-    /// The comparison forms for f with `count` elements, to a relative `tolerance`.
+    /// The comparison forms for f with `count` elements, for a relative `tolerance`.
     pub(super) fn new(order: Order, [m, a]: [f64; 2], count: usize, tolerance: f64) -> Self {
         let (nu, constant) = (order.value(), symbol_constant(order));
         let at = |x: f64| m - a * (x.powf(-2.0 * nu) + (1.0 - x).powf(-2.0 * nu)) / nu;
@@ -102,7 +104,7 @@ impl Comparison {
         Self { order, nodes, constant }
     }
 
-    /// θ_j on the elements of f in a part, for every node; empty for one node.
+    /// The values of θ_j on the elements of f in a part, for every node; empty for one node.
     pub(super) fn shares(&self, partition: &Mesh, part: &Part) -> Vec<Vec<f64>> {
         let mut shares = vec![Vec::with_capacity(part.elements.len()); self.nodes.len()];
         if self.nodes.len() == 1 {
@@ -124,7 +126,7 @@ impl Comparison {
         shares
     }
 
-    /// R for f without mean on the whole interval, and its error.
+    /// R and its error, for f with mean zero on the whole interval.
     pub(super) fn exact(&self, partition: &Mesh, part: &Part, f: Cells, goal: f64) -> Result<(f64, f64)> {
         let symbol = part.weights[1] * self.constant;
         let shares = self.shares(partition, part);

@@ -1,7 +1,8 @@
-//! A diagonal form close to the regional form: β ∫ u v + c ⟨A^ν u, v⟩, A = -d²/dx² with Neumann ends on (0, 1).
+//! A diagonal form close to the regional form: β ∫ u v + c ⟨A^ν u, v⟩, A = -d²/dx² with Neumann conditions on
+//! (0, 1).
 //!
-//! With c = 2π / (Γ(1+2ν) sin πν) the form c ⟨A^ν u, v⟩ has the symbol c |ξ|^{2ν} of (1.1) on the line; on
-//! the interval it is (1.1) with the kernel of all even images. Its dual form has two representations:
+//! With c = 2π / (Γ(1+2ν) sin πν) the form c ⟨A^ν u, v⟩ has the symbol c |ξ|^{2ν} of (1.1) on the line; on the
+//! interval it is (1.1) with the kernel of all even images. Its dual form has two representations:
 //! - exactly, by resolvents ([`super::resolvent`]):
 //!   1/(β + cλ^ν) = (sin πν / π) ∫_0^∞ c s^ν / (β² + 2βc s^ν cos πν + c² s^{2ν}) ds / (s + λ);
 //! - over the piecewise linears on M equal elements: they are spanned by the interpolants of cos kπx, whose
@@ -23,7 +24,7 @@ use std::sync::Arc;
 /// Largest number of trapezoidal nodes.
 const MOST_NODES: f64 = 1e6;
 
-/// ⟨f, (β + cA^ν)^{-1} f⟩ on (0, 1) for f without mean, and its error, to a relative `goal`.
+/// ⟨f, (β + cA^ν)^{-1} f⟩ and its error on (0, 1), for f with mean zero, to a relative `goal`.
 pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: f64) -> Result<(f64, f64)> {
     let (nu, complement) = (order.value(), order.complement());
     let sine = (PI * nu.min(complement)).sin() / PI;
@@ -91,7 +92,7 @@ fn hurwitz(p: f64, x: f64) -> f64 {
     sum
 }
 
-/// The piecewise linears on M equal elements of (0, 1).
+/// The piecewise linear functions on M equal elements of (0, 1).
 pub(super) struct Cosines {
     cells: usize,
     forward: Arc<dyn RealToComplex<f64>>,
@@ -153,7 +154,7 @@ impl Cosines {
         Ok(sum.value())
     }
 
-    /// out ← (β + cA^ν)^{-1} x, without its mean.
+    /// out ← (β + cA^ν)^{-1} x with mean zero.
     pub(super) fn solve(&mut self, x: &[f64], out: &mut [f64], [beta, c]: [f64; 2]) -> Result<()> {
         let mut waves = vec![0.0; x.len()];
         self.transform(x, &mut waves)?;
@@ -171,7 +172,8 @@ mod tests {
     use crate::Mesh;
     use crate::piecewise::PiecewisePolynomial;
 
-    /// A step in the middle: Σ_{k odd} 8/(kπ)² / (β + c (kπ)^{2ν}), its tail without β by the midpoint rule.
+    /// The form of a step in the middle: Σ_{k odd} 8/(kπ)² / (β + c (kπ)^{2ν}), its tail without β by the
+    /// midpoint rule.
     fn step_by_cosines(nu: f64, [beta, c]: [f64; 2]) -> (f64, f64) {
         const LAST: f64 = 400_000.0;
         let term = |k: f64| 8.0 / (PI * k).powi(2) / (beta + c * (PI * k).powf(2.0 * nu));

@@ -1,5 +1,5 @@
-//! Dual norms of piecewise polynomials: by resolvents in the interpolation spaces (`resolvent`), by
-//! piecewise linears with a known correction for (1.1) (`regional`).
+//! Dual norms of piecewise polynomials: by resolvents in the interpolation spaces (`resolvent`), by piecewise
+//! linear functions with a known correction for (1.1) (`regional`).
 
 use super::resolvent::Ends;
 use crate::error::Result;
@@ -8,7 +8,7 @@ use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 
-/// The norm to which the dual norm is taken.
+/// The norm whose dual norm is computed.
 ///
 /// | [`DualOf`] | ‖v‖² | space |
 /// | --- | --- | --- |
@@ -20,7 +20,7 @@ use crate::piecewise::PiecewisePolynomial;
 /// H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
 ///
 /// The first two are equivalent norms of one space, with different constants; the third is larger than the
-/// second and belongs to a smaller space at ν ≥ 1/2, so that its dual norm is smaller than the second's.
+/// second, and for ν ≥ 1/2 its space is smaller, so that its dual norm is smaller than that of the second.
 ///
 /// ```
 /// use fractional_sobolev::{DualOf, Function, Mesh};
@@ -42,9 +42,9 @@ pub enum DualOf {
 }
 
 impl PiecewisePolynomial {
-    /// The unit of f: its largest value times a power of two near the L² norm of f over that value on the
-    /// unit interval, so that squares of a load on a short element neither overflow nor underflow. 0 for
-    /// the zero function.
+    /// A unit for f: its largest value times a power of two close to the L² norm, on the unit interval, of f
+    /// divided by that value, so that squares of a load on a short element neither overflow nor underflow. 0
+    /// for the zero function.
     pub(super) fn unit_of_load(&self) -> f64 {
         let size = self.pieces().iter().map(|piece| piece.size()).fold(0.0, f64::max);
         if size == 0.0 {
@@ -56,22 +56,22 @@ impl PiecewisePolynomial {
         size * power_of_two(square.sqrt())
     }
 
-    /// The dual norm of the function as a functional v ↦ ∫ u v, sup ∫ u v / ||v||_ν with (1.1): dual to
+    /// The dual norm sup ∫ u v / ||v||_ν of the functional v ↦ ∫ u v with respect to (1.1), the norm of
     /// [`PiecewisePolynomial::norm`].
     ///
-    /// In the interpolation spaces the dual norm is Balakrishnan's integral of resolvents, each in closed
-    /// form on every element and summed in O(N): exact to rounding on every mesh, some hundred passes (a
-    /// fraction of a second for 100 000 elements).
+    /// In the interpolation spaces the dual norm is Balakrishnan's integral of resolvents, each in closed form
+    /// on every element and summed in O(N): exact to rounding on every mesh, at the cost of some hundred passes
+    /// over the elements (a fraction of a second for 100 000 elements).
     ///
-    /// In the norm (1.1) it is Q_h + R − R_h: piecewise linears on M equal elements, corrected by
-    /// comparison forms that are known exactly and approximate (1.1) locally; M doubles up to 2^20. Eight
-    /// digits for ±1 on 100 000 elements, equal or not, take seconds from ν = 0.3 on; at ν = 0.1 unequal
-    /// elements take forty seconds, and equal ones stop at 4e-8. An error carries the best value. The error
-    /// estimate is the change under doubling; it is not a proved bound.
+    /// In the norm (1.1) it is Q_h + R − R_h: the supremum over piecewise linear functions on M equal elements,
+    /// corrected by comparison forms that are known exactly and approximate (1.1) locally; M is doubled up to
+    /// 2^20. For ±1 on 100 000 elements, equal or not, eight digits take seconds if ν ≥ 0.3; at ν = 0.1,
+    /// unequal elements take forty seconds, and with equal ones the error does not fall below 4e-8. The error
+    /// estimate is the change at the last doubling; it is not a proved bound.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`], with the best value, when 2^20 elements do not suffice or rounding exceeds
-    /// the tolerance; [`Error::NotFinite`] for a norm beyond the range of binary64.
+    /// [`Error::ToleranceNotMet`] with the best value, if 2^20 elements do not suffice or rounding exceeds the
+    /// tolerance; [`Error::NotFinite`] if the norm exceeds the range of binary64.
     ///
     /// [`Error::ToleranceNotMet`]: crate::Error::ToleranceNotMet
     /// [`Error::NotFinite`]: crate::Error::NotFinite

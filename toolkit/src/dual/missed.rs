@@ -1,10 +1,10 @@
-//! Q_h - R_h: the difference of the regional form and the comparison form over the piecewise linears on M
-//! equal elements.
+//! Q_h - R_h: the difference of the regional form and the comparison form over the piecewise linear functions
+//! on M equal elements.
 //!
-//! Where R of [`super::comparison`] has more than one node, the ends have windows. There b(x) grows faster
-//! than the nodes resolve, and the mesh would have to be doubled many times. Therefore f within ℓ/2 of an
-//! end is treated separately, on an interval of length ℓ, on meshes of h and of h/8; then on ℓ/8, of h/8
-//! and of h/64. Their differences are added.
+//! If R of [`super::comparison`] has more than one node, windows are used at the ends. There b(x) grows faster
+//! than the nodes resolve, and the mesh would have to be doubled many times. Therefore the part of f within ℓ/2
+//! of an end is treated separately: on an interval of length ℓ, on meshes of widths h and h/8; then on ℓ/8,
+//! with h/8 and h/64. The differences are added.
 
 use super::comparison::{Comparison, Part};
 use super::cosines::Cosines;
@@ -23,12 +23,12 @@ use std::iter::once;
 const WINDOW: usize = 16;
 const FINER: usize = 8;
 const WINDOWS: usize = 2;
-/// Number of elements of f from which on an end has a window.
+/// Number of elements of f from which an end has a window.
 const CROWD: usize = 4;
-/// Rounding of Q_h relative to ε M^{2ν}; measured below 0.02.
+/// Rounding error of Q_h relative to ε M^{2ν}; it is below 0.02 in experiments.
 const ROUNDING: f64 = 0.1;
 
-/// m M + a A on equal elements.
+/// The form m M + a A on equal elements.
 struct Regional {
     operator: GramOperator,
     mass: Vec<f64>,
@@ -57,16 +57,16 @@ impl System for Regional {
     }
 }
 
-/// Q_h - R_h on one mesh, windows included.
+/// Q_h - R_h on one mesh, including the windows.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Missed {
     pub(super) value: f64,
-    /// of the iteration, and of rounding
+    /// error of the iteration and of rounding
     pub(super) error: f64,
     pub(super) steps: u64,
 }
 
-/// f without mean on (0, 1).
+/// The function f with mean zero on (0, 1).
 pub(super) struct Rough<'a> {
     pub(super) u: &'a PiecewisePolynomial,
     pub(super) unit: f64,
@@ -81,13 +81,13 @@ impl Rough<'_> {
         Part::whole(self.u.mesh(), self.weights)
     }
 
-    /// Whether every element of f is cut into the same number of equal elements.
+    /// True if every element of f is divided into the same number of equal elements.
     pub(super) fn cuts_alike(&self, cells: usize) -> bool {
         let partition = self.u.mesh();
         partition.uniform_length().is_some() && cells.is_multiple_of(partition.len())
     }
 
-    /// ∫ f φ_i on M equal elements of a part, and ∫ θ f φ_i for every θ.
+    /// The loads ∫ f φ_i on M equal elements of a part, and ∫ θ f φ_i for every θ.
     fn loads(&self, part: &Part, cells: usize, shares: &[Vec<f64>]) -> Result<Vec<Vec<f64>>> {
         let partition = self.u.mesh();
         let rule = Rule::gauss_legendre(self.u.degree() / 2 + 2)?;
@@ -198,7 +198,7 @@ impl Rough<'_> {
         Ok(Missed { value: value - known, error, steps })
     }
 
-    /// Q_h - R_h on M equal elements, with the windows of the ends.
+    /// Q_h - R_h on M equal elements, including the windows at the ends.
     pub(super) fn missed(&self, cells: usize, goal: f64) -> Result<Missed> {
         let whole = self.whole();
         let (mut sum, partition) = (self.missed_on(&whole, cells, goal)?, self.u.mesh());

@@ -6,10 +6,10 @@
 //! | ∫ f v, f a piecewise polynomial, up to 10⁵ elements | H^ν(I), (1.1) | `regional` |
 //! | the same, in interpolation spaces | the spaces of [`DualOf`] | `resolvent` |
 //! | ∫ f v, f a formula with breakpoints | both | `closure` |
-//! | f given by its values on hat functions | the piecewise linears of the mesh, (1.1) | [`MeshFunctional`] |
+//! | f given by its values on hat functions | the piecewise linear functions on the mesh, (1.1) | [`MeshFunctional`] |
 //!
-//! ∫ (u − u_h) v is in `fields`, ∫_Γ f v on the boundary of a polygon in `boundary`. Two related suprema
-//! are elsewhere: the largest norm over the seminorm under a constraint, [`crate::GammaBounds`], and
+//! For ∫ (u − u_h) v see `fields`, for ∫_Γ f v on the boundary of a polygon `boundary`. Two related suprema are
+//! computed elsewhere: the largest ratio of norm to seminorm under a constraint, [`crate::GammaBounds`], and
 //! moments under a constraint, [`crate::moment`]. In the plane there is no method for dual norms.
 
 mod cells;

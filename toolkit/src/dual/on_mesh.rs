@@ -1,5 +1,5 @@
-//! Dual norms of functionals that are known by their values on the hat functions of a mesh: one SPD solve
-//! with M + A.
+//! Dual norms of functionals given by their values on the hat functions of a mesh: one linear system with the
+//! positive definite matrix M + A.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -14,11 +14,11 @@ use crate::order::Order;
 use crate::root::accept;
 use nalgebra::DMatrix;
 
-/// Largest number of unknowns for dense Cholesky.
+/// Largest number of unknowns for a dense Cholesky factorization.
 const DENSE: usize = 300;
 
-/// A functional on the piecewise linears of a mesh, by its values ⟨f, φ_i⟩ on the N + 1 hat functions: a
-/// load vector, or a residual.
+/// A functional on the piecewise linear functions on a mesh, given by its values ⟨f, φ_i⟩ on the N + 1 hat
+/// functions: a load vector, or a residual.
 #[doc(alias("load vector", "residual", "dual norm"))]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct MeshFunctional {
@@ -32,15 +32,15 @@ impl MeshFunctional {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`] with the index.
     pub(crate) fn new(partition: Mesh, values: &[f64]) -> Result<Self> {
-        require_values("functional on hats", values, partition.len() + 1)?;
+        require_values("values on hat functions", values, partition.len() + 1)?;
         Ok(Self { partition, values: values.to_vec() })
     }
 
-    /// sup ⟨f, v⟩/||v||_ν over the piecewise linears v of the mesh, with (1.1): a lower bound of the
-    /// supremum over all v, the best that follows from the values on the hat functions.
+    /// The dual norm sup ⟨f, v⟩/||v||_ν over the piecewise linear functions v on the mesh, with (1.1): a lower
+    /// bound of the supremum over all v, the best one that follows from the values on the hat functions.
     ///
-    /// Computed by a dense factorization for up to 300 nodes, else by conjugate gradients with the fast
-    /// product: O(N log N) per step.
+    /// It is computed by a dense factorization for up to 300 nodes, otherwise by conjugate gradients with the
+    /// fast product: O(N log N) per step.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`], [`Error::ToleranceNotMet`] with the best value.
@@ -57,12 +57,12 @@ impl MeshFunctional {
             solve_iteratively(&self.partition, order, &load, tolerance)
                 .map_err(|e| e.carry("dual norm", root))?
         };
-        let why = "rounding of the form and of its factorization";
+        let why = "rounding of the matrix and of its factorization";
         accept("dual norm", squared.sqrt()?.times(size)?, tolerance, why)
     }
 }
 
-/// Units of rounding of an entry of the matrix.
+/// Rounding error of an entry of the matrix, in units of the machine precision.
 const ENTRY: f64 = 4.0;
 
 /// bᵀ (M + A)⁻¹ b by Cholesky.
@@ -98,7 +98,7 @@ fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate>
     Estimate::new(value, f64::EPSILON * (16.0 * absolute + ENTRY * entries) + left, work)
 }
 
-/// M + A, A a fast operator, with the diagonal as preconditioner.
+/// The matrix M + A with the fast operator A and the diagonal as preconditioner.
 struct WithMass {
     operator: GramOperator,
     mass: Vec<f64>,
@@ -126,13 +126,13 @@ impl System for WithMass {
     }
 }
 
-/// Number of last steps whose total gain estimates the remaining error; convergence is linear or faster.
+/// Number of last steps whose total gain estimates the remaining error; the convergence is linear or faster.
 const SETTLED: usize = 20;
 
 /// bᵀ (M + A)⁻¹ b by conjugate gradients on the fast product, with the diagonal as preconditioner.
 ///
-/// bᵀx grows monotonically by the steps' contributions; it has settled when the last 20 of them add less than
-/// the tolerance.
+/// bᵀx increases monotonically by the contributions of the steps; the iteration ends when the last 20 of them
+/// add less than the tolerance.
 fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: Tolerance) -> Result<Estimate> {
     let n = load.len();
     let operator = GramOperator::linears(partition, order, Tolerance::reference())?;
@@ -161,6 +161,6 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
     let rest = gains.iter().rev().take(SETTLED).sum::<f64>();
     let work = Work { iterations: gains.len() as u64, ..Work::default() };
     let best = Estimate::new(value.value(), rest, work)?;
-    let why = "conjugate gradients reached the maximum number of steps";
+    let why = "conjugate gradients did not converge within the maximum number of steps";
     Err(Error::not_met("square of the dual norm", tolerance.relative(), best, why))
 }

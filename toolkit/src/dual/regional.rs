@@ -1,18 +1,18 @@
-//! The dual of the norm (1.1): piecewise linears on equal elements, corrected by a comparison form that is
-//! known exactly and discretely.
+//! The dual of the norm (1.1): the supremum over piecewise linear functions on equal elements, corrected by a
+//! comparison form that is known exactly and discretely.
 //!
-//! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linears on M equal
-//! elements, and R, R_h the two for the forms of [`super::comparison`], R exact and R_h by transforms. At a
+//! Let Q = ⟨f, (1 + A)^{-1} f⟩ with A of |·|²_ν, Q_h the same over the piecewise linear functions on M equal
+//! elements, and R, R_h the same for the forms of [`super::comparison`], R exact and R_h by transforms. At a
 //! jump of f both representers have the same singularity x^{2ν}, and near it both meshes are the same: the
-//! discretisation errors of R_h and Q_h agree up to the next singularity x^{4ν} and the ends. So
+//! discretisation errors of R_h and Q_h agree up to the next singularity x^{4ν} and the effect of the ends. So
 //!   Q ≈ Q_h + R - R_h,
-//! whose error decreases like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), with a small factor
-//! far from the ends if R has several nodes. The jumps need not be nodes of the mesh. M is doubled; the
-//! error estimate is the change under doubling or, if all elements of f are cut alike and three values
-//! decrease by the known factor, that of the extrapolated limit. Q_h is found by conjugate gradients with
-//! R_h's form as preconditioner (5 to 15 steps). The mean is split off: its representer is itself. Rounding
-//! of the product grows like M^{2ν} and ends the doubling. Lengths are in units of the interval: 1 + A
-//! becomes L^{2ν} + A over L^{2ν} (L ≤ 1) or 1 + L^{-2ν} A.
+//! whose error decreases like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), with a small factor far
+//! from the ends if R has several nodes. The jumps need not be nodes of the mesh. M is doubled; the error
+//! estimate is the change at the last doubling or, if all elements of f are divided alike and three values
+//! decrease by the known factor, that of the extrapolated limit. Q_h is computed by conjugate gradients with
+//! the form of R_h as preconditioner (5 to 15 steps). The mean is treated separately, because it is its own
+//! representer. The rounding error of the product grows like M^{2ν} and limits the doubling. Lengths are in
+//! units of the interval: 1 + A becomes L^{2ν} + A, divided by L^{2ν} (L ≤ 1), or 1 + L^{-2ν} A.
 
 use super::cells::Cells;
 use super::comparison::Comparison;
@@ -30,12 +30,12 @@ const MOST: usize = 1 << 20;
 /// bisections.
 const LARGE: usize = 1 << 18;
 const SPARE: f64 = 0.0;
-/// Ratio of A to 1 on the shortest element; its root, the share of the layers, is below rounding.
+/// Ratio of A to 1 on the shortest element; its square root, the share of the layers, is below rounding.
 const NOTHING: f64 = 1e-40;
-/// Values whose differences decrease by the known factor up to this relative deviation are extrapolated.
+/// Largest relative deviation from the known factor at which the values are extrapolated.
 const SAME_RATE: f64 = 0.35;
 
-/// One mesh: Q_h + R - R_h, and whether every element of f is cut into the same number of equal elements.
+/// One mesh: Q_h + R - R_h, and whether every element of f is divided into the same number of equal elements.
 #[derive(Debug, Clone, Copy)]
 struct Level {
     value: f64,

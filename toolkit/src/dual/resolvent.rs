@@ -6,14 +6,15 @@
 //! and the resolvent has Green's function in closed form: with τ² = 1 + s, E = e^{-τL} and a, b, d of
 //! [`super::cells`],
 //!   ⟨f, (τ²+A)^{-1} f⟩ = (d ± (a² + b² ± 2Eab)/(1 - E²)) / 2τ, + for Neumann, - for Dirichlet.
-//! s = e^y and the trapezoidal rule of step η have the relative error 2 sin πν / sinh(2π²/η) at most, for
-//! every eigenvalue alike. ρ(τ) = τ² ⟨f, (τ²+A)^{-1} f⟩ tends to ρ(1) for s → 0 and to ∥f∥² - c/τ + ... for
-//! τ → ∞, exactly so for piecewise constants up to e^{-τh}: the infinite sums are geometric there.
+//! The trapezoidal rule with step η in y, s = e^y, has a relative error of at most 2 sin πν / sinh(2π²/η) for
+//! every eigenvalue. ρ(τ) = τ² ⟨f, (τ²+A)^{-1} f⟩ tends to ρ(1) as s → 0 and is ∥f∥² - c/τ + ... as τ → ∞ (for
+//! piecewise constants ∥f∥² - c/τ up to e^{-τh}): the infinite sums are geometric there.
 //!
-//! The mean is split off under the Neumann condition, where its representer is itself. On intervals much
-//! shorter than 1 the form of f at τL < 1 is that of its primitive F, of the other condition:
-//! ⟨f, (τ²+A)^{-1} f⟩ = ∥F∥² - τ² ⟨F, (τ²+A')^{-1} F⟩ with F = 0 at both ends (Neumann, f without mean) or
-//! without mean (Dirichlet). Cost: some hundred passes over the elements, fewer for wider tolerances.
+//! The mean is treated separately under the Neumann condition, where it is its own representer. On intervals
+//! much shorter than 1 the form of f at τL < 1 is computed from that of its primitive F with the other
+//! condition: ⟨f, (τ²+A)^{-1} f⟩ = ∥F∥² - τ² ⟨F, (τ²+A')^{-1} F⟩ with F = 0 at both ends (Neumann, f with mean
+//! zero) or with mean zero (Dirichlet). Cost: some hundred passes over the elements, fewer for coarser
+//! tolerances.
 
 use super::cells::{Cells, Run};
 use crate::error::{Error, Result};
@@ -24,11 +25,11 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use std::f64::consts::PI;
 
-/// Values of τh from which on e^{-τh} is negligible, and from which on (τh)^{-2} is small.
+/// Values of τh from which e^{-τh} is negligible, and from which (τh)^{-2} is small.
 const EXPONENTIAL: f64 = 40.0;
 const POWER: f64 = 1e7;
 
-/// The conditions at the ends.
+/// The boundary conditions at the ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ends {
     Neumann,
@@ -36,7 +37,7 @@ pub(super) enum Ends {
 }
 
 impl Ends {
-    /// (μ/2) (d ± (a² + b² ± 2Eab)/(1 - E²)) and its rounding, μ = τL.
+    /// (μ/2) (d ± (a² + b² ± 2Eab)/(1 - E²)) and its rounding error, μ = τL.
     fn form(self, mu: f64, run: Run) -> (f64, f64) {
         let (a, b, e) = (run.near, run.far, run.decay);
         let sign = if self == Self::Neumann { 1.0 } else { -1.0 };
@@ -54,7 +55,7 @@ impl Ends {
     }
 }
 
-/// f on (0, 1) with the data of its resolvent forms.
+/// The function f on (0, 1) with the data of its resolvent forms.
 pub(super) struct Load {
     ends: Ends,
     /// L
@@ -63,7 +64,7 @@ pub(super) struct Load {
     /// ∫ f²
     pub(super) square: f64,
     primitive: Option<(Cells, f64)>,
-    /// τ from which ρ = ∥f∥² - c/τ, and c
+    /// the value of τ from which ρ = ∥f∥² - c/τ, and c
     pub(super) settled: f64,
     pub(super) slope: f64,
 }
@@ -89,7 +90,7 @@ impl Load {
         Ok(load)
     }
 
-    /// ρ(τ)/L and its rounding.
+    /// ρ(τ)/L and its rounding error.
     pub(super) fn form(&self, tau: f64) -> (f64, f64) {
         if tau >= self.settled {
             let dropped = if self.cells.degree() == 0 { 0.0 } else { (self.settled / tau / POWER).powi(2) };
@@ -112,7 +113,7 @@ fn tau(y: f64) -> f64 {
     if y > 0.0 { (0.5 * y).exp() * (1.0 + (-y).exp()).sqrt() } else { (1.0 + y.exp()).sqrt() }
 }
 
-/// Σ over one end of the infinite trapezoidal rule: e^{∓ay} beyond y, per step.
+/// The part beyond `distance` of the infinite trapezoidal rule for e^{−ay}, a = `rate`: a geometric series.
 pub(super) fn geometric(rate: f64, step: f64, distance: f64) -> f64 {
     (-rate * distance).exp() * step / -(-rate * step).exp_m1()
 }
@@ -189,7 +190,7 @@ impl PiecewisePolynomial {
         if found.relative_error() <= tolerance.relative() {
             return Ok(found);
         }
-        let why = "rounding of sums over the elements";
+        let why = "rounding of the sums over the elements";
         Err(Error::not_met("dual norm", tolerance.relative(), found, why))
     }
 }
@@ -200,8 +201,8 @@ mod tests {
     use crate::{DualOf, Mesh};
     use std::f64::consts::PI;
 
-    /// ‖1‖ in the dual of sines on (0, 1): 8/π² Σ_{odd k} k^{-2} (1 + k²π²)^{-ν}, the tail by the midpoint
-    /// rule.
+    /// The norm of 1 in the dual of the space of sines on (0, 1): (8/π² Σ_{odd k} k^{-2} (1 +
+    /// k²π²)^{-ν})^{1/2}, the tail by the midpoint rule.
     fn one_exactly(nu: f64) -> f64 {
         const LAST: f64 = 200_000.0;
         let term = |k: f64| 8.0 / (PI * k).powi(2) * (PI * k).hypot(1.0).powf(-2.0 * nu);

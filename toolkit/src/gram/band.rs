@@ -1,5 +1,5 @@
-//! The entries of a Gram matrix that come from single elements, neighbours and the exterior: at most two
-//! off-diagonals.
+//! The entries of a Gram matrix that come from single elements, from neighbouring elements and from the
+//! exterior: a band with at most two off-diagonals.
 
 use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
 use crate::kernel::cells::CellPairs;
@@ -10,17 +10,17 @@ use rayon::prelude::*;
 /// Number of entries computed by one task.
 const TOGETHER: usize = 64;
 
-/// Number of rows from which on threads are used.
+/// Number of rows from which threads are used.
 const PARALLEL: usize = 1 << 14;
 
-/// A symmetric band matrix: diagonal and off-diagonals.
+/// A symmetric band matrix: its diagonal and its off-diagonals.
 pub(crate) struct Band {
     pub(crate) diagonal: Vec<f64>,
     off_diagonals: Vec<Vec<f64>>,
 }
 
 impl Band {
-    /// The band for hat functions: all entries except those from pairs of cells that do not touch.
+    /// The band for hat functions: all entries except those from pairs of elements that do not touch.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs) -> Self {
         let lengths = partition.lengths();
         let n = lengths.len();
@@ -47,7 +47,7 @@ impl Band {
         }
     }
 
-    /// Band × x.
+    /// The product of the band with x.
     pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
         (0..x.len())
             .into_par_iter()

@@ -1,5 +1,5 @@
-//! Products with symmetric circulants, by one real transform if it fits into the cache, else by blocks
-//! ([`super::six_step`]).
+//! Products with symmetric circulants, by a single real transform if it fits into the cache, otherwise by
+//! blocks ([`super::six_step`]).
 
 use super::six_step::{SixStep, SixStepWorkspace};
 use crate::error::{Error, Result};
@@ -7,14 +7,14 @@ use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
 use std::sync::{Arc, Mutex};
 
-/// Transforms from this length on are blocked.
+/// Length from which transforms are blocked.
 const BLOCKED: usize = 1 << 18;
 
-/// A symmetric circulant that holds a symmetric Toeplitz matrix.
+/// A symmetric circulant in which a symmetric Toeplitz matrix is embedded.
 pub(crate) struct Circulant {
     transform: Transform,
     length: usize,
-    /// buffers of finished products, for the next one
+    /// buffers that finished products leave for the next one
     workspaces: Mutex<Vec<Workspace>>,
 }
 
@@ -24,7 +24,7 @@ enum Transform {
 }
 
 struct Plain {
-    /// eigenvalues, divided by the length
+    /// eigenvalues, divided by the length of the circulant
     symbol: Vec<f64>,
     forward: Arc<dyn RealToComplex<f64>>,
     inverse: Arc<dyn ComplexToReal<f64>>,
@@ -63,7 +63,7 @@ impl Circulant {
         Ok(Self { transform: Transform::Blocked(six_step), length, workspaces: Mutex::new(Vec::new()) })
     }
 
-    /// y += T x.
+    /// Adds the product with the Toeplitz matrix: y += T x.
     pub(crate) fn add(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
         let free = self.workspaces.lock().ok().and_then(|mut free| free.pop());
         let mut space = free.unwrap_or_else(|| self.workspace());
@@ -80,7 +80,7 @@ impl Circulant {
             // A workspace is made by the transform that takes it.
             _ => {
                 return Err(Error::Solver {
-                    reason: "Fourier transform: buffers of another length".to_owned(),
+                    reason: "Fourier transform: the length of a buffer is wrong".to_owned(),
                 });
             }
         }
@@ -112,7 +112,7 @@ impl Circulant {
     }
 }
 
-/// S_0 ..= S_{length/2} of the circulant that continues the column symmetrically.
+/// The eigenvalues S_0 ..= S_{length/2} of the circulant that extends the column symmetrically.
 fn eigenvalues(column: &[f64], length: usize) -> Result<Vec<f64>> {
     let mut circulant = vec![0.0; length];
     for (k, &entry) in column.iter().enumerate() {
@@ -128,15 +128,15 @@ fn eigenvalues(column: &[f64], length: usize) -> Result<Vec<f64>> {
     Ok(symbol.iter().map(|s| s.re).collect())
 }
 
-/// The smallest 2^a or 3·2^a that is at least n: lengths for which all stages are fast.
+/// The smallest 2^a or 3·2^a that is at least n: for these lengths all stages are fast.
 fn smooth_length(n: usize) -> usize {
     let power = n.next_power_of_two().max(4);
     let with_three = power / 4 * 3;
     if with_three >= n { with_three } else { power }
 }
 
-/// The error of a transform: wrong buffers (impossible, the plans allocate them) or values that are not
-/// finite.
+/// The error of a transform: buffers of a wrong length (impossible, since the plans allocate them) or values
+/// that are not finite.
 fn fourier(error: realfft::FftError) -> Error {
     Error::Solver { reason: format!("Fourier transform: {error}") }
 }
@@ -145,7 +145,7 @@ fn fourier(error: realfft::FftError) -> Error {
 mod tests {
     use super::*;
 
-    /// Two transforms of rounding ε log₂ n each way.
+    /// Each product takes two transforms with a rounding error of ε log₂ n.
     const TRANSFORM_TOLERANCE: f64 = 1e-13;
 
     #[test]

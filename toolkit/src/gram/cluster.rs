@@ -1,9 +1,9 @@
 //! A binary tree of clusters of consecutive elements, and the pairs of clusters into which the square of the
-//! interval is cut.
+//! interval is divided.
 //!
-//! Two clusters are *admissible* when neither is longer than the gap between them: there t^{-1-2ν} is
-//! interpolated in both variables with the relative error ρ^{-m}, ρ = 3 + √8, on m Chebyshev points each. All
-//! lengths and gaps are sums of element lengths, so that the construction holds on any grading.
+//! Two clusters are *admissible* if neither is longer than the distance between them: there t^{-1-2ν} is
+//! interpolated in both variables with the relative error ρ^{-m}, ρ = 3 + √8, at m Chebyshev points each. All
+//! lengths and distances are sums of element lengths, so that the construction holds for any grading.
 
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
@@ -11,27 +11,27 @@ use crate::numeric::sum::RunningSum;
 /// Largest number of elements of a leaf.
 pub(crate) const LEAF: usize = 16;
 
-/// Consecutive elements first..end.
+/// The consecutive elements first..end.
 #[derive(Debug, Clone)]
 pub(crate) struct Cluster {
     pub(crate) first: usize,
     pub(crate) end: usize,
     pub(crate) length: f64,
-    /// index of the left child; the right one follows the left one's subtree
+    /// index of the left child; the right child follows the subtree of the left one
     pub(crate) children: Option<[usize; 2]>,
 }
 
-/// Clusters, parents before children.
+/// The clusters, parents before children.
 pub(crate) struct ClusterTree {
     pub(crate) clusters: Vec<Cluster>,
 }
 
-/// Pairs of clusters, each unordered pair of elements in exactly one.
+/// Pairs of clusters that contain each unordered pair of elements exactly once.
 #[derive(Default)]
 pub(crate) struct Blocks {
-    /// for each cluster: the admissible partners with the gap to them
+    /// for each cluster its admissible partners and the distances to them
     pub(crate) far: Vec<Vec<(usize, f64)>>,
-    /// leaf pairs (left, right), also of a leaf with itself
+    /// pairs of leaves (left, right), including a leaf with itself
     pub(crate) near: Vec<(usize, usize)>,
 }
 
@@ -40,8 +40,8 @@ impl ClusterTree {
         Self::with_leaves(partition, LEAF, |_| true)
     }
 
-    /// The tree with leaves of at most `leaf` elements whose clusters end only at nodes admitted by
-    /// `may_cut`.
+    /// The tree with leaves of at most `leaf` elements in which clusters end only at nodes that `may_cut`
+    /// admits.
     pub(crate) fn with_leaves(partition: &Mesh, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
         let mut tree = Self { clusters: Vec::new() };
         tree.grow(partition.lengths(), 0, partition.len(), leaf, &may_cut);
@@ -77,7 +77,7 @@ impl ClusterTree {
         index
     }
 
-    /// Sum of the lengths of the elements first..end.
+    /// The sum of the lengths of the elements first..end.
     pub(crate) fn distance(&self, lengths: &[f64], first: usize, end: usize) -> f64 {
         let mut sum = RunningSum::default();
         let mut stack = vec![0];
@@ -98,7 +98,7 @@ impl ClusterTree {
         sum.value()
     }
 
-    /// Cuts the square into far and near pairs.
+    /// The far and near pairs into which the square is divided.
     pub(crate) fn blocks(&self, partition: &Mesh) -> Blocks {
         let mut blocks = Blocks { far: vec![Vec::new(); self.clusters.len()], near: Vec::new() };
         let mut stack = vec![(0, 0)];

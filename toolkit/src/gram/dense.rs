@@ -1,5 +1,5 @@
-//! Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linears,
-//! dense.
+//! Dense Gram matrices of |·|_ν and of L² for piecewise constants (ν < 1/2) and continuous piecewise linear
+//! functions.
 
 use crate::error::{Error, Result};
 use crate::kernel::cells::CellPairs;
@@ -9,7 +9,7 @@ use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use nalgebra::DMatrix;
 
-/// Gram matrix of |·|_ν for the indicator functions of the elements; N × N.
+/// The N × N Gram matrix of |·|_ν for the indicator functions of the elements.
 ///
 /// # Errors
 /// [`Error::InfiniteNorm`] for ν ≥ 1/2: indicator functions are not in H^ν.
@@ -29,8 +29,8 @@ pub(crate) fn gram_constants(partition: &Mesh, order: Order) -> Result<DMatrix<f
     Ok(symmetric(&rows))
 }
 
-/// The contribution of the exterior to the form of functions that vanish outside the interval, 2 ∫ u v
-/// ∫_{ext} |x−y|^{-1-2ν}, for the hat functions of the inner nodes: diagonal and off-diagonal.
+/// The contribution of the exterior to the form of functions that vanish outside the interval, 2 ∫ u v ∫_{ext}
+/// |x−y|^{-1-2ν}, for the hat functions of the inner nodes: its diagonal and its off-diagonal.
 pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec<f64>) {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -46,7 +46,7 @@ pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec
     (diagonal, inner.iter().map(|share| 2.0 * share[1]).collect())
 }
 
-/// Gram matrix on the whole line for the hat functions of the inner nodes.
+/// The Gram matrix on the whole line for the hat functions of the inner nodes.
 pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> DMatrix<f64> {
     let n = partition.len();
     let mut matrix = gram_linears(partition, order).view((1, 1), (n - 1, n - 1)).into_owned();
@@ -59,16 +59,15 @@ pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> DMatrix<f64> 
     matrix
 }
 
-/// Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
+/// The Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.
 ///
 /// # Method
 ///
-/// a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1) of the
-/// paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in
-/// closed form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring hat
-/// functions mix signs, by a bounded factor. Nothing is subtracted from the diagonal to enforce zero row
-/// sums, so that the row sums are a check. Cost O(N²); the entries of separate hat functions cost about 16
-/// kernel values.
+/// The form is a(u, v) = ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2ν} dx dy over the square of the interval, (1.1)
+/// of the paper: both orders of x and y are counted. Every entry is a sum of a few integrals of one sign, in
+/// closed form or by rules exact to rounding (`kernel::cells`); only the entries of neighbouring hat functions
+/// mix signs, by a bounded factor. The diagonal is not adjusted to make the row sums zero, so that the row sums
+/// are a check. Cost: O(N²); the entries of separate hat functions take about 16 kernel values.
 pub(crate) fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
     let cells = CellPairs::new(order);
     let n = partition.len();
@@ -91,7 +90,7 @@ pub(crate) fn gram_linears(partition: &Mesh, order: Order) -> DMatrix<f64> {
     symmetric(&rows)
 }
 
-/// Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
+/// The Gram matrix of L² for hat functions: (diagonal, off-diagonal) of a tridiagonal matrix.
 pub(crate) fn mass_linears(partition: &Mesh) -> (Vec<f64>, Vec<f64>) {
     let lengths = partition.lengths();
     let mut diagonal = vec![0.0; lengths.len() + 1];
@@ -112,7 +111,7 @@ pub(crate) fn require_constants_finite(order: Order) -> Result<()> {
     })
 }
 
-/// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j with the lengths between them summing to `gap`.
+/// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j, where the lengths between the cells add up to `gap`.
 pub(crate) fn constants_on(partition: &Mesh, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
     let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
     if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
@@ -126,10 +125,10 @@ pub(crate) fn diagonal_constant(partition: &Mesh, cells: &CellPairs, i: usize) -
     2.0 * (touching(outside[0]) + touching(outside[1]))
 }
 
-/// The contributions of cell e to the entries of its two hat functions with the hat functions of nodes e +
+/// The contributions of cell e to the entries of its two hat functions with the hat functions of the nodes e +
 /// 2, e + 3, ...
 pub(crate) struct FarRow {
-    /// `values[k]` = contributions of (node e + 1, node e) with node e + 2 + k
+    /// `values[k]`: contributions of (node e + 1, node e) with node e + 2 + k
     pub(crate) values: Vec<[f64; 2]>,
 }
 
@@ -156,7 +155,7 @@ impl FarRow {
     }
 }
 
-/// a(φ_i, φ_i).
+/// The diagonal entry a(φ_i, φ_i).
 pub(crate) fn diagonal_linear(partition: &Mesh, cells: &CellPairs, i: usize) -> f64 {
     let lengths = partition.lengths();
     let left = (i > 0).then(|| lengths[i - 1]);
@@ -183,7 +182,7 @@ pub(crate) fn diagonal_linear(partition: &Mesh, cells: &CellPairs, i: usize) -> 
     sum
 }
 
-/// a(φ_i, φ_{i+1}) without the pair of cells i − 1, i + 1, which counts among the separate cells.
+/// The entry a(φ_i, φ_{i+1}) without the pair of cells i − 1, i + 1, which is counted with the separate cells.
 pub(crate) fn neighbours_linear(partition: &Mesh, cells: &CellPairs, i: usize) -> f64 {
     let lengths = partition.lengths();
     let h = lengths[i];

@@ -1,8 +1,9 @@
 //! The smallest positive and the largest eigenvalue of A x = λ M x.
 //!
-//! Smallest: the inverse spectral power as preconditioner, from a few long waves. Largest: the vectors of
-//! the largest eigenvalues of the tridiagonal pencil (K, M) as start, with hat functions where a_ii/m_ii is
-//! largest, and (κM − K)⁻¹ as preconditioner, κ just above the largest eigenvalue of (K, M).
+//! For the smallest one, the preconditioner is the inverse spectral power, and the iteration starts from a few
+//! long waves. For the largest one, it starts from the vectors of the largest eigenvalues of the tridiagonal
+//! pencil (K, M) and from hat functions where a_ii/m_ii is largest, and the preconditioner is (κM − K)⁻¹, κ
+//! slightly above the largest eigenvalue of (K, M).
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};
@@ -11,16 +12,16 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
 use crate::numeric::block_iteration::{Pencil, smallest};
 
-/// Vectors of a block.
+/// Number of vectors in a block.
 const BLOCK: usize = 3;
 
 /// Largest number of steps.
 const STEPS: usize = 300;
 
-/// κ above the largest eigenvalue of (K, M), relative.
+/// Relative distance of κ from the largest eigenvalue of (K, M).
 const ABOVE: f64 = 1e-4;
 
-/// Steps of inverse iteration for the start vectors.
+/// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
 
 struct Small<'a> {
@@ -81,7 +82,7 @@ impl Pencil for Large<'_> {
     }
 }
 
-/// [smallest positive, largest].
+/// The smallest positive and the largest eigenvalue.
 pub(crate) fn extreme_eigenvalues(
     operator: &GramOperator,
     spectral: &Spectral,
@@ -142,7 +143,7 @@ pub(crate) fn extreme_eigenvalues(
     Ok([low, high])
 }
 
-/// Vectors near those of the largest eigenvalues of (K, M), by inverse iteration.
+/// Vectors close to those of the largest eigenvalues of (K, M), by inverse iteration.
 fn short_waves(mesh: &Mesh, basis: Basis) -> Vec<Vec<f64>> {
     let kappa = largest_of_tridiagonal(mesh, basis) * (1.0 + 1e-9);
     let (shifted, mass) =
@@ -161,7 +162,7 @@ fn short_waves(mesh: &Mesh, basis: Basis) -> Vec<Vec<f64>> {
     (1..=BLOCK.min(basis.count(mesh))).map(next).collect()
 }
 
-/// cos or sin of k half waves over the mesh.
+/// A cosine or sine with k half waves over the mesh.
 fn wave(mesh: &Mesh, basis: Basis, k: usize) -> Vec<f64> {
     let phase = |x: f64| std::f64::consts::PI * k as f64 * x / mesh.total();
     match basis {
@@ -171,7 +172,7 @@ fn wave(mesh: &Mesh, basis: Basis, k: usize) -> Vec<f64> {
     }
 }
 
-/// The largest eigenvalue of (K, M) by bisection on the signs of pivots of κM − K; relative error 1e-9.
+/// The largest eigenvalue of (K, M) by bisection on the signs of the pivots of κM − K; relative error 1e-9.
 fn largest_of_tridiagonal(mesh: &Mesh, basis: Basis) -> f64 {
     let shortest = mesh.lengths().iter().copied().fold(f64::INFINITY, f64::min);
     let mut high = 12.0 / shortest / shortest * (1.0 + 1e-9);
@@ -200,6 +201,6 @@ fn found(
         "eigenvalue",
         tolerance.relative(),
         estimate,
-        "the block iteration reached the maximum number of steps",
+        "the block iteration did not converge within the maximum number of steps",
     ))
 }

@@ -1,10 +1,10 @@
-//! y = A x on any mesh in O(N log(1/ε)²): an H²-matrix by interpolation.
+//! Products y = A x on any mesh in O(N log(1/ε)²) operations: an H²-matrix by interpolation.
 //!
-//! Hackbusch & Börm, Computing 69 (2002) 1-35. On admissible pairs of clusters ([`super::cluster`]) the
-//! kernel is interpolated at m Chebyshev points in each variable; a cluster passes moments ∫ u ℓ_a up and
-//! potentials down the tree. Moments are divided by the cluster's length and kernels multiplied by both, so
-//! that all numbers stay in the range of binary64. Near pairs of leaves are stored, entry by entry as
-//! accurate as the dense matrix. Memory about 60 N numbers.
+//! Hackbusch & Börm, Computing 69 (2002) 1-35. On admissible pairs of clusters ([`super::cluster`]) the kernel
+//! is interpolated at m Chebyshev points in each variable; moments ∫ u ℓ_a are passed up and potentials down
+//! the tree. Moments are divided by the length of the cluster and kernels multiplied by both lengths, so that
+//! all numbers remain in the range of binary64. Near pairs of leaves are stored entry by entry, as accurately
+//! as in the dense matrix. Memory: about 60 N numbers.
 
 use super::cluster::{Blocks, ClusterTree};
 use crate::error::Result;
@@ -16,7 +16,7 @@ use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::quadrature::Rule;
 
-/// A dense block between the unknowns of two leaves, or of one leaf with itself; it acts from both sides.
+/// A dense block between the unknowns of two leaves, or of one leaf with itself; it is applied from both sides.
 struct NearBlock {
     row: usize,
     column: usize,
@@ -24,19 +24,19 @@ struct NearBlock {
     entries: Vec<f64>,
 }
 
-/// The part of a Gram matrix off its band, −2 ∫∫ over separate cells.
+/// The part of a Gram matrix outside its band: −2 ∫∫ over separate cells.
 pub(crate) struct Hierarchical {
     tree: ClusterTree,
     blocks: Blocks,
     near: Vec<NearBlock>,
-    /// per leaf: moments of its unknowns, (unknown, a), divided by the length of the leaf
+    /// for each leaf the moments of its unknowns, (unknown, a), divided by the length of the leaf
     leaf_moments: Vec<Vec<f64>>,
     chebyshev: Chebyshev,
     kernel: PowerKernel,
 }
 
 impl Hierarchical {
-    /// `points`: m, Chebyshev points per cluster.
+    /// The part outside the band with `points` = m Chebyshev points per cluster.
     pub(crate) fn new(
         partition: &Mesh,
         cells: &CellPairs,
@@ -63,7 +63,7 @@ impl Hierarchical {
         Ok(Self { tree, blocks, near, leaf_moments, chebyshev, kernel })
     }
 
-    /// y += off-band part of A x.
+    /// Adds the part of A x outside the band to y.
     pub(crate) fn add(&self, x: &[f64], y: &mut [f64]) {
         let moments = self.upward(x);
         let mut potentials = self.interact(&moments);
@@ -71,7 +71,7 @@ impl Hierarchical {
         self.add_near(x, y);
     }
 
-    /// Moments of all clusters, children before parents.
+    /// The moments of all clusters, children before parents.
     fn upward(&self, x: &[f64]) -> Vec<f64> {
         let m = self.chebyshev.points.len();
         let clusters = &self.tree.clusters;
@@ -102,7 +102,7 @@ impl Hierarchical {
         moments
     }
 
-    /// Children with their left end and length in units of the parent.
+    /// The children, each with its left end and its length in units of the parent.
     fn placed(&self, parent: usize, children: [usize; 2]) -> [(usize, f64, f64); 2] {
         let total = self.tree.clusters[parent].length;
         let share = children.map(|child| self.tree.clusters[child].length / total);
@@ -181,7 +181,7 @@ impl Hierarchical {
     }
 }
 
-/// (unknown, a) ↦ (1/D) ∫ φ ℓ_a over the leaf.
+/// The moments (1/D) ∫ φ ℓ_a over the leaf, for every (unknown, a).
 fn moments(lengths: &[f64], total: f64, chebyshev: &Chebyshev, rule: &Rule, linears: bool) -> Vec<f64> {
     let m = chebyshev.points.len();
     let unknowns = lengths.len() + usize::from(linears);
@@ -206,7 +206,8 @@ fn moments(lengths: &[f64], total: f64, chebyshev: &Chebyshev, rule: &Rule, line
     values
 }
 
-/// Entries of the unknowns of leaf a with those of leaf b from their separate cells, a left of b or the same.
+/// The entries of the unknowns of leaf a with those of leaf b from their separate cells; a lies left of b or
+/// equals b.
 fn near_block(
     partition: &Mesh,
     cells: &CellPairs,

@@ -1,4 +1,4 @@
-//! The Gram matrices of |·|_ν as operators y = A x, in less than O(N²) time and memory.
+//! The Gram matrices of |·|_ν as operators x ↦ A x, with less than O(N²) time and memory.
 
 use super::band::Band;
 use super::dense::{exterior_linears, require_constants_finite};
@@ -13,7 +13,7 @@ use crate::numeric::check::{require_finite_at, require_length};
 use crate::order::Order;
 use rayon::prelude::*;
 
-/// Entries of a vector treated by one thread.
+/// Number of entries of a vector treated by one thread.
 const PIECE: usize = 1 << 12;
 
 enum OffBand {
@@ -30,23 +30,23 @@ enum OffBand {
 /// | uniform | circulant embedding (`toeplitz`) | O(N log N) | about 10 N numbers |
 /// | any | H²-matrix (`hierarchical`) | O(N log²(1/ε)) | about 60 N numbers |
 ///
-/// Constants are removed from x before the product, since A maps them to zero, and the row sums of the fast product,
-/// which are its error for constants, are taken from the diagonal: the error is that of Σ_j a_ij (x_j − x_i), small
-/// where x varies slowly.
+/// Constants are subtracted from x before the product, since A maps them to zero, and the row sums of the fast
+/// product, which are its errors for constants, are subtracted from the diagonal: the error is that of Σ_j a_ij (x_j
+/// − x_i), which is small where x varies slowly.
 pub(crate) struct GramOperator {
     band: Band,
     rest: OffBand,
-    /// A 1, which is zero up to the errors of the fast product
+    /// A applied to the constant 1, which is zero up to the errors of the fast product
     row_sums: Vec<f64>,
     exterior: Option<Exterior>,
 }
 
-/// The contribution of the exterior to the inner nodes, for functions that vanish at the two ends and
-/// outside.
+/// The contribution of the exterior to the inner nodes, for functions that vanish at the two ends and outside
+/// the interval.
 struct Exterior {
     diagonal: Vec<f64>,
     beside: Vec<f64>,
-    /// of the whole matrix
+    /// diagonal of the whole matrix
     whole_diagonal: Vec<f64>,
 }
 
@@ -58,8 +58,8 @@ impl std::fmt::Debug for GramOperator {
 }
 
 impl GramOperator {
-    /// The operator for the hat functions of all N + 1 nodes: by FFT if all lengths agree, else
-    /// hierarchical.
+    /// The operator for the hat functions of all N + 1 nodes: by FFT if all lengths are equal, otherwise as an
+    /// H²-matrix.
     pub(crate) fn linears(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         Self::build(partition, order, tolerance, true, partition.uniform_length())
     }
@@ -73,8 +73,7 @@ impl GramOperator {
         Ok(operator)
     }
 
-    /// The operator for the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥
-    /// 1/2.
+    /// The operator for the indicator functions of the N elements; [`crate::Error::InfiniteNorm`] for ν ≥ 1/2.
     pub(crate) fn constants(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
         require_constants_finite(order)?;
         Self::build(partition, order, tolerance, false, partition.uniform_length())
@@ -105,7 +104,7 @@ impl GramOperator {
         Ok(operator)
     }
 
-    /// Number of unknowns.
+    /// The number of unknowns.
     pub(crate) fn dimension(&self) -> usize {
         self.diagonal().len()
     }
@@ -120,7 +119,7 @@ impl GramOperator {
         self.exterior.as_ref().map_or(&self.band.diagonal, |exterior| &exterior.whole_diagonal)
     }
 
-    /// Bytes held.
+    /// The memory that is held, in bytes.
     pub(crate) fn bytes(&self) -> usize {
         let rest = match &self.rest {
             OffBand::Uniform(toeplitz) => toeplitz.bytes(),
@@ -132,7 +131,7 @@ impl GramOperator {
             + self.exterior.as_ref().map_or(0, |exterior| 24 * exterior.diagonal.len())
     }
 
-    /// A x.
+    /// The product A x.
     ///
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`] for an entry of x.

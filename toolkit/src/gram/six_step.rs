@@ -1,4 +1,4 @@
-//! Products with long symmetric circulants: a blocked transform that works in the cache.
+//! Products with long symmetric circulants, by a blocked transform that works within the cache.
 //!
 //! y = C x, C of even length 2n with eigenvalues S_k = S_{2n−k} (real, since C is symmetric). Even and odd
 //! samples are packed, z_j = x_{2j} + i x_{2j+1}, and with Z the transform of z, w = e^{−πik/n}, E = (Z_k +
@@ -20,12 +20,12 @@ use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Columns of one block: 128 bytes side by side, two cache lines.
+/// Number of columns in a block: 128 contiguous bytes, two cache lines.
 const BLOCK: usize = 8;
 
 type C = Complex<f64>;
 
-/// e^{−2πim/n} for all m < n as products of two.
+/// e^{−2πim/n} for all m < n, as products of two factors.
 struct Roots {
     fine: Vec<C>,
     coarse: Vec<C>,
@@ -57,26 +57,26 @@ fn root(m: usize, n: usize) -> C {
 pub(crate) struct SixStep {
     /// n₁, a power of two
     rows: usize,
-    /// n₂, a multiple of the block
+    /// n₂, a multiple of the block size
     columns: usize,
     column_forward: Arc<dyn Fft<f64>>,
     column_inverse: Arc<dyn Fft<f64>>,
     row_forward: Arc<dyn Fft<f64>>,
     row_inverse: Arc<dyn Fft<f64>>,
     roots: Roots,
-    /// e^{−πi k₁/n}, k₁ < n₁, and e^{−πi k₂/n₂}, k₂ < n₂: their products are w
+    /// e^{−πi k₁/n}, k₁ < n₁, and e^{−πi k₂/n₂}, k₂ < n₂, the products of which are w
     packing: (Vec<C>, Vec<C>),
     /// (P, Q)/n of the rows k₁ ≤ n₁/2
     symbol: Vec<[f64; 2]>,
 }
 
-/// Buffers of one product: blocks of columns, pairs of rows.
+/// Buffers of one product: blocks of columns and pairs of rows.
 pub(crate) struct SixStepWorkspace {
     blocks: Vec<C>,
     pairs: Vec<C>,
 }
 
-/// (n₁, n₂) with n₁ n₂ ≥ n, about square.
+/// (n₁, n₂) with n₁ n₂ ≥ n and n₁ close to n₂.
 fn shape(n: usize) -> (usize, usize) {
     let rows = ((n as f64).sqrt() as usize).next_power_of_two().max(2);
     let mut blocks = n.div_ceil(rows).div_ceil(BLOCK);
@@ -86,7 +86,7 @@ fn shape(n: usize) -> (usize, usize) {
     (rows, BLOCK * blocks)
 }
 
-/// No prime factor above 5.
+/// True if n has no prime factor above 5.
 fn is_smooth(mut n: usize) -> bool {
     for prime in [2, 3, 5] {
         while n.is_multiple_of(prime) {
@@ -97,13 +97,13 @@ fn is_smooth(mut n: usize) -> bool {
 }
 
 impl SixStep {
-    /// The length 2 n₁ n₂ of the circulant, at least `least`.
+    /// The length 2 n₁ n₂ of a circulant, at least `least`.
     pub(crate) fn length(least: usize) -> usize {
         let (rows, columns) = shape(least.div_ceil(2));
         2 * rows * columns
     }
 
-    /// The circulant with eigenvalues S_0 ..= S_n, of a length given by [`SixStep::length`].
+    /// The circulant with eigenvalues S_0 ..= S_n and a length given by [`SixStep::length`].
     pub(crate) fn new(eigenvalues: &[f64]) -> Self {
         let n = eigenvalues.len() - 1;
         let (rows, columns) = shape(n);
@@ -142,7 +142,7 @@ impl SixStep {
         16 * (self.symbol.len() + self.roots.fine.len() + self.roots.coarse.len() + self.rows + self.columns)
     }
 
-    /// y += the first entries of C x, where x is continued by zeros; both no longer than the circulant.
+    /// Adds the first entries of C x to y, where x is extended by zeros; neither is longer than the circulant.
     pub(crate) fn add(&self, x: &[f64], y: &mut [f64], space: &mut SixStepWorkspace) {
         self.columns_forward(x, &mut space.blocks);
         self.rows_there_and_back(&space.blocks, &mut space.pairs);
@@ -158,12 +158,12 @@ impl SixStep {
         });
     }
 
-    /// Buffer of the lines of a block, and scratch.
+    /// A buffer for the lines of a block, and scratch space.
     fn line_buffers(&self, plan: &Arc<dyn Fft<f64>>, lines: usize) -> (Vec<C>, Vec<C>) {
         (vec![C::default(); lines], vec![C::default(); plan.get_inplace_scratch_len()])
     }
 
-    /// blocks\[b\]\[k₁\]\[c\] ← twiddled transforms of the columns j₂ = 8b + c.
+    /// blocks\[b\]\[k₁\]\[c\] ← the transforms, multiplied by the twiddle factors, of the columns j₂ = 8b + c.
     fn columns_forward(&self, x: &[f64], blocks: &mut [C]) {
         let (rows, plan) = (self.rows, &self.column_forward);
         blocks.par_chunks_mut(rows * BLOCK).enumerate().with_min_len(8).for_each_init(
@@ -188,7 +188,7 @@ impl SixStep {
         );
     }
 
-    /// Applies e^{−2πi j₂k₁/n} to column j₂.
+    /// Applies the factors e^{−2πi j₂k₁/n} to column j₂.
     fn twiddle(&self, column: usize, line: &mut [C], apply: impl Fn(C, C) -> C) {
         let run = line.len().min(32);
         let fine: Vec<C> = (0..run).map(|k| self.roots.at(column * k)).collect();
@@ -238,7 +238,7 @@ impl SixStep {
         );
     }
 
-    /// Rows 0 and n₁/2, whose mirror images are they themselves.
+    /// The product for rows 0 and n₁/2, which are their own mirror images.
     fn multiply_alone(&self, row: usize, line: &mut [C]) {
         let columns = self.columns;
         for k in 0..columns {
@@ -261,7 +261,7 @@ impl SixStep {
         (z * p + (odd + turned) * q, mirror * p + (odd - turned).conj() * q)
     }
 
-    /// blocks\[b\]\[j₁\]\[c\] ← the columns transformed back.
+    /// blocks\[b\]\[j₁\]\[c\] ← the inverse transforms of the columns.
     fn columns_backward(&self, pairs: &[C], blocks: &mut [C]) {
         let (rows, plan) = (self.rows, &self.column_inverse);
         blocks.par_chunks_mut(rows * BLOCK).enumerate().with_min_len(8).for_each_init(

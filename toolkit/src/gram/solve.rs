@@ -1,4 +1,4 @@
-//! A x = b by conjugate gradients with the spectral power as preconditioner.
+//! The solution of A x = b by conjugate gradients, preconditioned by the spectral power.
 
 use super::{GramOperator, Spectral};
 use crate::error::{Error, Result};
@@ -6,13 +6,14 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::numeric::sum::{RunningSum, compensated};
 
-/// Number of last steps whose gain bounds the energy of the error, which is at least halved per step.
+/// Number of last steps whose total gain bounds the energy of the error, which is at least halved by every
+/// step.
 const SETTLED: usize = 4;
 
 /// Largest number of steps; about 15 are typical, more for orders near 0.
 const STEPS: usize = 500;
 
-/// Relative rounding of the entries, each at most a few dozen operations.
+/// Relative rounding error of the entries, each the result of at most a few dozen operations.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 struct Preconditioned<'a> {
@@ -32,7 +33,8 @@ impl System for Preconditioned<'_> {
     }
 }
 
-/// The solution, to the relative tolerance in the norm of A, and its energy bᵀx = xᵀA x with the rounding of A.
+/// The solution, to the relative tolerance in the norm of A, and its energy bᵀx = xᵀA x, whose error includes
+/// the rounding of A.
 pub(crate) fn solve(
     operator: &GramOperator,
     spectral: &Spectral,
@@ -72,6 +74,6 @@ pub(crate) fn solve(
         "energy",
         tolerance.relative(),
         energy,
-        "conjugate gradients reached the maximum number of steps",
+        "conjugate gradients did not converge within the maximum number of steps",
     ))
 }

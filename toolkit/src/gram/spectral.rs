@@ -2,10 +2,10 @@
 //!
 //! With K of (u′, v′) and M of L² on the same mesh,
 //!   (M⁻¹K)^{-ν} M⁻¹ = sin(πν)/π ∫_0^∞ t^{-ν} (tM + K)⁻¹ dt   (Balakrishnan 1960),
-//! by the trapezoidal rule in ln t: each point is one tridiagonal solve, O(N). The form of (M⁻¹K)^ν is that of
-//! the interpolation space between L² and H¹ (H¹_0 where the functions vanish outside), whose norm is equivalent to
-//! the one of the double integral; times 2/C(1, ν) both agree on short waves. The quotient of the two forms lies
-//! between constants that depend on ν alone, neither on the number of elements nor on their lengths.
+//! by the trapezoidal rule in ln t: each point is one tridiagonal solve, O(N). The form of (M⁻¹K)^ν is that of the
+//! interpolation space between L² and H¹ (H¹_0 if the functions vanish outside), whose norm is equivalent to that
+//! of the double integral; multiplied by 2/C(1, ν) it agrees with it on short waves. The ratio of the two forms
+//! lies between constants that depend only on ν, not on the number of elements or their lengths.
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use crate::kernel::power::symbol_constant;
@@ -17,21 +17,20 @@ use rayon::prelude::*;
 /// Step in ln t: relative error 2 e^{-2π²/step} < 0.3 %.
 const STEP: f64 = 3.0;
 
-/// Factor by which the range of t exceeds the eigenvalues at both ends; the remainder is a geometric
+/// Factor by which the range of t exceeds that of the eigenvalues at both ends; the remainder is a geometric
 /// series.
 const BEYOND: f64 = 100.0;
 
-/// Largest value of t; the squared relative length of the shortest element may be smaller than its
-/// reciprocal.
+/// Largest value of t; the squared relative length of the shortest element may be smaller than its reciprocal.
 const LARGEST: f64 = 1e280;
 
-/// Entries of a vector summed by one thread.
+/// Number of entries of a vector summed by one thread.
 const PIECE: usize = 1 << 12;
 
-/// (2/C) (M⁻¹K)^ν, inverted; on functions with mean zero where constants have no seminorm.
+/// The inverse of (2/C) (M⁻¹K)^ν, on functions with mean zero if constants have seminorm zero.
 pub(crate) struct Spectral {
     points: Vec<(f64, Tridiagonal)>,
-    /// ∫ φ_i over the length of the interval, where constants are removed
+    /// ∫ φ_i divided by the length of the interval, if constants are subtracted
     shares: Option<Vec<f64>>,
 }
 
@@ -64,7 +63,7 @@ impl Spectral {
         Self { points, shares }
     }
 
-    /// The load without its mean: Σ r_i = 0, where constants have no seminorm.
+    /// Subtracts the mean from a load, so that Σ r_i = 0, if constants have seminorm zero.
     pub(crate) fn without_mean(&self, r: &mut [f64]) {
         if let Some(shares) = &self.shares {
             let sum = compensated(r.iter().copied());
@@ -72,7 +71,7 @@ impl Spectral {
         }
     }
 
-    /// The function without its mean.
+    /// Subtracts the mean from a function.
     pub(crate) fn without_constant(&self, x: &mut [f64]) {
         if let Some(shares) = &self.shares {
             let mean = compensated(x.iter().zip(shares).map(|(x, share)| x * share));
@@ -80,7 +79,7 @@ impl Spectral {
         }
     }
 
-    /// The approximate inverse times r.
+    /// The approximate inverse applied to r.
     pub(crate) fn times(&self, r: &[f64], out: &mut [f64]) {
         let mut load = r.to_vec();
         self.without_mean(&mut load);

@@ -1,9 +1,10 @@
-//! y = A x on uniform meshes by the fast Fourier transform.
+//! Products y = A x on uniform meshes by the fast Fourier transform.
 //!
-//! On elements of equal length the entries of two hat functions (or indicators) that are apart depend on i
-//! − j alone; the half hat functions at the two ends have rows of their own; the diagonal and its
-//! neighbours depend on the distance to the ends and are stored. The Toeplitz part is embedded in a
-//! circulant ([`super::circulant`]). Setup O(N) integrals; product O(N log N), memory about 12 N numbers.
+//! On elements of equal length the entries of two separate hat functions (or indicator functions) depend only
+//! on i − j; the half hat functions at the two ends have separate rows; the diagonal and its neighbours depend
+//! on the distance to the ends and are stored. The Toeplitz part is embedded in a circulant
+//! ([`super::circulant`]). The setup takes O(N) integrals, a product O(N log N) operations; memory: about 12 N
+//! numbers.
 
 use super::circulant::Circulant;
 use crate::error::Result;
@@ -13,19 +14,20 @@ use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use rayon::prelude::*;
 
-/// Entries of an end row summed by one thread, plainly; the sums of the pieces are compensated.
+/// Number of entries of an end row summed by one thread without compensation; the sums of the pieces are
+/// compensated.
 const PIECE: usize = 1 << 12;
 
-/// The part of a Gram matrix on a uniform mesh that lies off its band.
+/// The part of a Gram matrix on a uniform mesh outside its band.
 pub(crate) struct Toeplitz {
-    /// of the inner hat functions, or of all indicators
+    /// circulant of the inner hat functions, or of all indicator functions
     circulant: Circulant,
-    /// row of the first half hat function; mirrored, of the last. Empty for constants.
+    /// row of the first half hat function, mirrored for the last one; empty for constants
     end_row: Vec<f64>,
 }
 
 impl Toeplitz {
-    /// Entries −2 ∫∫ over separate cells, for hat functions.
+    /// The entries −2 ∫∫ over separate cells, for hat functions.
     pub(crate) fn linears(partition: &Mesh, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);
@@ -53,7 +55,7 @@ impl Toeplitz {
         Ok(Self { circulant: Circulant::new(&inner)?, end_row })
     }
 
-    /// Entries −2 ∫∫ over separate cells, for indicator functions.
+    /// The entries −2 ∫∫ over separate cells, for indicator functions.
     pub(crate) fn constants(partition: &Mesh, cells: &CellPairs, h: f64) -> Result<Self> {
         let n = partition.len();
         let gaps = multiples(h, n);
@@ -63,7 +65,7 @@ impl Toeplitz {
         Ok(Self { circulant: Circulant::new(&column)?, end_row: Vec::new() })
     }
 
-    /// y += off-band part of A x.
+    /// Adds the part of A x outside the band to y.
     pub(crate) fn add(&self, x: &[f64], y: &mut [f64]) -> Result<()> {
         if self.end_row.is_empty() {
             return self.circulant.add(x, y);
@@ -100,7 +102,7 @@ impl Toeplitz {
     }
 }
 
-/// h, 2h, ... as sums.
+/// The multiples h, 2h, ... as sums.
 fn multiples(h: f64, count: usize) -> Vec<f64> {
     (0..=count).map(|k| k as f64 * h).collect()
 }

@@ -1,10 +1,11 @@
-//! Symmetric tridiagonal matrices K + t M of a mesh as electrical networks: factors without cancellation.
+//! Symmetric tridiagonal matrices K + t M of a mesh as electrical networks: factorizations without
+//! cancellation.
 //!
-//! A row is s_i + c_{i−1} + c_i on the diagonal and −c_i beside it, c the conductances between neighbours
-//! and s those to the ground. Elimination from left to right keeps this form,
+//! A row has s_i + c_{i−1} + c_i on the diagonal and −c_i next to it, where c are the conductances between
+//! neighbours and s those to the ground. Elimination from left to right preserves this form,
 //!   d_i = s_i + c_i,  s_{i+1} += s_i c_i / d_i,
-//! without subtraction if c ≥ 0: rows with elements of length 1e-100 beside 1 are factorized to all digits.
-//! Where c < 0 (t h² > 6, the mass) the ground dominates.
+//! without subtraction if c ≥ 0: rows with elements of length 1e-100 next to elements of length 1 are
+//! factorized to full accuracy. Where c < 0 (t h² > 6, the mass) the conductance to the ground dominates.
 
 use crate::mesh::Mesh;
 
@@ -20,7 +21,7 @@ pub(crate) enum Basis {
 }
 
 impl Basis {
-    /// Number of functions.
+    /// The number of basis functions.
     pub(crate) fn count(self, mesh: &Mesh) -> usize {
         match self {
             Self::Hats => mesh.len() + 1,
@@ -38,8 +39,8 @@ pub(crate) struct Network {
 }
 
 impl Network {
-    /// a K + t M, K of (u′, v′) and M of L²; for indicator functions K has the conductances 1/distance between
-    /// the midpoints.
+    /// The matrix a K + t M, K of (u′, v′) and M of L²; for indicator functions K has the conductances
+    /// 1/distance between the midpoints.
     pub(crate) fn new(mesh: &Mesh, basis: Basis, a: f64, t: f64) -> Self {
         let h = mesh.lengths();
         let link = |h: f64| a / h - t * h / 6.0;
@@ -71,7 +72,7 @@ impl Network {
         }
     }
 
-    /// The matrix times x.
+    /// The product of the matrix with x.
     pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
         let mut y: Vec<f64> = self.ground.iter().zip(x).map(|(s, x)| s * x).collect();
         for (i, c) in self.between.iter().enumerate() {
@@ -82,7 +83,7 @@ impl Network {
         y
     }
 
-    /// Pivots d_i; their signs are those of the eigenvalues.
+    /// The pivots d_i; they have the same signs as the eigenvalues.
     pub(crate) fn pivots(&self) -> Vec<f64> {
         let mut ground = 0.0;
         let beside = self.between.iter().copied().chain([0.0]);
