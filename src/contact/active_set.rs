@@ -1,8 +1,8 @@
-//! Condensed primal-dual active set: guess the contact set, solve on the edge, correct the guess.
+//! Condensed primal-dual active set method: guess the contact set, solve on the edge, correct the guess.
 //!
-//! A step solves with the constraints of the set as equations. An active constraint is violated if λ_i < 0
-//! or if it cannot hold, an inactive one if (B w − g)_i > 0. The next set is a semismooth Newton step for w =
-//! Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//! A step solves the problem with the constraints of the set as equations. An active constraint is violated if λ_i <
+//! 0 or if it cannot be satisfied, an inactive one if (B w − g)_i > 0. The next set is a semismooth Newton step for w
+//! = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
 //!
 //! * nodal cone: all violated constraints are exchanged (M. Hintermüller, K. Ito, K. Kunisch, SIAM J.
 //!   Optim. 13 (2002));
@@ -10,18 +10,17 @@
 //!   constraints leads to checkerboard patterns there, because the constraints of neighbouring segments are
 //!   coupled through B B'.
 //!
-//! A set that reproduces itself solves the problem. Between a fixed node and a non-contact interval the
-//! multipliers of a contact interval may contain a sawtooth in the kernel of B': half of them are negative,
-//! and the interval must be divided at points that such a step does not find. When a set recurs (in the
-//! midpoint cone already after a step without progress) the dual method (`dual_active_set`) is used once.
-//! Its set is accepted if it has fewer violated constraints than all before, since rounding may affect it
-//! on an edge graded over many decades. Otherwise, when a set has recurred, constraints are exchanged one
-//! by one until there are fewer violated ones than before: for some steps the one with the largest
-//! violation, then the one with the least index, which is finite for every symmetric positive definite S
-//! (K. G. Murty 1974; J. J. Júdice and F. M. Pires 1994), in exact arithmetic. In this phase the next set
-//! is a function of the set alone, so that a set that recurs again recurs forever: [`Status::Cycled`]. This
-//! happens only by rounding, or for an S that is not symmetric positive definite. Cost: one dense
-//! factorization on the edge per step, however fine the mesh behind it.
+//! A set that is mapped to itself solves the problem. Between a fixed node and a non-contact interval the multipliers
+//! of a contact interval may contain a sawtooth in the kernel of B': half of them are negative, and the interval must
+//! be divided at points that such a step does not find. When a set recurs (in the midpoint cone already after a step
+//! without progress) the dual method (`dual_active_set`) is applied once. Its set is accepted if it has fewer
+//! violated constraints than all previous sets, since on an edge graded over many decades it may be affected by
+//! rounding. Otherwise, when a set has recurred, constraints are exchanged one by one until fewer are violated than
+//! before: for some steps the one with the largest violation, then the one with the smallest index. The latter rule
+//! terminates in exact arithmetic for every symmetric positive definite S (K. G. Murty 1974; J. J. Júdice and F. M.
+//! Pires 1994). In this phase the next set depends on the current set alone, so that a set that recurs again recurs
+//! forever: [`Status::Cycled`]. This happens only by rounding, or if S is not symmetric positive definite. Cost: one
+//! dense factorization on the edge per step, independent of the mesh of the body.
 
 use super::dual_active_set::dual_active_set;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -29,19 +28,20 @@ use crate::cone::{Cone, ContactSet, Ends, Status, Weighted, active_on_ring, proj
 use crate::error::Result;
 use std::collections::{HashMap, HashSet};
 
-/// Signs below this multiple of the size of the terms are rounding (16 ε).
+/// Signs of quantities below this multiple of the size of their terms are attributed to rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Largest number of steps, plus [`STEPS_PER_CONSTRAINT`] for every constraint. Ten or twenty are typical;
-/// exchanging single constraints takes a few per constraint.
+/// Largest number of steps, plus [`STEPS_PER_CONSTRAINT`] for every constraint. Ten or twenty steps are typical;
+/// exchanging single constraints takes a few steps per constraint.
 const FEWEST_STEPS: usize = 100;
 const STEPS_PER_CONSTRAINT: usize = 20;
 
-/// Number of consecutive steps in the midpoint cone without a new minimum of violated constraints.
+/// Number of consecutive steps in the midpoint cone without a new minimum of violated constraints after which the
+/// dual method is tried.
 const PATIENCE: usize = 1;
 
-/// Largest number of exchanges by the largest violation, before the least index is used; at most the number
-/// of constraints.
+/// Largest number of exchanges by the largest violation, before the smallest index is used; at most the number of
+/// constraints.
 const FURTHEST_FIRST: usize = 64;
 
 /// The outcome of the iteration on the edge.
@@ -49,7 +49,7 @@ const FURTHEST_FIRST: usize = 64;
 pub(super) struct EdgeOutcome {
     /// The last solution.
     pub(super) state: EdgeState,
-    /// Its set.
+    /// The corresponding set.
     pub(super) set: ContactSet,
     /// The termination status.
     pub(super) status: Status,
@@ -59,7 +59,7 @@ pub(super) struct EdgeOutcome {
     pub(super) steps: usize,
 }
 
-/// Solves the edge problem from the given first guess.
+/// The solution of the edge problem by the active set method from the given initial guess.
 ///
 /// # Errors
 /// As for [`EdgeProblem::solve_with`].
@@ -118,7 +118,7 @@ pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
     }
 }
 
-/// The set of the dual method, if it has fewer violated constraints.
+/// The set found by the dual method, if it has fewer violated constraints than `fewest`.
 fn by_dual(problem: &EdgeProblem<'_>, fewest: usize) -> Result<Option<ContactSet>> {
     let (set, _) = dual_active_set(problem)?;
     let state = problem.solve_with(&set)?;
@@ -132,7 +132,7 @@ fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     ContactSet::new(active)
 }
 
-/// The constraint with the largest violation: by its gap, or by its multiplier over the diagonal of S.
+/// The constraint with the largest violation, measured by its gap or by its multiplier divided by the diagonal of S.
 ///
 /// The maximum of (B w − g)_i over the penetrating constraints and of −λ_i/max S_kk over those with
 /// negative multiplier; both are lengths.

@@ -1,17 +1,17 @@
-//! An interior point method on the condensed edge for the nodal cone, with a barrier weight for every node.
+//! An interior point method on the condensed edge for the nodal cone, with a separate barrier weight for every node.
 //!
-//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. With
-//! one weight for all nodes, as in a general solver, forces and gaps far below the largest ones do not
-//! change until μ is as small. With ω_i = S_ii d_i², d_i the expected size of the displacement at node i,
-//! the path keeps the same relative distance from both limits, λ_i = 0 and s_i = 0, at all nodes. Every
-//! step (Mehrotra's predictor and corrector) is Newton's for
+//! min ½ w'S w − b'w − μ Σ ω_i ln s_i, s = g − w. On its central path S w + λ = b and λ_i s_i = μ ω_i. With equal
+//! weights, as in a general solver, forces and gaps far below the largest ones do not change until μ is as small.
+//! With ω_i = S_ii d_i², d_i the expected size of the displacement at node i, the path has the same relative distance
+//! from both limits, λ_i = 0 and s_i = 0, at all nodes. Every step (Mehrotra's predictor-corrector) is a Newton
+//! step,
 //!
 //! (S + diag(λ/s)) δw = …,
 //!
-//! and a Cholesky factorization is not affected by the d_i, since it commutes with scaling. Nodes should be
+//! and its Cholesky factorization is not affected by the d_i, since it commutes with scaling. Nodes should be
 //! numbered from small to large displacements, so that small quantities are not differences of large ones.
 //! The iteration ends when all nodes are classified: λ_i/(S_ii s_i) below 1e-12 or above 1e12. The method
-//! shares S with the active set, but nothing else. It is not used in the midpoint cone, where λ/s would
+//! shares only S with the active set method. It is not used in the midpoint cone, where λ/s would
 //! dominate S on the sawtooth. Cost: one dense factorization per step, 15 to 60 steps.
 
 use super::active_set::EdgeOutcome;
@@ -23,13 +23,13 @@ use crate::numeric::check::{require_entry, require_finite, require_length};
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
-/// Ratio of force and gap, in the same units, from which on a node is classified.
+/// Ratio of force and gap, in the same units, at which a node is classified.
 const DECIDED: f64 = 1e-12;
-/// The balance of forces at every node, relative to its own terms.
+/// Tolerance for the balance of forces at every node, relative to its own terms.
 const BALANCED: f64 = 1e-13;
 /// Without contact, forces below this multiple of their terms are attributed to the barrier.
 const LEFT: f64 = 1e-11;
-/// Largest fraction of the distance to the boundary taken by a step.
+/// Largest fraction of the distance to the boundary covered by a step.
 const INSIDE: f64 = 0.995;
 /// Largest number of steps.
 const STEPS: usize = 200;
@@ -50,30 +50,32 @@ struct Change {
     gap: Vec<f64>,
 }
 
-/// Solves the edge problem; `sizes` are the relative sizes expected of the displacement at the nodes.
+/// The solution of the edge problem; `sizes` are the expected relative sizes of the displacement at the nodes.
 ///
 /// # Errors
-/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when lengths disagree;
-/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for sizes that are not positive; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for loads and gaps beyond
-/// binary64; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone.
+/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) unless S is positive definite;
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if lengths differ;
+/// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) for sizes that are not positive;
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for loads and gaps that are not finite;
+/// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for the midpoint cone.
 pub(super) fn solve_by_barrier(problem: &EdgeProblem<'_>, sizes: &[f64]) -> Result<EdgeOutcome> {
     if problem.cone != Cone::Nodal {
         let given = problem.cone.to_string();
         return Err(Error::Toolkit(ToolkitError::Incompatible {
             what: "cone",
             given,
-            with: "the barrier",
-            expected: "nodal",
+            with: "displacement sizes",
+            expected: "the nodal cone",
         }));
     }
     let nothing = ContactSet::empty(problem.load.len());
     problem.check(&nothing)?;
-    require_length("sizes of displacements", sizes.len(), problem.load.len())?;
-    require_finite("size of displacements", sizes)?;
+    require_length("displacement sizes", sizes.len(), problem.load.len())?;
+    require_finite("displacement size", sizes)?;
     require_finite("edge load", problem.load)?;
     require_finite("gap", problem.bound)?;
     if let Some(k) = sizes.iter().position(|&size| size <= 0.0) {
-        require_entry("size of displacements", k, sizes[k], "(0, inf)", false)?;
+        require_entry("displacement size", k, sizes[k], "(0, inf)", false)?;
     }
     let free = || (0..sizes.len()).filter(|&i| !problem.fixed[i]);
     let alone = |i: usize| problem.load[i].abs() / problem.stiffness[(i, i)] / sizes[i];
@@ -144,13 +146,13 @@ impl<'a> Iterate<'a> {
         self.free().all(|i| balance[i].abs() <= BALANCED * size(i))
     }
 
-    /// Distance of the least classified node from the nearer limit.
+    /// The ratio of force and gap, or its reciprocal, at the node that is farthest from being classified.
     fn undecided(&self) -> f64 {
         let quotient = |i: usize| self.force[i] / (self.problem.stiffness[(i, i)] * self.gap[i]);
         self.free().map(quotient).map(|q| q.min(1.0 / q)).fold(0.0, f64::max)
     }
 
-    /// The mean of λ_i s_i/ω_i after a share of a change.
+    /// The mean of λ_i s_i/ω_i after a step of relative length `share`.
     fn mean(&self, change: &Change, share: f64) -> f64 {
         let product = |i: usize| {
             let force = self.force[i] + share * change.force[i];
@@ -168,7 +170,7 @@ impl<'a> Iterate<'a> {
         };
         let factor = Mat::from_fn(size, size, entry).llt(Side::Lower).map_err(|_| {
             Error::Toolkit(ToolkitError::NotPositiveDefinite {
-                what: "condensed stiffness with the barrier",
+                what: "condensed stiffness matrix with barrier term",
                 pivot: size,
             })
         })?;
@@ -189,7 +191,7 @@ impl<'a> Iterate<'a> {
         Ok(())
     }
 
-    /// The change that balances the forces, meets s = g − w, and has λ_i δs_i + s_i δλ_i = `product(i)`.
+    /// The change that balances the forces and satisfies s = g − w and λ_i δs_i + s_i δλ_i = `product(i)`.
     fn change(&self, factor: &Llt<f64>, balance: &[f64], product: impl Fn(usize) -> f64) -> Change {
         let (size, fixed) = (self.gap.len(), self.problem.fixed);
         let missing = |i: usize| self.problem.bound[i] - self.displacement[i] - self.gap[i];

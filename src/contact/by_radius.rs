@@ -1,8 +1,8 @@
-//! KKT residuals on rings around a point, scaled ring by ring.
+//! KKT residuals on annuli around a point, scaled on each annulus.
 //!
-//! Near a singular point displacements and forces fall like a power of r: over forty decades they are
-//! negligible against the largest force. Every ring has residuals by [`KktTerms`] with the largest force
-//! size (abs(K) abs(u) + abs(F))_i and the largest displacement of the ring itself.
+//! Near a singular point displacements and forces decay like a power of r: over forty decades they become negligible
+//! relative to the largest force. The residuals of each annulus are those of [`KktTerms`], scaled by the largest
+//! force size (abs(K) abs(u) + abs(F))_i and the largest displacement of that annulus.
 
 use super::problem::ContactProblem;
 use super::solution::{ContactSolution, gap_of, sizes};
@@ -13,10 +13,10 @@ use crate::numeric::check::require_values;
 use crate::numeric::scale::largest;
 
 impl ContactProblem {
-    /// The four KKT residuals of every ring `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; a ring
-    /// without free unknowns has zeros. Cost: O(unknowns) per ring.
+    /// The four KKT residuals on every annulus `bounds[k]` ≤ r < `bounds[k + 1]` around `centre`; they are zero on an
+    /// annulus without free unknowns. Cost: O(unknowns) per annulus.
     ///
-    /// An unknown belongs to the ring of its node, a constraint to that of its farthest node.
+    /// An unknown belongs to the annulus of its node, a constraint to that of its farthest node.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -43,7 +43,7 @@ impl ContactProblem {
             return Err(Error::Toolkit(ToolkitError::OutOfRange {
                 name: "radius",
                 value: pair[1],
-                range: "the values above the previous radius",
+                range: "(previous radius, inf)",
             }));
         }
         let u = self.to_frame(&solution.displacement);

@@ -1,11 +1,11 @@
-//! A first guess of the contact set of an edge problem, from coarser functions on the same edge.
+//! An initial guess of the contact set of an edge problem, from coarser functions on the same edge.
 //!
-//! With P the interpolation from every other node (and the last one), min ½ v'P'SP v − (P'b)'v over { B v ≤
-//! g }, g at the nodes that stay or the mean over two segments, is an edge problem of half the size. Its
-//! set, found from that of a still coarser one, is refined: old nodes and those between two active ones, or
-//! both halves of a segment. S is the exact operator of the edge, so that no coarse mesh is needed; P'SP is
-//! the operator for coarser traces on the fine body. Cost: O(n²) for the products, and an eighth of what
-//! the search on the edge itself costs.
+//! With P the interpolation from every other node (and the last one), min ½ v'P'SP v − (P'b)'v over { B v ≤ g }, g at
+//! the coarse nodes or the mean over two segments, is an edge problem of half the size. Its set, found in turn from
+//! that of a coarser one, is refined: coarse nodes and the nodes between two active ones, or both halves of a
+//! segment. S is the exact operator of the edge, so that no coarse mesh is needed; P'SP is the operator for coarser
+//! traces on the fine body. Cost: O(n²) for the products, and an eighth of the cost of the iteration on the edge
+//! itself.
 
 use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;
@@ -16,7 +16,7 @@ use faer::Mat;
 /// Largest number of nodes of an edge that is not coarsened.
 const COARSEST: usize = 5;
 
-/// The guess; the empty set on a closed edge with an odd number of nodes, and if an inner node is fixed.
+/// The initial guess; the empty set on a closed edge with an odd number of nodes, and if an inner node is fixed.
 ///
 /// Recursion: A_k on P_k'SP_k, P_k'b with g_k, k from the coarsest; A_{k+1} is the refinement of A_k, corrected by the
 /// active set on level k + 1.

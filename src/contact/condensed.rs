@@ -1,4 +1,5 @@
-//! The default solver: condensation to the contact edge, active set there, recovery, one step of refinement.
+//! The default solver: condensation to the contact edge, active set method, recovery, one step of iterative
+//! refinement.
 //!
 //! Refinement repeats recovery for the residual of the full system with the contact set held fixed; the
 //! factorization is not repeated. It removes the rounding errors of the elimination from the balance of
@@ -29,17 +30,17 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
-/// The solution by the active set from the guess.
+/// The solution by the active set method from the given initial guess.
 pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
     by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, guess))
 }
 
-/// The solution by the active set, its first guess from coarser functions on the edge.
+/// The solution by the active set method, with an initial guess from coarser functions on the edge.
 pub(super) fn solve_by_cascade(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
     by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, cascade::guess(edge)?))
 }
 
-/// The solution by the barrier with the given sizes of displacements, recovered once.
+/// The solution by the barrier method with the given displacement sizes, recovered once.
 pub(super) fn solve_by_sizes(problem: &ContactProblem, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
     by_edge(problem, cone, Solver::EdgeInteriorPoint, |edge| solve_by_barrier(edge, sizes))
 }
@@ -49,7 +50,8 @@ pub(super) fn solve_by_program(problem: &ContactProblem, cone: Cone) -> Result<C
     by_edge(problem, cone, Solver::EdgeInteriorPoint, edge_interior_point)
 }
 
-/// Elimination, `on_edge` for the condensed problem, recovery, and a step of refinement for the active set.
+/// The solution by elimination, `on_edge` for the condensed problem, recovery, and a step of refinement for the
+/// active set method.
 fn by_edge(
     problem: &ContactProblem,
     cone: Cone,
@@ -114,8 +116,7 @@ impl<'a> Condensed<'a> {
         })
     }
 
-    /// The residual of the iterate: F − K u − B'λ condensed to the edge, and the bounds on a correction of
-    /// B u.
+    /// The residual F − K u − B'λ of the iterate, condensed to the edge, and the bounds on a correction of B u.
     fn remainder(&self) -> Result<(Reduced, Vec<f64>)> {
         let mut residual = self.problem.multiply(&self.unknowns);
         for (r, f) in residual.iter_mut().zip(&self.problem.load) {

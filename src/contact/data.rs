@@ -1,5 +1,4 @@
-//! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacement, initial
-//! gap.
+//! Further data of a contact problem: loads by quadrature, surface loads, prescribed displacements, initial gap.
 
 use super::problem::ContactProblem;
 use crate::error::Result;
@@ -12,8 +11,7 @@ use fractional_sobolev::gauss_legendre;
 const EDGE_POINTS: usize = 5;
 
 impl ContactProblem {
-    /// Adds the volume load ∫ f·v, by quadrature of the function itself (singular points are declared in the
-    /// rule).
+    /// Adds the volume load ∫ f·v, by quadrature of f (singular points are declared in the rule).
     ///
     /// ```
     /// use signorini::contact::ContactProblem;
@@ -27,8 +25,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when f has the wrong number of components,
-    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if f has the wrong number of components,
+    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if f is not finite at a quadrature point.
     pub fn add_volume_load(&mut self, density: &Field<'_>, rule: &Cubature) -> Result<()> {
         density.require(self.form.components())?;
         let load = volume_load(&self.mesh, density, rule)?;
@@ -58,7 +56,7 @@ impl ContactProblem {
     /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this
     /// load is added to the contact force.
     ///
-    /// Five Gauss points per edge. The function receives the point and the outward unit normal.
+    /// Five Gauss points per edge are used. F receives the point and the outward unit normal.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, mesh::Part, problems::TestProblem};
@@ -72,7 +70,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite), or the error returned by F.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a load that is not finite, or the error
+    /// returned by F.
     pub fn add_boundary_load(
         &mut self,
         part: Part,
@@ -83,10 +82,10 @@ impl ContactProblem {
         self.add_load(&load)
     }
 
-    /// Adds nodal forces (Cartesian, node-major).
+    /// Adds a vector of nodal forces (Cartesian, node-major).
     ///
-    /// F ← F + f: entries are forces, ∫ f·φ_i and not densities. The solution depends on F Lipschitz continuously in
-    /// the dual of the energy norm with constant 1.
+    /// F ← F + f: the entries are forces ∫ f·φ_i, not densities. The solution is Lipschitz continuous in F, in the
+    /// dual of the energy norm with constant 1.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -102,7 +101,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn add_load(&mut self, load: &[f64]) -> Result<()> {
         require_values("load", load, self.load.len())?;
         let framed = self.to_frame(load);
@@ -112,7 +112,7 @@ impl ContactProblem {
 
     /// Prescribes u = data on the Dirichlet part.
     ///
-    /// The P1 interpolant of the data at the Dirichlet nodes; it replaces earlier data.
+    /// The data are interpolated at the Dirichlet nodes by P1 functions; they replace earlier data.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::{ContactProblem, Solver}, fem::{Field, Form}};
@@ -140,7 +140,7 @@ impl ContactProblem {
         Ok(())
     }
 
-    /// Sets the initial gap g in u_N ≤ g, at the nodes of the contact edge.
+    /// Sets the initial gap g in u_N ≤ g by its values at the nodes of the contact edge.
     ///
     /// ```
     /// use signorini::cone::Cone;

@@ -1,23 +1,22 @@
 //! The contact set of an edge problem by the dual method of D. Goldfarb and A. Idnani (Math. Program. 27
 //! (1983)).
 //!
-//! Starting at the minimum without contact, violated constraints are added one by one, and the iterate is
-//! the minimum subject to the working set: with S = L L', c a row of B and C those of the working set, the
-//! columns of L⁻¹C' are orthogonalised, L⁻¹C' = Q R, and J = L⁻ᵀ (Q, Q⊥) is kept. With d = J'c = (d₁, d₂)
+//! Starting from the minimiser without contact, violated constraints are added one by one, and the iterate minimises
+//! J subject to the working set: with S = L L', c a row of B and C those of the working set, the columns of L⁻¹C' are
+//! orthogonalised, L⁻¹C' = Q R, and J = L⁻ᵀ (Q, Q⊥) is stored. With d = J'c = (d₁, d₂)
 //!
 //! w ← w − t J₂ d₂, λ ← λ − t R⁻¹d₁, λ_c ← λ_c + t,
 //!
-//! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of the working set changes its sign;
-//! that constraint is dropped. The least energy subject to the working set increases from one set to the
-//! next, so that no set recurs: finite for every symmetric positive definite S, in exact arithmetic, for
-//! all loads. The constraint added is the one with the largest violation in the energy norm, (c'w −
-//! g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the root of that of B S⁻¹B', n^{3/2} in the
+//! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of the working set changes its sign; that
+//! constraint is then dropped. The minimal energy subject to the working set increases from one set to the next, so
+//! that no set recurs: the method terminates for every symmetric positive definite S and all loads, in exact
+//! arithmetic. The constraint added is the one with the largest violation in the energy norm, (c'w −
+//! g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the square root of that of B S⁻¹B', n^{3/2} in the
 //! midpoint cone.
 //!
-//! No initial guess is needed: sawtooths of multipliers, which slow an exchange method down, are dropped
-//! one by one. Cost: O(n²) per constraint added or dropped, about as many as there are active ones.
-//! Rounding errors are corrected by [`super::solve_on_edge`], which starts with [`EdgeProblem::solve_with`]
-//! from the set found.
+//! No initial guess is needed: sawtooths of multipliers, which slow down an exchange method, are dropped one by one.
+//! Cost: O(n²) per constraint added or dropped, about as many as there are active constraints. Rounding errors are
+//! corrected by [`super::solve_on_edge`], which starts with [`EdgeProblem::solve_with`] from the set found.
 
 use super::edge_problem::EdgeProblem;
 use crate::cone::{ContactSet, EdgeCone};
@@ -26,19 +25,19 @@ use faer::linalg::solvers::Solve;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Mat, Par, Side};
 
-/// A gap below this multiple of the size of its terms is closed.
+/// A gap below this multiple of the size of its terms counts as closed.
 const CLOSED: f64 = 1e-13;
-/// A constraint counts as dependent on the working set if less than this share of it is orthogonal to it in
-/// the energy norm.
+/// A constraint counts as dependent on the working set if its component orthogonal to it, in the energy norm, is
+/// smaller than this fraction of it.
 const DEPENDENT: f64 = 1e-10;
 /// Largest number of additions and removals per constraint.
 const CHANGES: usize = 10;
 
-/// The contact set, and the number of constraints added and dropped. If that reaches the limit, or if
-/// rounding makes the constraints inconsistent, the last working set.
+/// The contact set, and the number of constraints added and dropped. If that number reaches the limit, or if rounding
+/// makes the constraints inconsistent, the last working set.
 ///
 /// # Errors
-/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not.
+/// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) unless S is positive definite.
 pub(super) fn dual_active_set(problem: &EdgeProblem<'_>) -> Result<(ContactSet, usize)> {
     let mut iterate = Iterate::new(problem)?;
     let limit = CHANGES * (1 + problem.bound.len());
@@ -95,7 +94,7 @@ impl<'a> Iterate<'a> {
         let mut inverse = Mat::<f64>::identity(n, n);
         if n > 0 {
             let part = Mat::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
-            let what = "condensed stiffness on the contact edge";
+            let what = "condensed stiffness matrix on the contact edge";
             let factor = part
                 .llt(Side::Lower)
                 .map_err(|_| Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot: n }))?;
@@ -136,10 +135,10 @@ impl<'a> Iterate<'a> {
             .max_by(|&i, &j| (self.off(i) / self.norm[i]).total_cmp(&(self.off(j) / self.norm[j])))
     }
 
-    /// One step toward a constraint, whose multiplier so far is `force`.
+    /// Takes one step toward a constraint whose current multiplier is `force`.
     ///
-    /// t₁ = min { λ_k/(R⁻¹d₁)_k : (R⁻¹d₁)_k > 0 }, t₂ = (c'w − g)/|d₂|², t = min(t₁, t₂): a full step if
-    /// t = t₂, else constraint k leaves. No finite t means that c is a nonpositive combination of those in the
+    /// t₁ = min { λ_k/(R⁻¹d₁)_k : (R⁻¹d₁)_k > 0 }, t₂ = (c'w − g)/|d₂|², t = min(t₁, t₂): a full step if t = t₂,
+    /// otherwise constraint k is dropped. If no t is finite, c is a nonpositive combination of the constraints in the
     /// working set: inconsistent.
     fn approach(&mut self, constraint: usize, force: &mut f64) -> Approach {
         let image = self.image(constraint);
@@ -225,7 +224,7 @@ struct Turn {
 }
 
 impl Turn {
-    /// The one that takes (a, b) to (length, 0).
+    /// The rotation that maps (a, b) to (length, 0).
     fn of(a: f64, b: f64) -> (Self, f64) {
         let length = a.hypot(b);
         if length == 0.0 {

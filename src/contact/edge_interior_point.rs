@@ -1,8 +1,8 @@
 //! The second method on the condensed edge: min ½ w'S w − b'w over { B w ≤ g } by the interior point method.
 //!
-//! Elimination is shared with the active set; the contact set is found independently. Cost: some 15
-//! factorizations of a dense matrix of the size of the edge, where the whole body would be factorized as
-//! often.
+//! The elimination is that of the active set method; the contact set is found independently. Cost: about 15
+//! factorizations of a dense matrix of the size of the edge, where the full problem would require as many sparse
+//! factorizations of the whole body.
 
 use super::active_set::EdgeOutcome;
 use super::edge_problem::{EdgeProblem, EdgeState};
@@ -12,10 +12,10 @@ use crate::error::Result;
 use crate::numeric::scale::largest;
 use clarabel::algebra::CscMatrix;
 
-/// Solves the edge problem; a constraint is active if the force exceeds the gap times the stiffness.
+/// The solution of the edge problem; a constraint is active if its force exceeds its gap times the stiffness.
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree,
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if sizes differ,
 /// [`crate::error::Error::Solver`] for an error of Clarabel.
 pub(super) fn edge_interior_point(problem: &EdgeProblem<'_>) -> Result<EdgeOutcome> {
     let cone = problem.edge_cone();

@@ -11,7 +11,7 @@ use crate::error::{Error, Result, ToolkitError};
 use faer::linalg::solvers::Solve;
 use faer::{Mat, Side};
 
-/// Equations of a set count as consistent if they hold to this multiple of their terms.
+/// The equations of a set count as consistent if they hold up to this multiple of their terms.
 pub(super) const HELD: f64 = 1e-10;
 
 /// A dense contact problem on an open or closed chain of nodes.
@@ -31,7 +31,7 @@ pub(super) struct EdgeProblem<'a> {
     pub(super) ends: Ends,
 }
 
-/// The solution for one contact set, admissible or not.
+/// The solution for a given contact set, feasible or not.
 #[derive(Debug, Clone)]
 pub(super) struct EdgeState {
     /// w.
@@ -44,10 +44,11 @@ pub(super) struct EdgeState {
 }
 
 impl EdgeProblem<'_> {
-    /// The minimiser when the constraints in `set` hold with equality and the others are ignored.
+    /// The minimiser if the constraints in `set` hold with equality and the others are ignored.
     ///
     /// # Errors
-    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) when S is not, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when sizes disagree.
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) unless S is positive definite,
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if sizes differ.
     pub(super) fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
         self.check(set)?;
         let cone = self.edge_cone();
@@ -66,7 +67,7 @@ impl EdgeProblem<'_> {
         Ok(EdgeState { displacement, multiplier, gap })
     }
 
-    /// True when all nodes of constraint `i` are fixed, so that no set can influence it.
+    /// True if all nodes of constraint `i` are fixed, so that it does not depend on the contact set.
     pub(super) fn is_settled(&self, i: usize) -> bool {
         self.edge_cone().support(i).all(|node| self.fixed[node])
     }
@@ -141,7 +142,7 @@ impl EdgeProblem<'_> {
         if free.count > 0 {
             let factor = reduced.llt(Side::Lower).map_err(|_| {
                 Error::Toolkit(ToolkitError::NotPositiveDefinite {
-                    what: "condensed stiffness on the contact edge",
+                    what: "condensed stiffness matrix on the contact edge",
                     pivot: free.count,
                 })
             })?;
@@ -156,7 +157,7 @@ impl EdgeProblem<'_> {
 }
 
 /// (|b| + |S||w|)_i, the size of the terms of b − S w at every node. On an edge graded over many decades
-/// displacements and forces have no common scale, so that rounding is measured node by node.
+/// displacements and forces have no common scale; rounding is therefore measured node by node.
 pub(super) struct Sizes<'a> {
     problem: &'a EdgeProblem<'a>,
     terms: Vec<f64>,

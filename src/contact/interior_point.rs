@@ -1,7 +1,7 @@
 //! The second method: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
 //! method Clarabel.
 //!
-//! It shares only the assembled matrix with the condensed active set.
+//! It shares only the assembled matrix with the condensed active set method.
 
 use super::problem::ContactProblem;
 use super::program::{Answer, LEFT, Program, constraint_matrix};
@@ -61,9 +61,8 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     Ok(solution)
 }
 
-/// The active constraints: those whose multiplier exceeds the gap times the stiffness at the nodes of the
-/// constraint. One of the two tends to zero, so that their quotient is far from 1 and the precise stiffness
-/// is irrelevant.
+/// The active constraints: those whose multiplier exceeds the gap times the stiffness at the nodes of the constraint.
+/// One of the two tends to zero, so that their ratio is far from 1 and the precise stiffness is irrelevant.
 fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
     let normals = problem.normal_unknowns();
     let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);

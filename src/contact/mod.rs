@@ -1,7 +1,8 @@
-//! Section 2 and (4.1): discrete Signorini problems, two cones, independent solvers, the same KKT residuals for all.
+//! Section 2 and (4.1): discrete Signorini problems, two cones, independent solvers, and KKT residuals with the same
+//! definition for all solvers.
 //!
 //! Sign convention of the paper: u_N ≤ g and σ_N ≤ 0 on the contact edge, n outward; multipliers λ ≥ 0 are
-//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. The cones are in [`crate::cone`]. All solvers are
+//! generalised forces with K u − F + B'λ = 0 and B u ≤ g. The cones are in [`crate::cone`]. The solvers are
 //! called by [`ContactProblem::solve`] with [`Settings`].
 
 mod active_set;

@@ -1,10 +1,9 @@
-//! Arrays in the format of NumPy.
+//! Arrays in NumPy's `.npy` format.
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// The bytes of a `.npy` file (version 1.0, little-endian `float64`, rows first) with these values in the
-/// given number of columns; one column makes a one-dimensional array. `numpy.load` gives the same numbers,
-/// bit by bit.
+/// The bytes of a `.npy` file (version 1.0, little-endian `float64`, row-major) with these values in the given number
+/// of columns; a single column gives a one-dimensional array. `numpy.load` returns the same numbers, bit for bit.
 ///
 /// ```
 /// use signorini::contact::npy;
@@ -16,7 +15,7 @@ use crate::error::{Error, Result, ToolkitError};
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`] unless the columns divide the values.
+/// [`ToolkitError::CountOutOfRange`] unless the number of columns divides the number of values.
 #[doc(alias("NumPy", "export", "write", "file"))]
 pub fn npy(values: &[f64], columns: usize) -> Result<Vec<u8>> {
     if columns == 0 || !values.len().is_multiple_of(columns) {

@@ -1,5 +1,5 @@
-//! The stiffness matrix of a problem: constant stencils where the mesh is a grid with constant steps, and
-//! an assembled matrix otherwise, or for a factorization.
+//! The stiffness matrix of a problem: constant stencils on a grid with constant steps; an assembled matrix otherwise,
+//! or if a factorization is needed.
 
 use crate::fem::{BlockMatrix, Form, Frames, Stencils};
 use crate::mesh::Triangulation;

@@ -1,8 +1,8 @@
-//! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, gap.
+//! The discrete Signorini problem (2.9) on a triangulation: form, load, prescribed values, contact edge, initial gap.
 //!
-//! Unknowns are node-major. Those of an elastic body are (u_T, u_N) internally, in the directions of its
-//! straight contact edge (of each of its straight contact edges on the nodes there); all input and output
-//! is Cartesian. In the scalar problem u replaces u_N.
+//! Unknowns are node-major. Internally those of an elastic body are (u_T, u_N), with respect to its straight contact
+//! edge (with several straight contact edges, each on its own nodes); all input and output is Cartesian. In the
+//! scalar problem u replaces u_N.
 
 use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
@@ -17,9 +17,8 @@ use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
 ///
-/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in it, that is the minimiser of J(v) =
-/// ½ a(v, v) − F(v). All vectors of the interface are node-major and Cartesian: (v_x, v_y) of node i at 2i,
-/// 2i + 1.
+/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in the cone, that is the minimiser of J(v) = ½
+/// a(v, v) − F(v). All vectors of the interface are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -43,17 +42,16 @@ pub struct ContactProblem {
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
     pub(super) gap: Vec<f64>,
-    /// Time in seconds for edge, load, and the part of the operator that is set up at once.
+    /// Time in seconds for the edge, the load, and the part of the operator that is set up immediately.
     pub(super) preparation_seconds: f64,
 }
 
 impl ContactProblem {
-    /// The problem with volume load equal to the P1 function with the given nodal values (node-major, one
-    /// number per node for a scalar form, two for elasticity), zero surface load, zero Dirichlet data and
-    /// zero initial gap.
+    /// The problem whose volume load is the P1 function with the given nodal values (node-major, one number per node
+    /// for a scalar form, two for elasticity), with zero surface load, zero Dirichlet data and zero initial gap.
     ///
-    /// The contact edge may lie in several pieces without a common node, each with its own normal; then the
-    /// cone is the nodal one.
+    /// The contact edge may consist of several pieces without a common node, each with its own normal; only the nodal
+    /// cone is then available.
     ///
     /// ```
     /// use signorini::cone::Cone;
@@ -69,9 +67,9 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// Invalid data: no contact edge, a contact edge of an elastic body that is not straight, a body
-    /// without Dirichlet boundary ([`Error::NotHeld`]), a load that is not finite or of the wrong length,
-    /// an inadmissible form.
+    /// Invalid data: no contact edge, a contact edge of an elastic body that is not straight, a body without
+    /// Dirichlet boundary ([`Error::NotHeld`]), a load that is not finite or has the wrong length, an inadmissible
+    /// form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
@@ -139,7 +137,7 @@ impl ContactProblem {
 
     /// The contact edge.
     ///
-    /// Nodes from left to right; the order of all vectors along the contact edge.
+    /// Its nodes are ordered from left to right; this is the order of all vectors along the contact edge.
     ///
     /// ```
     /// let problem = signorini::problems::TestProblem::Block.problem(4)?;
@@ -153,7 +151,7 @@ impl ContactProblem {
         &self.edge
     }
 
-    /// The contact edge as a mesh of (0, length) with its segments as elements.
+    /// The contact edge as a mesh of (0, length), with its segments as elements.
     ///
     /// ```
     /// let mesh = signorini::problems::TestProblem::Block.problem(4)?.contact_mesh()?;
@@ -162,7 +160,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// As for [`Mesh::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an edge in several pieces.
+    /// As for [`Mesh::from_lengths`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an
+    /// edge in several pieces.
     pub fn contact_mesh(&self) -> Result<Mesh> {
         self.edge.require_one_piece()?;
         Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
@@ -193,7 +192,8 @@ impl ContactProblem {
 
     /// The number of unknowns that are not prescribed.
     ///
-    /// The dimension of the trial space: nodes off the Dirichlet part times components.
+    /// The dimension of the trial space: the number of nodes not on the Dirichlet part times the number of
+    /// components.
     ///
     /// ```
     /// // (n + 1) n nodes below the clamped top, two components
@@ -210,9 +210,9 @@ impl ContactProblem {
         self.edge.nodes().iter().map(|&node| node * c + c - 1).collect()
     }
 
-    /// u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
+    /// The normal displacement u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
     ///
-    /// u·n with the outward normal, one value per contact node from left to right.
+    /// It is u·n with the outward normal n, one value per contact node from left to right.
     ///
     /// ```
     /// let problem = signorini::problems::TestProblem::Block.problem(2)?;
@@ -223,7 +223,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn normal_displacement(&self, displacement: &[f64]) -> Result<Vec<f64>> {
         require_values("displacement", displacement, self.unknowns())?;
         let framed = self.to_frame(displacement);
@@ -242,7 +243,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn energy_norm(&self, displacement: &[f64]) -> Result<f64> {
         require_values("displacement", displacement, self.unknowns())?;
         // Scaled, so that squares neither overflow nor underflow.
@@ -255,8 +257,8 @@ impl ContactProblem {
         Ok(scale * careful_dot(&framed, &self.multiply(&framed)).max(0.0).sqrt())
     }
 
-    /// |u − P u_h|_a for nested levels: u is a function on this problem's mesh, which is level `to` of the
-    /// hierarchy; u_h on level `from`, prolonged by P.
+    /// The norm |u − P u_h|_a for nested levels: u is a function on the mesh of this problem, which is level `to` of
+    /// the hierarchy, and u_h on level `from` is prolonged by P.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
@@ -272,7 +274,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels in the wrong order, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels in the wrong order,
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn nested_energy_error(
         &self,
@@ -310,8 +313,8 @@ impl ContactProblem {
     }
 }
 
-/// [`Error::NotHeld`] for a body (triangles connected by nodes) without a Dirichlet edge, checked before
-/// any matrix is assembled.
+/// [`Error::NotHeld`] for a body (triangles connected by nodes) without a Dirichlet edge; checked before any matrix
+/// is assembled.
 fn require_held(mesh: &Triangulation, held: &[bool]) -> Result<()> {
     let bodies = mesh.bodies();
     let mut is_held = vec![false; bodies.len()];
@@ -321,7 +324,8 @@ fn require_held(mesh: &Triangulation, held: &[bool]) -> Result<()> {
     Err(Error::NotHeld { triangles, node: mesh.number(node), place: mesh.nodes()[node] })
 }
 
-/// The frame of one straight contact edge for all nodes, that of each of several on its own nodes.
+/// The frames of the nodes: for one straight contact edge the same frame for all nodes, for several edges that of
+/// each on its own nodes.
 fn frames_of(edge: &ContactEdge) -> Result<Frames> {
     let normals = edge.normals()?;
     if let [normal] = normals[..] {

@@ -1,4 +1,4 @@
-//! Products with the stiffness matrix of a problem, its rows and its diagonal, without assembling it if
+//! Products with the stiffness matrix of a problem, its rows and its diagonal; the matrix is not assembled if
 //! stencils exist.
 
 use super::problem::ContactProblem;
@@ -11,7 +11,7 @@ impl ContactProblem {
         self.operator.stencils.as_ref()
     }
 
-    /// K, assembled at its first use.
+    /// The stiffness matrix K, assembled at its first use.
     pub(super) fn matrix(&self) -> &BlockMatrix {
         let assemble = || {
             let start = Instant::now();
@@ -21,7 +21,7 @@ impl ContactProblem {
         &self.operator.assembled.get_or_init(assemble).0
     }
 
-    /// Seconds for load, edge and the matrix so far.
+    /// Seconds spent so far on load, edge and matrix.
     pub(super) fn assembly_seconds(&self) -> f64 {
         self.preparation_seconds + self.operator.assembled.get().map_or(0.0, |assembled| assembled.1)
     }

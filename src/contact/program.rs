@@ -16,8 +16,8 @@ use clarabel::solver::{
 /// Relative feasibility tolerance of Clarabel.
 const FEASIBILITY: f64 = 1e-14;
 
-/// Relative duality gap tolerance of Clarabel, which may stop earlier without progress; the result is then
-/// checked.
+/// Relative duality gap tolerance of Clarabel, which may stop earlier for lack of progress; the result is checked
+/// afterwards.
 const DUALITY_GAP: f64 = 1e-13;
 
 /// Without contact, forces below this multiple of the force scale are attributed to the barrier.
@@ -30,7 +30,7 @@ const NEVER: f64 = 1e-300;
 /// Largest number of steps; 11 to 16 are typical.
 const STEPS: u32 = 60;
 
-/// Relative and absolute tolerance of iterative refinement: a few roundings, below the feasibility
+/// Relative and absolute tolerance of iterative refinement: a small multiple of rounding, below the feasibility
 /// tolerance.
 const REFINED: f64 = 1e-15;
 
@@ -41,10 +41,11 @@ const REFINEMENTS: u32 = 20;
 /// Refinement continues while it reduces the residual by this factor.
 const HALVED: f64 = 2.0;
 
-/// One thread: the order of the sums, hence every digit, is the same on every machine.
+/// A single thread: the order of the sums, hence every digit, is the same on every machine.
 const THREADS: u32 = 1;
 
-/// A program; K by the upper triangle of its columns, over `stiff`, its largest entry on the diagonal.
+/// A quadratic program; K is given by the upper triangle of its columns, divided by `stiff`, its largest diagonal
+/// entry.
 pub(super) struct Program {
     pub(super) upper: CscMatrix<f64>,
     pub(super) stiff: f64,
@@ -115,7 +116,8 @@ fn settings() -> DefaultSettings<f64> {
     }
 }
 
-/// B of some constraints on the numbered unknowns, by columns; `normals` are the unknowns of the edge's nodes.
+/// The rows of B of some constraints on the numbered unknowns, by columns; `normals` are the unknowns of the edge's
+/// nodes.
 pub(super) fn constraint_matrix(
     cone: EdgeCone,
     constraints: &[usize],

@@ -1,4 +1,4 @@
-//! Settings of a contact solver: solver, start, accuracy, coarser meshes, progress.
+//! Settings of a contact solver: solver, initial guess, accuracy, coarser meshes, progress.
 
 use super::multigrid::{Accuracy, Progress};
 use super::solution::ContactSolution;
@@ -7,8 +7,8 @@ use crate::cone::ContactSet;
 use crate::error::Result;
 use crate::mesh::Hierarchy;
 
-/// The settings of [`ContactProblem::solve`](super::ContactProblem::solve); a [`Solver`] converts to
-/// settings with defaults for the rest.
+/// The settings of [`ContactProblem::solve`](super::ContactProblem::solve); a [`Solver`] converts to settings with
+/// default values for all others.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -22,23 +22,24 @@ use crate::mesh::Hierarchy;
 /// ```
 #[derive(Default)]
 pub struct Settings<'a> {
-    /// The solver; the active set by default.
+    /// The solver; the active set method by default.
     pub solver: Solver,
-    /// The first guess of the contact set, for the active set; no contact by default.
+    /// The initial guess of the contact set, for the active set method; no contact by default.
     pub start: Start<'a>,
-    /// The largest algebraic error, for multigrid; a relative error of 1e-12 in the energy norm by default.
+    /// The requested bound on the algebraic error, for multigrid; by default a relative error of 1e-12 in the energy
+    /// norm.
     pub accuracy: Accuracy,
-    /// The coarser meshes, for multigrid: the finest of them is that of the problem. By default the coarser
-    /// meshes omit every other line of a grid.
+    /// The coarser meshes, for multigrid; the finest mesh of the hierarchy is that of the problem. By default the
+    /// coarser meshes omit every other line of a grid.
     pub hierarchy: Option<&'a Hierarchy>,
-    /// Called after every step of multigrid; its error ends the iteration.
+    /// A callback invoked after every step of multigrid; an error that it returns ends the iteration.
     #[allow(clippy::type_complexity)] // a callback, spelled out
     pub progress: Option<&'a mut (dyn FnMut(&Progress) -> Result<()> + Send)>,
     /// Expected relative sizes of the displacement at the nodes of the contact edge, all positive, for
     /// [`Solver::EdgeInteriorPoint`] in the nodal cone: each node has its own barrier weight.
     ///
-    /// Near a singular point this resolves every decade of the mesh; one weight for all nodes resolves half as many in
-    /// `section_1_clamped_end`.
+    /// Near a singular point this resolves every decade of the mesh; with equal weights only half as many are
+    /// resolved in `section_1_clamped_end`.
     pub sizes: Option<&'a [f64]>,
 }
 
@@ -50,7 +51,7 @@ impl From<Solver> for Settings<'_> {
 
 /// The initial contact set of the active set method.
 ///
-/// The discrete solution is unique, so that the start affects the number of steps only.
+/// The discrete solution is unique, so the initial set affects only the number of steps.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::{Settings, Solver, Start}, problems::TestProblem};
@@ -67,8 +68,7 @@ pub enum Start<'a> {
     /// The empty contact set.
     #[default]
     Open,
-    /// The contact set of this solution on the next coarser mesh, in the same cone, with every segment
-    /// bisected.
+    /// The contact set of the given solution on the next coarser mesh, in the same cone, with every segment bisected.
     Coarse(&'a ContactSolution),
     /// The given contact set.
     Set(ContactSet),

@@ -1,10 +1,9 @@
 //! The result of a contact solver, and quantities computed from displacement and multiplier.
 //!
-//! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: nodal contact force B'λ over the length that
-//! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation;
-//! scalar: the constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to
-//! the sum of absolute loads and reactions, or of the other terms where those are more; a(d, u) vanishes
-//! without a reaction term.
+//! Energy J = a(u,u)/2 − l(u). Pressure at a node of the edge: the nodal contact force B'λ divided by the length that
+//! belongs to the node (∫ of its hat function). Global balance: in every direction d (a unit translation; scalar: the
+//! constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute
+//! loads and reactions, or of the other terms if that is larger; a(d, u) vanishes without a reaction term.
 
 use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
@@ -19,12 +18,12 @@ use crate::numeric::sum::compensated;
 use fractional_sobolev::Work;
 use rayon::prelude::*;
 
-/// Largest KKT residual of a converged solution.
+/// Largest KKT residual of a solution with status converged.
 pub(super) const ACCEPTED: f64 = 1e-8;
 
-/// Wall-clock seconds by phase.
+/// Wall-clock time in seconds by phase.
 ///
-/// Nonnegative; phases that a solver does not have are 0.
+/// Phases that a solver does not have are 0.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -34,26 +33,26 @@ pub(super) const ACCEPTED: f64 = 1e-8;
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Seconds {
-    /// Stiffness matrix and load.
+    /// Assembly of stiffness matrix and load.
     pub assembly: f64,
-    /// Elimination down to the contact edge (active set only).
+    /// Elimination of all but the contact unknowns (methods on the condensed problem only).
     pub factorization: f64,
     /// The contact iteration.
     pub contact: f64,
-    /// Recovery of the displacement, refinement, KKT residuals.
+    /// Recovery of the displacement, iterative refinement, KKT residuals.
     pub recovery: f64,
 }
 
 impl Seconds {
-    /// All phases.
+    /// The total time.
     ///
-    /// Their sum.
+    /// It is the sum of all phases.
     pub fn total(&self) -> f64 {
         self.assembly + self.factorization + self.contact + self.recovery
     }
 }
 
-/// A discrete solution with its residuals, forces, energy and solver statistics.
+/// A discrete solution with its KKT residuals, forces, energy and solver statistics.
 ///
 /// In exact arithmetic: K u − F + B'λ = 0 on the free unknowns, B u ≤ g, λ ≥ 0, λ'(B u − g) = 0. For homogeneous
 /// Dirichlet data and g = 0 testing with u gives a(u, u) = F'u, hence J(u) = −½ a(u, u) = −½ F'u.
@@ -72,16 +71,16 @@ impl Seconds {
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct ContactSolution {
-    /// The cone.
+    /// The discrete cone.
     pub cone: Cone,
-    /// The solver.
+    /// The solver that computed it.
     pub solver: Solver,
     /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i),
-    /// prescribed nodes included, in units of length of the mesh.
+    /// prescribed nodes included, in the unit of length of the mesh.
     pub displacement: Vec<f64>,
     /// u_N (scalar: u) at the nodes of the contact edge, in order.
     ///
-    /// One value per contact node from left to right, n outward: u_N ≤ g is admissible in the nodal cone.
+    /// One value per contact node from left to right, n outward; u_N ≤ g in the nodal cone.
     pub normal_displacement: Vec<f64>,
     /// λ, one per constraint.
     ///
@@ -89,16 +88,17 @@ pub struct ContactSolution {
     pub multiplier: Vec<f64>,
     /// B u − g, one per constraint.
     ///
-    /// A length ≤ 0 up to `kkt.gap`; 0 up to rounding where the constraint is active.
+    /// It has the dimension of a length and is ≤ 0 up to `kkt.gap`; it is 0 up to rounding where the constraint is
+    /// active.
     pub gap: Vec<f64>,
-    /// The arc length at every constraint: of its node or of the middle of its segment.
+    /// The arc length at every constraint: at its node or at the midpoint of its segment.
     pub positions: Vec<f64>,
     /// −σ_N at the nodes of the contact edge.
     ///
     /// (B'λ)_i / ∫ φ_i, one per contact node, ≥ 0 in compression.
     pub pressure: Vec<f64>,
-    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force over
-    /// nodal length. At nodes on the Dirichlet boundary this is the reaction; a scalar problem has (∂u/∂n, 0).
+    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force divided by nodal
+    /// length. At nodes on the Dirichlet boundary this is the reaction; for a scalar problem it is (∂u/∂n, 0).
     pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
@@ -110,19 +110,19 @@ pub struct ContactSolution {
     pub force_scale: f64,
     /// The displacement scale of the KKT residuals.
     pub displacement_scale: f64,
-    /// Distance from weak contact.
+    /// The margins of strict complementarity; small values mean weak contact.
     pub margins: Margins,
     /// The energy J.
     pub energy: f64,
-    /// The standard deviation of J by rounding of K and F: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
+    /// The standard deviation of J due to rounding of K and F: ε (Σ_i u_i² (|K||u| + |F|)_i²)^{1/2}.
     ///
-    /// It is not a bound; differences of J below it are not significant.
+    /// It is an estimate, not a bound; differences of J below it are not significant.
     pub energy_rounding: f64,
-    /// The standard deviation by rounding of a sum of forces (a component of the reaction, or the contact
-    /// force): ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
+    /// The standard deviation due to rounding of a sum of forces (a component of the reaction, or the contact force):
+    /// ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
     ///
-    /// It is large compared with the loads where stiffnesses cancel, as for Poisson ratios near 1/2; an
-    /// imbalance below it is within rounding.
+    /// It is large relative to the loads where stiffnesses cancel, as for Poisson's ratio near 1/2; an imbalance
+    /// below it is within rounding.
     pub force_rounding: f64,
     /// The total contact force: the sum of the multipliers.
     ///
@@ -130,16 +130,16 @@ pub struct ContactSolution {
     pub contact_force: f64,
     /// Total reaction of the Dirichlet part (scalar: second entry 0).
     pub reaction: Point,
-    /// Global balance of forces, relative.
+    /// The relative imbalance of all forces (global balance).
     pub balance: f64,
-    /// Contact sets visited by the active set, in order; empty for the interior point.
+    /// The contact sets visited by the active set method, in order; empty for the interior point methods.
     pub history: Vec<ContactSet>,
-    /// Iterations and factorizations.
+    /// Number of iterations and factorizations.
     pub work: Work,
-    /// Seconds by phase.
+    /// Time in seconds by phase.
     pub seconds: Seconds,
-    /// The levels of multigrid, its error estimate, and the reason for the direct solver, if it was used;
-    /// `None` for the other solvers.
+    /// The statistics of multigrid by level, its error estimate, and the reason for using the direct solver, if it
+    /// was used; `None` for the other solvers.
     pub multigrid: Option<MultigridReport>,
 }
 
@@ -157,8 +157,8 @@ pub(super) struct Candidate {
     pub(super) accepted: f64,
 }
 
-/// The solution with its KKT residuals from a candidate; the same for every solver. A displacement whose
-/// energy overflows is an error.
+/// The solution with its KKT residuals from a candidate, with the same definition for every solver. Fails if the
+/// energy of the displacement overflows.
 pub(super) fn conclude(
     problem: &ContactProblem,
     cone: Cone,
@@ -237,7 +237,7 @@ pub(super) fn conclude(
     })
 }
 
-/// Arc lengths of the constraints; the closing segment of a closed edge lies behind the last node.
+/// Arc lengths of the constraints; the closing segment of a closed edge follows the last node.
 fn positions(problem: &ContactProblem, cone: EdgeCone) -> Vec<f64> {
     let arc = problem.edge.arc();
     let mut positions = cone.apply(arc);
@@ -252,7 +252,7 @@ fn positions(problem: &ContactProblem, cone: EdgeCone) -> Vec<f64> {
     positions
 }
 
-/// (K u − F) over the nodal lengths, along the contact edge.
+/// (K u − F) divided by the nodal lengths, along the contact edge.
 fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) -> Vec<Point> {
     let c = problem.form.components();
     let force = |unknown: usize| stress_force[unknown] - problem.load[unknown];
@@ -263,7 +263,7 @@ fn tractions(problem: &ContactProblem, stress_force: &[f64], lengths: &[f64]) ->
     problem.edge.nodes().iter().zip(lengths).map(at).collect()
 }
 
-/// The margins over the constraints that have a node free to move; constraints on fixed nodes are ignored.
+/// The margins over the constraints with at least one free node; constraints on fixed nodes are ignored.
 fn free_margins(
     problem: &ContactProblem,
     cone: EdgeCone,
@@ -302,7 +302,7 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
     (0..sizes.len()).filter(|&i| !problem.prescribed[i]).map(|i| sizes[i]).fold(0.0, f64::max)
 }
 
-/// max(|u|, |g|, max_i |F_i| / K_ii): the last is the displacement by the load alone, the scale if contact
+/// max(|u|, |g|, max_i |F_i| / K_ii): the last term is the displacement due to the load alone, the scale if contact
 /// prevents all displacement.
 ///
 /// Positive also where contact keeps u = 0, so that rounding of the gap has a scale.
@@ -316,7 +316,7 @@ fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     largest(u).max(largest(&problem.gap)).max(alone)
 }
 
-/// Total reaction and the relative imbalance of all forces.
+/// The total reaction and the relative imbalance of all forces.
 fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_force: &[f64]) -> (Point, f64) {
     let c = problem.form.components();
     let mut reactions = vec![0.0; residual.len()];

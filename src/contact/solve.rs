@@ -1,4 +1,4 @@
-//! Choice of solver and start.
+//! Choice of the solver and of the initial guess.
 
 use super::problem::ContactProblem;
 use super::settings::{Settings, Start};
@@ -11,9 +11,9 @@ use crate::error::{Error, Result, ToolkitError};
 impl ContactProblem {
     /// The discrete solution in the given cone, with its KKT residuals.
     ///
-    /// On a closed edge with an even number of segments, all of them in contact, the means of the midpoint
-    /// cone are dependent: the multipliers are determined up to a sawtooth, and those with the greatest
-    /// minimum are returned.
+    /// On a closed edge with an even number of segments, all of them in contact, the constraints of the midpoint cone
+    /// are linearly dependent: the multipliers are determined up to a sawtooth, and those with the greatest minimum
+    /// are returned.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -22,7 +22,8 @@ impl ContactProblem {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
-    /// Multigrid to the requested accuracy; [`ContactSolution::multigrid`] contains its error estimate:
+    /// The solution by multigrid to the requested accuracy; [`ContactSolution::multigrid`] contains its error
+    /// estimate:
     ///
     /// ```
     /// use signorini::cone::Cone;
@@ -65,7 +66,7 @@ impl ContactProblem {
             Start::Set(set) => Ok(set),
             Start::Coarse(coarse) if coarse.cone != cone => {
                 let (given, with) = (coarse.cone.to_string(), "a solution in the other cone");
-                let (what, expected) = ("cone of the start", "the cone of the solution");
+                let (what, expected) = ("initial guess for cone", "an initial guess for the same cone");
                 Err(Error::Toolkit(ToolkitError::Incompatible { what, given, with, expected }))
             }
             Start::Coarse(coarse) => {

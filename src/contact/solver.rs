@@ -10,7 +10,7 @@ use std::str::FromStr;
 /// | --- | --- | --- |
 /// | `ActiveSet` | Schur complement S on the edge, Z'SZ on each face | one sparse factorization, O(n³) per step |
 /// | `InteriorPoint` | primal-dual central path on (K, B) | 11 to 16 sparse factorizations of size N |
-/// | `EdgeInteriorPoint` | the same on (S, B) | one sparse, some 15 dense factorizations of size n |
+/// | `EdgeInteriorPoint` | the same on (S, B) | one sparse, about 15 dense factorizations of size n |
 /// | `Multigrid` | nested iteration, V-cycle preconditioner | O(N) for a fixed accuracy |
 ///
 /// ```
@@ -25,26 +25,25 @@ use std::str::FromStr;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Solver {
-    /// Elimination of all but the contact unknowns, then a primal-dual active set method on the edge.
+    /// Elimination of all but the contact unknowns, followed by a primal-dual active set method on the edge.
     #[default]
     ActiveSet,
     /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
     InteriorPoint,
-    /// The same on the problem condensed to the edge: elimination is shared with the active set, the
-    /// contact set is found independently. On 128 × 128 squares it takes 0.04 s for an algebraic error of
-    /// 2e-13, where [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`), so
-    /// that it is the independent computation on finer meshes.
+    /// The same method on the problem condensed to the edge: the elimination is that of the active set method, the
+    /// contact set is found independently. On 128 × 128 squares it takes 0.04 s for an algebraic error of 2e-13,
+    /// while [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`); it therefore serves as
+    /// the independent computation on finer meshes.
     EdgeInteriorPoint,
     /// Nested iteration with conjugate gradients and a V-cycle.
     Multigrid,
-    /// The active set up to [`Solver::CROSSING`] unknowns, multigrid above: the faster of the two.
+    /// The active set method up to [`Solver::CROSSING`] unknowns, multigrid above: the faster of the two.
     Auto,
 }
 
 impl Solver {
-    /// Number of unknowns from which on multigrid is faster than elimination: both take some ten
-    /// milliseconds there, and at a hundred times as many multigrid takes a tenth of the time and of the
-    /// memory.
+    /// Number of unknowns above which multigrid is faster than elimination: both take some ten milliseconds there;
+    /// with a hundred times as many unknowns multigrid takes a tenth of the time and of the memory.
     pub const CROSSING: usize = 10_000;
 
     /// The solver that `Auto` selects for this many unknowns.

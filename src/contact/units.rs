@@ -1,9 +1,9 @@
-//! Units for loads so small or so large that the squares of binary64 leave its range: an iteration that
-//! measures its error by (r, M r)^{1/2} would treat errors below 1e-162 as zero.
+//! Units for loads so small or so large that their squares leave the range of binary64: an iteration that measures
+//! its error by (r, M r)^{1/2} would treat errors below 1e-162 as zero.
 //!
-//! A problem is linear in (F, u_D, g): in units of a power of two for which the energy is moderate, scaling
-//! is exact up to underflow, and the solution is scaled back. With k the largest modulus of the form the
-//! energy is about |F|²/k, and k g² where data are prescribed.
+//! The problem is positively homogeneous in (F, u_D, g): it is scaled by a power of two for which the energy is
+//! moderate, which is exact up to underflow, and the solution is scaled back. With k the largest modulus of the form
+//! the energy is about |F|²/k, and k g² where data are prescribed.
 
 use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
@@ -14,10 +14,10 @@ use crate::numeric::check::require_values;
 use crate::numeric::scale::{largest, power_of_two};
 use fractional_sobolev::Estimate;
 
-/// Energy norms from the reciprocal of this to this are not rescaled.
+/// Energy norms in [1/PLAIN, PLAIN] are not rescaled.
 const PLAIN: f64 = 1e60;
 
-/// The power of two for an energy whose root is about `root`; `None` if none is needed, or none helps.
+/// The power of two for an energy norm of about `root`; `None` if no scaling is needed, or none helps.
 pub(super) fn unit_for(root: f64) -> Option<f64> {
     let plain = root == 0.0 || (PLAIN.recip()..=PLAIN).contains(&root);
     (!plain && root.is_finite()).then(|| power_of_two(root))
@@ -44,7 +44,7 @@ impl ContactProblem {
 }
 
 impl ContactSolution {
-    /// The solution with displacements and forces multiplied by the unit and energies by its square.
+    /// The solution with displacements and forces multiplied by the unit and the energy by its square.
     /// Dimensionless quantities are unchanged.
     pub(super) fn scaled_by(mut self, unit: f64) -> Result<Self> {
         for values in [

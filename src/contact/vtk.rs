@@ -1,4 +1,4 @@
-//! Contact solutions in the format of VTK.
+//! Contact solutions in VTK format.
 
 use super::problem::ContactProblem;
 use super::solution::ContactSolution;
@@ -8,12 +8,12 @@ use crate::numeric::check::require_length;
 use std::fmt::Write;
 
 impl ContactProblem {
-    /// The text of a `.vtu` file (VTK XML, unstructured grid, ASCII) that ParaView and meshio open: the triangles with
+    /// The text of a `.vtu` file (VTK XML, unstructured grid, ASCII) for ParaView and meshio: the triangles with
     /// - `displacement` at the nodes, three components, or one number for a scalar problem;
-    /// - `pressure` −σ_N at the nodes of the contact edge, 0 elsewhere, and `contact_edge`, 1 there;
+    /// - `pressure` −σ_N at the nodes of the contact edge, 0 elsewhere, and its indicator `contact_edge`;
     /// - `stress` (σ_xx, σ_yy, σ_xy), or `gradient` (u_x, u_y, 0), constant on each triangle.
     ///
-    /// All digits of binary64 are written.
+    /// All values are written with full binary64 precision.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -25,7 +25,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for the solution of another problem.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a solution of another problem.
     #[doc(alias("VTK", "ParaView", "meshio", "export", "write", "file"))]
     pub fn to_vtu(&self, solution: &ContactSolution) -> Result<String> {
         let (mesh, components) = (self.mesh(), self.form().components());

@@ -1,12 +1,12 @@
-//! The requested accuracy of the multigrid solver, its progress and its report.
+//! The requested accuracy of the multigrid solver, its progress, and its report.
 
 use fractional_sobolev::{Estimate, Tolerance};
 use std::fmt;
 
 /// The requested accuracy of a discrete solution.
 ///
-/// It is compared with the estimate |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺
-/// and C = λ⁺'(g − B ũ) ≥ 0.
+/// It is compared with the error estimate |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺ and
+/// C = λ⁺'(g − B ũ) ≥ 0.
 ///
 /// ```
 /// use signorini::contact::{Accuracy, Settings, Solver};
@@ -22,17 +22,17 @@ use std::fmt;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Accuracy {
-    /// The algebraic error as a share of the discretisation error, which is estimated from the coarser
-    /// levels; more accuracy does not improve the approximation of the continuous solution.
+    /// The algebraic error as a fraction of the discretisation error, which is estimated from the coarser levels;
+    /// higher accuracy does not improve the approximation of the continuous solution.
     OfDiscretisation(f64),
-    /// The algebraic error over the solution, both in the energy norm. Down to 1e-12 an error that rounding of F − K u
-    /// leaves counts as reached, as it does for elimination: 4e-12 for n = 1024, 6e-12 for n = 2048. A smaller tolerance is
-    /// met or the report says that it is not.
+    /// The algebraic error relative to the solution, both in the energy norm. Down to 1e-12, an error at the level of
+    /// the rounding errors in F − K u is accepted, as for elimination: 4e-12 for n = 1024, 6e-12 for n = 2048. If a
+    /// smaller tolerance is not met, the report says so.
     Relative(Tolerance),
 }
 
 impl Default for Accuracy {
-    /// Twelve digits.
+    /// A relative error of 1e-12.
     fn default() -> Self {
         Accuracy::Relative(Tolerance::reference())
     }
@@ -40,7 +40,8 @@ impl Default for Accuracy {
 
 /// The progress of the multigrid iteration.
 ///
-/// Levels are counted from the first one above the coarsest; `error` is an estimate of |u_k − x|_a on that level.
+/// Levels are counted from the first one above the coarsest; `error` is an estimate of |u_k − x|_a on the current
+/// level.
 ///
 /// ```
 /// use signorini::contact::{Progress, Settings, Solver};
@@ -59,17 +60,18 @@ pub struct Progress {
     pub level: usize,
     /// The number of levels.
     pub levels: usize,
-    /// Unknowns of the level.
+    /// Number of unknowns of the level.
     pub unknowns: usize,
-    /// The step of the contact iteration on that level, from 1.
+    /// The step of the contact iteration on that level, starting at 1.
     pub step: usize,
     /// The estimated error in the energy norm.
     pub error: f64,
 }
 
-/// The reason why the direct solver was used.
+/// The reason for using the direct solver.
 ///
-/// The solution is then that of [`Solver::ActiveSet`](crate::contact::Solver::ActiveSet), with the same KKT residuals.
+/// The solution is then that of [`Solver::ActiveSet`](crate::contact::Solver::ActiveSet), with the KKT residuals of
+/// that method.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::{Fallback, Solver}, fem::{Form, Lame}};
@@ -84,29 +86,29 @@ pub struct Progress {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fallback {
-    /// The contact edge lies in several pieces.
+    /// The contact edge has several pieces.
     SeveralEdges,
-    /// The midpoint cone on a closed edge, for which the cycles are not implemented.
+    /// The midpoint cone on a closed edge, for which the V-cycle is not implemented.
     ClosedEdge,
-    /// No coarser meshes: neither a hierarchy nor a grid that can be halved.
+    /// There are no coarser meshes: neither a hierarchy nor a grid that can be coarsened.
     NoLevels,
-    /// λ/μ above 100: cycles with point smoothers converge very slowly.
+    /// λ/μ is above 100, where cycles with point smoothers converge very slowly.
     NearlyIncompressible,
-    /// The requested accuracy was not reached.
+    /// Multigrid did not reach the requested accuracy.
     NotReached,
 }
 
-/// Largest λ/μ for which the cycles converge fast enough to be efficient.
+/// Largest λ/μ for which multigrid is used.
 pub(super) const MOST_INCOMPRESSIBLE: f64 = 100.0;
 
 impl fmt::Display for Fallback {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Fallback::SeveralEdges => "direct solver: several contact edges",
-            Fallback::ClosedEdge => "direct solver: means on a closed edge",
+            Fallback::SeveralEdges => "direct solver: contact edge in several pieces",
+            Fallback::ClosedEdge => "direct solver: midpoint cone on a closed edge",
             Fallback::NoLevels => "direct solver: no coarser meshes",
-            Fallback::NearlyIncompressible => "direct solver: nearly incompressible",
-            Fallback::NotReached => "direct solver: accuracy not reached by cycles",
+            Fallback::NearlyIncompressible => "direct solver: nearly incompressible material",
+            Fallback::NotReached => "direct solver: requested accuracy not reached by multigrid",
         })
     }
 }
@@ -124,13 +126,13 @@ impl fmt::Display for Fallback {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MultigridLevel {
-    /// Unknowns, prescribed ones included.
+    /// Number of unknowns, prescribed ones included.
     pub unknowns: usize,
-    /// Number of contact sets tried, each with a linear system of the level.
+    /// Number of contact sets tried, each with one linear system on this level.
     pub steps: usize,
-    /// Number of conjugate gradient steps, each with one cycle.
+    /// Number of conjugate gradient steps, each with one V-cycle.
     pub gradient_steps: usize,
-    /// The convergence factor 1 − κ of one cycle, estimated from the conjugate gradients.
+    /// The convergence factor 1 − κ of one V-cycle, estimated from the conjugate gradients.
     pub factor: f64,
     /// The estimated algebraic error in the energy norm.
     pub error: f64,
@@ -153,15 +155,15 @@ pub struct MultigridLevel {
 /// ```
 #[derive(Debug, Clone)]
 pub struct MultigridReport {
-    /// |u_h|_a with the estimated error of u_h in the same norm; `None` for the direct solver.
+    /// |u_h|_a, with the estimated error of u_h in the same norm; `None` for the direct solver.
     pub error: Option<Estimate>,
     /// The estimated discretisation error in the energy norm.
     pub discretisation: Option<f64>,
-    /// Number of contact sets tried by elimination on the coarsest mesh, or on the mesh itself if the
-    /// direct solver was used; the first guess is from coarser functions on the edge.
+    /// Number of contact sets tried by elimination on the coarsest mesh, or on the mesh itself if the direct solver
+    /// was used; the initial guess comes from coarser functions on the edge.
     pub coarsest_steps: usize,
     /// The levels above the coarsest one.
     pub levels: Vec<MultigridLevel>,
-    /// The reason why the direct solver was used, if it was.
+    /// The reason for using the direct solver, if it was used.
     pub fallback: Option<Fallback>,
 }

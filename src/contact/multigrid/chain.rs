@@ -1,8 +1,8 @@
-//! The coarse problems of a problem: the same form on coarser meshes, loads by P'F, gaps and prescribed
-//! values at the nodes that stay.
+//! The coarse problems of a problem: the same form on coarser meshes, loads P'F, gaps and prescribed values at the
+//! coarse nodes.
 //!
-//! On nested meshes the coarse matrices are P'KP and the coarse problems minimise the same functional over
-//! coarser functions. On the image of a grid under a map that is not affine this holds approximately.
+//! On nested meshes the coarse matrices are P'KP and the coarse problems minimise the same functional over coarser
+//! functions. On the image of a grid under a map that is not affine this holds approximately.
 
 use super::super::operator::Operator;
 use super::super::problem::ContactProblem;
@@ -15,16 +15,16 @@ const COARSEST: usize = 100;
 
 /// The coarse problems of a problem, coarsest first.
 pub(super) struct Chain {
-    /// One for every level but the finest.
+    /// One coarse problem for every level but the finest.
     pub(super) problems: Vec<ContactProblem>,
-    /// For every level k, the two nodes whose midpoint a node of level k + 1 is.
+    /// For every level k, the two nodes whose midpoint is a given node of level k + 1.
     pub(super) parents: Vec<Vec<[u32; 2]>>,
-    /// The same along the contact edge.
+    /// The same relation along the contact edge.
     pub(super) links: Vec<Link>,
 }
 
 impl Chain {
-    /// The chain by the hierarchy, or by omitting every other line of a grid; empty if there is neither.
+    /// The chain given by the hierarchy, or by omitting every other line of a grid; empty if neither exists.
     pub(super) fn of(problem: &ContactProblem, hierarchy: Option<&Hierarchy>) -> Result<Self> {
         let mut meshes: Vec<(Triangulation, Vec<[u32; 2]>)> = Vec::new();
         if let Some(hierarchy) = hierarchy {

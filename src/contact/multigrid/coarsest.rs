@@ -6,8 +6,7 @@ use crate::fem::Condensation;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
 
-/// A pivot below this share of its diagonal entry counts as zero: some part of the body has no Dirichlet
-/// boundary.
+/// A pivot below this fraction of its diagonal entry counts as zero: some part of the body has no Dirichlet boundary.
 const VANISHED: f64 = 1e-14;
 
 /// The condensation and the factor of S on the free nodes.
@@ -25,7 +24,7 @@ impl Coarsest {
         Ok(Self { condensation, free: Vec::new(), factor: None })
     }
 
-    /// The mean of S_kk/K_kk along the contact edge; both scale alike from level to level.
+    /// The mean of S_kk/K_kk along the contact edge; both scale in the same way from level to level.
     pub(super) fn condensed_share(&self, problem: &ContactProblem) -> f64 {
         let (schur, normals) = (self.condensation.schur(), problem.normal_unknowns());
         let shares =
@@ -42,7 +41,7 @@ impl Coarsest {
             return Ok(());
         }
         let part = Mat::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
-        let what = "condensed stiffness on the coarsest contact edge";
+        let what = "condensed stiffness matrix on the coarsest contact edge";
         let failed = |pivot: usize| Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot });
         let factor = part.llt(Side::Lower).map_err(|_| failed(free.len()))?;
         let vanishes = |&k: &usize| factor.L()[(k, k)].powi(2) <= VANISHED * part[(k, k)];

@@ -1,8 +1,8 @@
-//! The discretisation error from the energies of nested levels.
+//! The discretisation error, estimated from the energies of nested levels.
 //!
-//! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact
-//! term; with an order p estimated from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k −
-//! u_{k−1}|²/(4^p − 1). The load is that of the finest level, so that its data error is not included.
+//! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact term;
+//! with an order p estimated from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k − u_{k−1}|²/(4^p −
+//! 1). The load is that of the finest level, so its data error is not included.
 
 /// The range of admissible orders.
 const ORDERS: (f64, f64) = (0.25, 1.0);
@@ -22,17 +22,16 @@ impl Discretisation {
         self.energies.push(energy);
     }
 
-    /// The estimated |u − u_k|_a on the last level so far; `None` for fewer than three levels, and if J did
-    /// not decrease.
+    /// The estimate of |u − u_k|_a on the last level; `None` for fewer than three levels, and if J did not decrease.
     ///
-    /// |u − u_k| ≈ (2 (J_{k−1} − J_k)/(4^p − 1))^{1/2}, p = ½ log₂ of the quotient of the last two energy differences.
+    /// |u − u_k| ≈ (2 (J_{k−1} − J_k)/(4^p − 1))^{1/2}, p = ½ log₂ of the ratio of the last two energy differences.
     pub(super) fn here(&self) -> Option<f64> {
         let [.., first, second, third] = self.energies[..] else { return None };
         let (before, now) = ((first - second).max(0.0), (second - third).max(0.0));
         (now > 0.0).then(|| (2.0 * now / (4_f64.powf(order(before, now)) - 1.0)).sqrt())
     }
 
-    /// The estimated discretisation error on the next level.
+    /// The estimate of the discretisation error on the next level.
     pub(super) fn next(&self) -> Option<f64> {
         let [.., first, second, third] = self.energies[..] else { return None };
         let p = order((first - second).max(0.0), (second - third).max(0.0));

@@ -1,4 +1,4 @@
-//! The contact edge of a level during the iteration: gaps, forces, violated constraints, the next set.
+//! The contact edge of a level during the iteration: gaps, forces, violated constraints, and the next contact set.
 
 use super::super::edge_problem::HELD;
 use super::super::problem::ContactProblem;
@@ -6,7 +6,7 @@ use super::level::Level;
 use crate::cone::{Cone, ContactSet, EdgeCone, Face, Weighted, project_weighted};
 use crate::error::Result;
 
-/// Signs below this multiple of the size of the terms are rounding (16 ε).
+/// Signs of quantities below this multiple of the size of their terms are attributed to rounding (16 ε).
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The data of the edge.
@@ -17,16 +17,16 @@ pub(super) struct Edge {
     /// Prescribed u_N.
     pub(super) fixed: Vec<bool>,
     places: Vec<usize>,
-    /// K_ii.
+    /// The diagonal entries K_ii.
     diagonals: Vec<f64>,
-    /// The diagonal of the condensed matrix over that of K, about.
+    /// An estimate of the ratio of the diagonals of the condensed matrix and of K.
     condensed: f64,
     /// Rows of |K| at the places, and |F|.
     rows: Vec<Vec<(usize, f64)>>,
     loads: Vec<f64>,
 }
 
-/// Contact at an iterate.
+/// The contact quantities of an iterate.
 pub(super) struct Contact {
     /// λ, zero off the set.
     pub(super) multiplier: Vec<f64>,
@@ -78,7 +78,7 @@ impl Edge {
         Ok(())
     }
 
-    /// Contact for an iterate that meets the constraints of the set, with its residual F − K x.
+    /// The contact quantities of an iterate that satisfies the constraints of the set, given its residual F − K x.
     pub(super) fn contact(&self, x: &[f64], residual: &[f64], set: &ContactSet) -> Contact {
         let force = self.balanced_force(residual, set);
         let multiplier = self.cone.multipliers(set.as_slice(), &force, |node| self.fixed[node]);
@@ -106,8 +106,8 @@ impl Edge {
         Contact { multiplier, gap, wrong }
     }
 
-    /// The residual along the edge without its sawtooth components on contact intervals with a free
-    /// amplitude: B'λ has no such component, which is an iteration error.
+    /// The residual along the edge without its sawtooth components on contact intervals with a free amplitude: B'λ
+    /// has no such component, so that it is an iteration error.
     fn balanced_force(&self, residual: &[f64], set: &ContactSet) -> Vec<f64> {
         let mut force: Vec<f64> = self.places.iter().map(|&place| residual[place]).collect();
         if self.cone.kind() == Cone::Midpoint {
@@ -125,10 +125,10 @@ impl Edge {
         force
     }
 
-    /// The next set: in the nodal cone, and if only ends of contact intervals move, all violated
-    /// constraints are exchanged; otherwise the constraints active at the projection of w + D⁻¹ B'λ. In a
-    /// contact interval that is short by one segment the force at its end causes an oscillation of all its
-    /// multipliers, which the projection would follow.
+    /// The next set: in the nodal cone, and if only ends of contact intervals move, all violated constraints are
+    /// exchanged; otherwise it consists of the constraints active at the projection of w + D⁻¹ B'λ. If a contact
+    /// interval is too short by one segment, the force at its end causes an oscillation of all its multipliers, which
+    /// the projection would follow.
     pub(super) fn next_set(&self, x: &[f64], set: &ContactSet, contact: &Contact) -> Result<ContactSet> {
         if self.cone.kind() == Cone::Nodal || only_ends_move(set, &contact.wrong) {
             return Ok(changed(set, &contact.wrong));
@@ -146,7 +146,7 @@ impl Edge {
         Ok(ContactSet::new(project_weighted(&target, &nearest).1))
     }
 
-    /// The energy norm of a change that removes all penetration, node by node.
+    /// The energy norm of a change that removes all penetration, estimated node by node.
     ///
     /// (Σ_i k_i (B u − g)_{i,+}²)^{1/2}, k_i the larger K_kk of the nodes of constraint i.
     pub(super) fn penetration(&self, contact: &Contact) -> f64 {
@@ -158,8 +158,8 @@ impl Edge {
     }
 }
 
-/// True if all violated constraints are adjacent to an end of a contact interval. Intervals that vanish,
-/// and new contact in a non-contact interval, are left to the projection.
+/// True if all violated constraints are adjacent to an end of a contact interval. Intervals that vanish, and new
+/// contact inside a non-contact interval, are treated by the projection.
 fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
     wrong.chunk_by(|&a, &b| a + 1 == b && set.contains(a) == set.contains(b)).all(|stretch| {
         let (first, last, is_active) = (stretch[0], stretch[stretch.len() - 1], set.contains(stretch[0]));
@@ -171,7 +171,7 @@ fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
     })
 }
 
-/// The set with the given constraints on the other side.
+/// The set with the given constraints exchanged.
 pub(super) fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);

@@ -11,15 +11,15 @@ use crate::error::{Error, Result};
 use crate::fem::Form;
 use crate::mesh::Hierarchy;
 
-/// Largest number of unknowns of a coarsest mesh that is solved by elimination.
+/// Largest number of unknowns of a coarsest mesh that is treated by elimination.
 const COARSEST: usize = 100_000;
 
 impl ContactProblem {
-    /// The discrete solution by multigrid, to the requested accuracy. Coarser meshes are those of the
-    /// hierarchy, whose finest mesh must be that of the problem, or else every other line of a grid. If
-    /// there are none, near Poisson's ratio 1/2, or if the cycles do not reach the accuracy, the direct
-    /// solver is used and the report gives the reason. Problems whose squared loads leave the range of
-    /// binary64 are scaled by a power of two.
+    /// The discrete solution by multigrid, to the requested accuracy. The coarser meshes are those of the hierarchy,
+    /// whose finest mesh must be that of the problem, or otherwise every other line of a grid. If there are none, if
+    /// Poisson's ratio is close to 1/2, or if multigrid does not reach the accuracy, the direct solver is used and
+    /// the report gives the reason. Problems whose squared loads leave the range of binary64 are scaled by a power of
+    /// two.
     pub(in crate::contact) fn by_multigrid(
         &self,
         cone: Cone,
@@ -48,7 +48,7 @@ impl ContactProblem {
         }
     }
 
-    /// The same in the units of the problem.
+    /// The solution of a problem that needs no scaling.
     fn by_cycles(
         &self,
         cone: Cone,
@@ -105,5 +105,5 @@ impl ContactProblem {
     }
 }
 
-/// Largest number of unknowns for which the direct solver is used if the cycles fail: n = 1024, some 4 GB.
+/// Largest number of unknowns for which the direct solver replaces multigrid if it fails: n = 1024, about 4 GB.
 const LARGEST_DIRECT: usize = 2_200_000;

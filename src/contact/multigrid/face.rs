@@ -1,23 +1,23 @@
 //! The free unknowns of a contact set, on a level and on the coarser ones.
 //!
-//! At active nodes of the nodal cone u_N is fixed. On a contact interval of the midpoint cone one amplitude
-//! of the sawtooth (−1)^i is free: one unknown with many nodes. Coarse functions keep u_N if they vanish at
-//! all nodes of the contact intervals, so that the coarse spaces are subspaces of the fine one. The
-//! functions omitted on a coarse level lie within a coarse mesh size of the ends of contact and are
-//! represented on the next finer level.
+//! At active nodes of the nodal cone u_N is fixed. On a contact interval of the midpoint cone one amplitude of the
+//! sawtooth (−1)^i is free: a single unknown with many nodes. Coarse functions leave u_N unchanged if they vanish at
+//! all nodes of the contact intervals, so that the coarse spaces are subspaces of the fine one. The functions omitted
+//! on a coarse level lie within one coarse mesh size of the ends of contact and are represented on the next finer
+//! level.
 
 use super::super::problem::ContactProblem;
 use super::level::Level;
 use crate::cone::{ContactSet, Coordinates, EdgeCone};
 
-/// One unknown: the sawtooth on a contact interval.
+/// A single unknown: the amplitude of the sawtooth on a contact interval.
 #[derive(Debug, Clone)]
 pub(super) struct Sawtooth {
     /// Place and sign of every node of the contact interval.
     pub(super) nodes: Vec<(usize, f64)>,
-    /// s'K over the unit, as (place, value).
+    /// s'K divided by the unit, as (place, value).
     row: Vec<(usize, f32)>,
-    /// s'K s over the unit.
+    /// s'K s divided by the unit.
     own: f32,
 }
 
@@ -38,15 +38,14 @@ impl Sawtooth {
         }
     }
 
-    /// The part of the residual that moves the amplitude, ± its mean on the contact interval, times a
-    /// factor.
+    /// The component of the residual that acts on the amplitude, ± its mean on the contact interval, times a factor.
     pub(super) fn force(&self, residual: &[f64], factor: f64, out: &mut [f32]) {
         let sum: f64 = self.nodes.iter().map(|&(place, sign)| sign * residual[place]).sum();
         let mean = factor * sum / self.nodes.len() as f64;
         self.nodes.iter().for_each(|&(place, sign)| out[place] = (sign * mean) as f32);
     }
 
-    /// Gives the amplitude the value that balances it.
+    /// Sets the amplitude to the value for which its residual vanishes.
     pub(super) fn relax(&self, x: &mut [f32], b: &[f32]) {
         let force: f32 = self.nodes.iter().map(|&(place, sign)| sign as f32 * b[place]).sum();
         let held: f32 = self.row.iter().map(|&(place, value)| value * x[place]).sum();

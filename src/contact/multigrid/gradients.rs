@@ -1,17 +1,16 @@
 //! Conjugate gradients in a face, preconditioned by the cycle, with estimates of its spectrum.
 //!
-//! A step makes the next direction conjugate to the last one by z'q/p'q, which allows for the roundings of
-//! the cycle. The coefficients are those of a Lanczos process: the least eigenvalue of its matrix estimates
-//! from above the least one, κ, of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|²
-//! ≥ ρ for exact coarse spaces. In contrast to `numeric::ConjugateGradients`, the plain method in f64, the
-//! preconditioned residual is in f32, the update of the direction uses another quotient, and the
-//! coefficients are kept.
+//! A step makes the next direction conjugate to the last one by z'q/p'q, which accounts for the rounding errors of
+//! the cycle. The coefficients are those of a Lanczos process: the smallest eigenvalue of its matrix is an upper
+//! estimate of the smallest eigenvalue κ of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|²
+//! ≥ ρ for exact coarse spaces. Unlike `numeric::ConjugateGradients`, the plain method in f64, the preconditioned
+//! residual is in f32, the update of the direction uses a different quotient, and the coefficients are stored.
 
 use super::cycle::Cycle;
 use super::level::Level;
 use super::vectors::{add_scaled, dot, dot_mixed, turn};
 
-/// Bisections for the least eigenvalue: three digits.
+/// Number of bisections for the smallest eigenvalue: three digits.
 const BISECTIONS: usize = 12;
 
 /// The state of an iteration.
@@ -20,15 +19,15 @@ pub(super) struct Gradients {
     direction: Vec<f64>,
     image: Vec<f64>,
     rho: f64,
-    /// Since the last start: step lengths and turns.
+    /// Step lengths and update coefficients since the last start.
     lengths: Vec<f64>,
     turns: Vec<f64>,
-    /// The least eigenvalue found so far.
+    /// The smallest eigenvalue found so far.
     least: f64,
 }
 
 impl Gradients {
-    /// The state for this many unknowns; `least` is a known bound of κ, else 1.
+    /// The state for this many unknowns; `least` is a known bound of κ, otherwise 1.
     pub(super) fn new(unknowns: usize, least: f64) -> Self {
         let zeros = || vec![0.0; unknowns];
         Self {
@@ -57,7 +56,7 @@ impl Gradients {
         self.rho
     }
 
-    /// One step; false if no descent direction exists.
+    /// Performs one step; false if there is no descent direction.
     pub(super) fn step<L: Level>(&mut self, level: &L, cycle: &mut Cycle<'_, L>, x: &mut [f64]) -> bool {
         level.multiply(&self.direction, &mut self.image);
         let curvature = dot(&self.direction, &self.image);
@@ -78,12 +77,12 @@ impl Gradients {
         true
     }
 
-    /// The estimate of κ from the iterations.
+    /// The estimate of κ from the steps so far.
     pub(super) fn least(&self) -> f64 {
         self.least.min(self.least_eigenvalue())
     }
 
-    /// The least eigenvalue of the Lanczos matrix, diagonal 1/α_k + β_k/α_{k−1}, beside it √β_k/α_{k−1}.
+    /// The smallest eigenvalue of the Lanczos matrix with diagonal 1/α_k + β_k/α_{k−1} and off-diagonal √β_k/α_{k−1}.
     fn least_eigenvalue(&self) -> f64 {
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..BISECTIONS {

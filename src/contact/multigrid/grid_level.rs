@@ -1,8 +1,8 @@
 //! A level with constant stencils: no matrix is stored.
 //!
-//! Vectors are kept row by row of the grid. A sweep relaxes every second row, then the others; in a row every
-//! second node, then the others: four colours, and rows of one parity in parallel. Inner nodes are never
-//! fixed. Cost: 28 multiplications a node and sweep for two components.
+//! Vectors are stored row by row of the grid. A sweep relaxes every second row, then the others; in a row every
+//! second node, then the others: four colours, and rows of one parity in parallel. Inner nodes are never fixed. Cost:
+//! 28 multiplications per node and sweep for two components.
 
 use super::grid_rows::{Beside, RowStencils};
 use super::level::{Level, Sweep};
@@ -11,7 +11,7 @@ use crate::fem::Stencils;
 use crate::mesh::Grid;
 use rayon::prelude::*;
 
-/// Entries below which a task is not split.
+/// Number of entries below which a task is not split.
 const GRAIN: usize = 1 << 14;
 
 /// A level with C components.
@@ -20,7 +20,7 @@ pub(super) struct GridLevel<const C: usize> {
     grid: Grid,
     unit: f64,
     exact: RowStencils<f64, C>,
-    /// Times −1 over the unit.
+    /// The stencils times −1, divided by the unit.
     negated: RowStencils<f32, C>,
 }
 
@@ -40,7 +40,7 @@ impl<const C: usize> GridLevel<C> {
         C * (self.grid.nx + 1)
     }
 
-    /// Rows a task takes at least.
+    /// Smallest number of rows per task.
     fn rows_a_task(&self) -> usize {
         (GRAIN / self.width()).max(1)
     }

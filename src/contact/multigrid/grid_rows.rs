@@ -1,8 +1,7 @@
 //! Rows of a grid: products and relaxation with constant stencils.
 //!
-//! A row holds all first components, then all second ones, so that sums over neighbours run along it. The
-//! fast path takes the inner nodes of an inner row; nodes at the boundary go one by one, with their own
-//! stencils.
+//! A row stores all first components, then all second ones, so that sums over neighbours run along it. The fast path
+//! treats the inner nodes of an inner row; nodes at the boundary are treated one by one, with their own stencils.
 
 use super::real::{Real, add_two};
 use crate::fem::{Block, NEIGHBOURS};
@@ -19,11 +18,11 @@ const NORTH_EAST: usize = 6;
 /// A stencil: one block for each neighbour.
 type Stencil<T, const C: usize> = [[[T; C]; C]; 7];
 
-/// The nine stencils times a factor, and the inverses of what they do to a node itself.
+/// The nine stencils times a factor, and the inverses of their diagonal blocks.
 #[derive(Debug, Clone)]
 pub(super) struct RowStencils<T, const C: usize> {
     stencils: [Stencil<T, C>; 9],
-    /// Inverses of the unscaled own blocks over the factor's size.
+    /// Inverses of the unscaled diagonal blocks, divided by the absolute value of the factor.
     inverses: [[[T; C]; C]; 9],
 }
 
@@ -93,8 +92,8 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         }
     }
 
-    /// Relaxes the nodes of a row, those of parity `first` before the others, for stencils times −1: each
-    /// node is given the value that balances it. `sums` is scratch of the length of the row.
+    /// Relaxes the nodes of a row, those of parity `first` before the others, for stencils times −1: each node is set
+    /// to the value for which its residual vanishes. `sums` is a work array of the length of the row.
     pub(super) fn relax(
         &self,
         kind: usize,
@@ -144,7 +143,7 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         }
     }
 
-    /// A node at the boundary: both unknowns, or the one that is not fixed.
+    /// Relaxes a node at the boundary: both unknowns, or the one that is not fixed.
     fn relax_node(
         &self,
         kind: usize,

@@ -9,8 +9,8 @@ pub(super) enum Sweep {
     Backward,
 }
 
-/// A level: its matrix, and the transfer to the coarser level. Vectors have the layout of the level; the
-/// f32 operations work with K / [`Level::unit`].
+/// A level: its matrix, and the transfer to the coarser level. Vectors have the layout of the level; the f32
+/// operations use K / [`Level::unit`].
 pub(super) trait Level: Sync {
     /// Number of unknowns, prescribed ones included.
     fn unknowns(&self) -> usize;
@@ -24,7 +24,7 @@ pub(super) trait Level: Sync {
     /// out ← K x.
     fn multiply(&self, x: &[f64], out: &mut [f64]);
 
-    /// One block Gauss-Seidel sweep for K x = b; fixed unknowns stay.
+    /// One block Gauss-Seidel sweep for K x = b; fixed unknowns are not changed.
     fn sweep(&self, x: &mut [f32], b: &[f32], fixed: &[bool], direction: Sweep);
 
     /// out ← b − K x.

@@ -30,7 +30,7 @@ impl Link {
         Ok(Self { parents: pairs.collect::<Result<_>>()?, coarse: coarse.nodes().len() })
     }
 
-    /// The coarse nodes whose hat functions do not vanish at a marked fine node.
+    /// The coarse nodes whose hat functions are nonzero at some marked fine node.
     pub(super) fn touched(&self, fine: &[bool]) -> Vec<bool> {
         let mut touched = vec![false; self.coarse];
         for (&[a, b], _) in self.parents.iter().zip(fine).filter(|&(_, &marked)| marked) {
@@ -40,9 +40,9 @@ impl Link {
         touched
     }
 
-    /// The fine set that lies in a coarse one. Where segments of the midpoint cone are alternately active,
-    /// they are alternately active on the fine edge: the pattern depends on the mesh, its extent on the
-    /// solution.
+    /// The constraints of the fine edge that lie in a coarse set. Where segments of the midpoint cone are alternately
+    /// active, they are alternately active on the fine edge as well: the pattern is that of the mesh, its extent that
+    /// of the solution.
     pub(super) fn refined(&self, cone: Cone, constraints: usize, coarse: &ContactSet) -> ContactSet {
         if cone == Cone::Nodal {
             let active = |k: usize| self.parents[k].iter().all(|&a| coarse.contains(a));
@@ -67,7 +67,7 @@ impl Link {
     }
 }
 
-/// The first of three or more consecutive segments that each differ from both neighbours.
+/// The start of every sequence of three or more consecutive segments that each differ from both neighbours.
 fn by_turns(set: &[bool]) -> Vec<Option<usize>> {
     let differs = |a: usize, b: usize| set.get(a).zip(set.get(b)).is_none_or(|(a, b)| a != b);
     let is_single = |&i: &usize| (i == 0 || differs(i - 1, i)) && differs(i, i + 1);

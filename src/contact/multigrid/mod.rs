@@ -1,23 +1,22 @@
 //! Multigrid for contact: nested iteration, truncated Newton steps, conjugate gradients with a V-cycle.
 //!
-//! On every level the constraints of a contact set hold with equality and the others are ignored; the
-//! linear problem left is solved by conjugate gradients whose preconditioner is a symmetric V-cycle on the
-//! coarse functions compatible with the set (C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009); R.
-//! Kornhuber and R. Krause, Comput. Vis. Sci. 4 (2001)). Each level starts from the solution and the set of
-//! the coarser one. The cost is O(unknowns) for a fixed accuracy.
+//! On every level the constraints of a contact set hold with equality and the others are ignored; the resulting
+//! linear problem is solved by conjugate gradients, preconditioned by a symmetric V-cycle on the coarse functions
+//! compatible with the set (C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009); R. Kornhuber and R. Krause,
+//! Comput. Vis. Sci. 4 (2001)). Each level starts from the solution and the set of the coarser one. The cost is
+//! O(unknowns) for a fixed accuracy.
 //!
-//! No initial guess is needed: the iteration starts on the coarsest mesh, where the set is guessed from
-//! coarser functions on the edge. The motion of the ends of contact between two meshes is computed on
-//! patches: a level takes one or two linear systems in the nodal cone, at most three in the midpoint cone,
-//! for n up to 2048.
+//! No initial guess is needed: the iteration starts on the coarsest mesh, where the set is guessed from coarser
+//! functions on the edge. The motion of the ends of contact between two meshes is computed on patches: a level
+//! requires one or two linear systems in the nodal cone, at most three in the midpoint cone, for n up to 2048.
 //!
-//! In the midpoint cone the multipliers of a contact interval that is short by one segment oscillate, and
-//! their projection is far from the solution: if all violated constraints are adjacent to ends of contact
-//! intervals, these ends are moved. A contact interval at an end on the Dirichlet boundary may have to be
-//! divided at points that no step finds; up to n = 256 elimination gives the set of such a level.
+//! In the midpoint cone the multipliers of a contact interval that is too short by one segment oscillate, and their
+//! projection is far from the solution: if all violated constraints are adjacent to ends of contact intervals, these
+//! ends are moved. A contact interval adjacent to the Dirichlet boundary may have to be divided at points that no
+//! step finds; up to n = 256 the set of such a level is computed by elimination.
 //!
-//! Measured on `block` with n segments on the contact edge, tolerance 1e-10: steps of the gradients on the
-//! finest level, and the factor by which one cycle reduces the error (the last two rows with the limit on λ/μ
+//! Measured for `block` with n segments on the contact edge and tolerance 1e-10: conjugate gradient steps on the
+//! finest level, and the factor by which one cycle reduces the error (for the last two rows the limit on λ/μ is
 //! lifted).
 //!
 //! | λ/μ | n = 128 | n = 512 | factor |
@@ -30,8 +29,8 @@
 //! | 200 | 131 | 136 | 0.996 |
 //! | 500 | 309 | 322, not reached | 0.997 |
 //!
-//! Multigrid is used for λ/μ up to 100; near Poisson's ratio 1/2 point smoothers fail, and the direct
-//! solver is used.
+//! Multigrid is used for λ/μ up to 100; for Poisson's ratio close to 1/2 point smoothers fail, and the direct solver
+//! is used.
 
 mod accuracy;
 mod chain;

@@ -1,5 +1,5 @@
-//! Nested iteration: contact on the coarsest mesh by the direct solver, then level after level from the
-//! coarser one.
+//! Nested iteration: contact on the coarsest mesh by the direct solver, then on each level starting from the coarser
+//! one.
 
 use super::super::condensed;
 use super::super::problem::ContactProblem;
@@ -21,22 +21,22 @@ use fractional_sobolev::{Estimate, Tolerance, Work};
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// Algebraic error over estimated discretisation error on all levels but the last.
+/// Ratio of the algebraic error and the estimated discretisation error on all levels but the last.
 const ON_THE_WAY: f64 = 0.02;
-/// The same over the first error if there is no estimate yet.
+/// Ratio of the algebraic error and the initial error if there is no estimate yet.
 const AT_FIRST: f64 = 0.02;
 
-/// Largest number of unknowns of a level for which elimination is used if the midpoint set was not found by
-/// signs in this many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
+/// Largest number of unknowns of a level on which elimination is used if the set of the midpoint cone was not found
+/// by signs in this many steps: n = 64, milliseconds, and n = 256, some tenths of a second.
 const ELIMINATED: [(usize, usize); 2] = [(10_000, 2), (140_000, 6)];
 
-/// Factor between the largest residual that an error explains and the one that is accepted.
+/// Factor between the largest residual explained by an error and the largest one accepted.
 const SPARE: f64 = 10.0;
 
-/// The observer of every step.
+/// The callback invoked after every step.
 pub(super) type Observer<'o> = dyn FnMut(&Progress) -> Result<()> + Send + 'o;
 
-/// Solves on all levels of a chain that is not empty.
+/// Solves the problem on all levels of a nonempty chain.
 pub(super) fn solve(
     problem: &ContactProblem,
     chain: &Chain,
@@ -224,8 +224,8 @@ fn node_major<L: Level>(level: &L, x: &[f64]) -> Vec<f64> {
     (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
 }
 
-/// The rounding of F − K u in the dual norm, about: one unit of each row over the root of its diagonal, with a
-/// logarithmic factor for the coarse functions.
+/// An estimate of the rounding error of F − K u in the dual norm: ε times the size of each row, divided by the root
+/// of its diagonal entry, with a logarithmic factor for the coarse functions.
 fn rounding(problem: &ContactProblem, u: &[f64]) -> f64 {
     let stiff = (0..u.len()).step_by(7).map(|i| problem.diagonal(i)).fold(0.0, f64::max);
     let rows = problem.multiply_absolute(u);

@@ -1,13 +1,13 @@
-//! Contact on one level: truncated Newton steps, linear systems are solved only as accurately as the set
-//! requires.
+//! Contact on one level: truncated Newton steps, whose linear systems are solved only as accurately as the contact
+//! set requires.
 //!
-//! First the guess is corrected on patches over the ends of its contact intervals ([`super::patch`]), so
-//! that no linear system of the level is solved for a set that is locally inconsistent. A step imposes the
-//! constraints of the set as equations and reduces the error by conjugate gradients; when it is reduced by
-//! a factor of 50, the signs of forces and gaps give the violated constraints, and patches over them the
-//! next set. If the patches change nothing, the next set follows from the signs, as in the condensed active
-//! set. When the set does not change, the conjugate gradients continue to the requested accuracy. If a set
-//! recurs, the error is reduced further, then constraints are exchanged one at a time.
+//! First the guess is corrected on patches around the ends of its contact intervals ([`super::patch`]), so that no
+//! linear system of the level is solved for a set that is locally inconsistent. A step imposes the constraints of the
+//! set as equations and reduces the error by conjugate gradients; when it is reduced by a factor of 50, the signs of
+//! forces and gaps determine the violated constraints, and patches around them the next set. If the patches change
+//! nothing, the next set follows from the signs, as in the condensed active set method. When the set does not change,
+//! the conjugate gradients continue to the requested accuracy. If a set recurs, the error is reduced further, then
+//! constraints are exchanged one at a time.
 
 use super::super::problem::ContactProblem;
 use super::cycle::Cycle;
@@ -25,21 +25,21 @@ use std::collections::HashSet;
 const DECIDED: f64 = 0.02;
 /// Factor by which the error is reduced further when a set recurs.
 const SHARPER: f64 = 1e-3;
-/// Largest reduction of the error before the signs are used.
+/// Smallest factor to which the error is reduced before the signs are used.
 const SHARPEST: f64 = 1e-10;
 /// Largest number of steps.
 pub(super) const STEPS: usize = 60;
-/// Share of the solution below which the first error counts as zero: a patch may cover a coarse body.
+/// Fraction of the solution below which the initial error counts as zero: a patch may cover a whole coarse body.
 const SOLVED: f64 = 1e-8;
 /// Largest number of restarts from the true residual before the requested accuracy counts as not reached.
 const TRIES: usize = 3;
-/// Share of the requested accuracy at which the conjugate gradients stop; after a miss, at most a half and
-/// at least a tenth of it.
+/// Fraction of the requested accuracy at which the conjugate gradients stop; if the accuracy is then missed, at most
+/// a half and at least a tenth of it.
 const SPARE: f64 = 0.4;
 const LESS: (f64, f64) = (0.1, 0.5);
-/// Largest number of conjugate gradient steps for one set: at the factor 0.9 enough for 1e-12.
+/// Largest number of conjugate gradient steps for one set: sufficient for 1e-12 at a convergence factor of 0.9.
 const GRADIENT_STEPS: usize = 300;
-/// Largest value of κ that is assumed, and the share of its estimate that is used.
+/// Largest value of κ that is assumed, and the fraction of its estimate that is used.
 const KAPPA: f64 = 0.15;
 const RELIED: f64 = 0.7;
 
@@ -51,12 +51,12 @@ pub(super) struct Stage<'s, 'c, L> {
     edge: Edge,
     /// F in the layout of the level.
     load: Vec<f64>,
-    /// The prescribed places.
+    /// The prescribed unknowns, in the layout of the level.
     prescribed: Vec<usize>,
-    /// κ on coarser levels.
+    /// The value of κ on coarser levels.
     least: f64,
     guess: Guess,
-    /// The dual norm of a residual that rounding leaves: no smaller one is asked for.
+    /// The dual norm of the rounding errors in a residual: no smaller residual is requested.
     floor: f64,
 }
 
@@ -72,29 +72,29 @@ pub(super) enum Guess {
 /// The stopping criterion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Goal {
-    /// An energy norm of the error over that of the solution.
+    /// Energy norm of the error, relative to that of the solution.
     Relative(f64),
-    /// An energy norm of the error.
+    /// Energy norm of the error.
     Absolute(f64),
-    /// A share of the first error.
+    /// Energy norm of the error, relative to the initial error.
     Share(f64),
 }
 
-/// The end of the iteration on a level.
+/// The result of the iteration on a level.
 pub(super) struct Outcome {
     pub(super) set: ContactSet,
     pub(super) multiplier: Vec<f64>,
     pub(super) status: Status,
     pub(super) history: Vec<ContactSet>,
-    /// Conjugate gradient steps.
+    /// Number of conjugate gradient steps.
     pub(super) gradient_steps: usize,
-    /// The least eigenvalue of cycle times K found so far.
+    /// The smallest eigenvalue of cycle times K found so far.
     pub(super) least: f64,
     /// |u|_a.
     pub(super) norm: f64,
     /// The estimated error in the energy norm.
     pub(super) error: f64,
-    /// J.
+    /// The energy J.
     pub(super) energy: f64,
 }
 
@@ -132,7 +132,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         }
     }
 
-    /// Dual norms of the residual below this are not asked for.
+    /// Sets the dual norm below which no residual is requested.
     pub(super) fn above(&mut self, floor: f64) {
         self.floor = floor;
     }
@@ -143,7 +143,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         self
     }
 
-    /// The solution from an iterate and a guess of the set; `report` is called with the step and the
+    /// The solution, starting from an iterate and a guess of the set; `report` is called with the step and the
     /// estimated error.
     pub(super) fn solve(
         &mut self,
@@ -232,7 +232,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         }
     }
 
-    /// Changes the iterate so that the set holds.
+    /// Changes the iterate so that the constraints of the set hold.
     fn hold(&self, x: &mut [f64], set: &ContactSet) -> FreePart {
         let slack = self.edge.slack(x);
         let part = FreePart::new(self.problem, self.level, (self.edge.cone, set), &slack, &self.edge.fixed);
@@ -240,12 +240,12 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         part
     }
 
-    /// Corrects the set near the given constraints, and the iterate with it.
+    /// Corrects the set near the given constraints, and the iterate accordingly.
     fn mend(&self, x: &mut [f64], set: &mut ContactSet, constraints: &[usize]) -> Result<()> {
         patch::mend((self.problem, self.level, &self.edge, &self.load), x, set, constraints)
     }
 
-    /// Moves the iterate onto the set and starts the gradients there.
+    /// Moves the iterate to the face of the set and starts the conjugate gradients there.
     fn begin(&mut self, x: &mut [f64], set: &ContactSet, gradients: &mut Gradients) -> Result<Sizes> {
         let part = self.hold(x, set);
         self.cycle.hold(&part.held, part.sawtooths)?;
@@ -284,7 +284,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         Sizes { norm: square.max(0.0).sqrt(), energy: 0.5 * square - dot(x, &self.load) }
     }
 
-    /// |u − x|_a ≤ R/2 + (R²/4 + C)^{1/2} with R the dual norm of F − K x − B'λ⁺ on all of the body and
+    /// The error estimate |u − x|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K x − B'λ⁺ on the whole body and
     /// C = λ⁺·(g − B x), both for x without its penetration, which is added.
     fn estimate(&mut self, contact: &Contact, gradients: &mut Gradients, least: f64) -> Result<f64> {
         let positive: Vec<f64> = contact.multiplier.iter().map(|l| l.max(0.0)).collect();

@@ -1,13 +1,13 @@
-//! Contact on patches of a level: the set near some constraints from functions supported near them.
+//! Contact on patches of a level: the contact set near some constraints, computed from functions supported near them.
 //!
-//! For an iterate x, J(x + d) is minimised over B (x + d) ≤ g and d in the patch: nodal functions within
-//! [`DEPTH`] edges of the nodes of the constraints, and, if a contact interval of the midpoint cone leaves
-//! the patch, the sawtooth on its part outside as a further function, without which the interval would be
-//! fixed. J decreases for every set (local minimisation beside a linear correction, as in truncated
-//! nonsmooth Newton methods: C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009)). Elimination leaves
-//! the nodes of the edge, a dozen or two, and the active set solves there. The motion of the ends of
-//! contact depends on the nodes near them; effects from outside the patch are left to the next linear
-//! system. Cost for m constraints: O((m + DEPTH)³), however many unknowns the level has.
+//! For an iterate x, J(x + d) is minimised over B (x + d) ≤ g and d in the patch: nodal functions within [`DEPTH`]
+//! edges of the nodes of the constraints, and, if a contact interval of the midpoint cone leaves the patch, the
+//! sawtooth on its part outside as an additional function, without which the interval would be fixed. J decreases for
+//! every set (local minimisation in addition to a linear correction, as in truncated nonsmooth Newton methods: C.
+//! Gräser and R. Kornhuber, J. Comput. Math. 27 (2009)). The patch is condensed to its nodes on the edge, a dozen or
+//! two, and solved there by the active set method. The motion of the ends of contact depends on the nodes near them;
+//! effects from outside the patch are left to the next linear system. Cost for m constraints: O((m + DEPTH)³),
+//! independent of the number of unknowns of the level.
 
 use super::super::active_set::solve_on_edge;
 use super::super::edge_problem::EdgeProblem;
@@ -20,14 +20,14 @@ use crate::fem::{BlockMatrix, Condensation};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
-/// Edges of the mesh from the constraints to the border of their patch.
+/// Number of mesh edges between the constraints and the boundary of their patch.
 const DEPTH: usize = 8;
-/// Distance of constraints from which on they have separate patches.
+/// Distance of constraints beyond which they have separate patches.
 const APART: usize = 2 * DEPTH;
 /// Largest number of constraints of a patch, whose edge has a dense matrix.
 const WIDEST: usize = 512;
 
-/// Corrects the set near the given constraints (ascending), and the iterate with it.
+/// Corrects the set near the given constraints (ascending), and the iterate accordingly.
 pub(super) fn mend<L: Level>(
     (problem, level, edge, load): (&ContactProblem, &L, &Edge, &[f64]),
     x: &mut [f64],
@@ -49,9 +49,9 @@ struct Patch {
     edge: Range<usize>,
     /// Their unknowns of u_N, and whether they are fixed.
     kept: Vec<(usize, bool)>,
-    /// Unknown of the body to unknown of the patch, with a sign.
+    /// Map from unknowns of the body to unknowns of the patch, with a sign.
     number: BTreeMap<usize, (usize, f64)>,
-    /// Nodes of the body, those that represent the part outside last.
+    /// Nodes of the body; those that represent the part outside come last.
     nodes: Vec<usize>,
 }
 
@@ -147,7 +147,7 @@ impl Patch {
     }
 }
 
-/// The nodes within [`DEPTH`] edges of the given ones, on ways that do not touch `outside`.
+/// The nodes within [`DEPTH`] edges of the given ones, along paths that avoid `outside`.
 fn ball(problem: &ContactProblem, centre: Vec<usize>, outside: &BTreeSet<usize>) -> BTreeSet<usize> {
     let c = problem.form.components();
     let mut found: BTreeSet<usize> = centre.iter().copied().collect();

@@ -1,4 +1,4 @@
-//! The two precisions: f64 for what is kept, f32 inside a cycle.
+//! The two precisions: f64 for stored quantities, f32 inside a cycle.
 
 use std::ops::{Add, AddAssign, Mul};
 
@@ -6,7 +6,7 @@ use std::ops::{Add, AddAssign, Mul};
 pub(super) trait Real:
     Copy + Default + Send + Sync + Add<Output = Self> + Mul<Output = Self> + AddAssign
 {
-    /// The nearest number.
+    /// The nearest number of this precision.
     fn of(value: f64) -> Self;
 
     /// −self / divisor.

@@ -1,30 +1,30 @@
-//! A level with an assembled matrix, for meshes of any kind.
+//! A level with an assembled matrix, for arbitrary meshes.
 //!
-//! Vectors are node-major. Nodes are coloured greedily so that no two neighbours share a colour; a sweep
-//! takes the colours in turn, nodes of one colour in parallel. The cycle works with a copy of the matrix in
-//! f32, divided by its largest diagonal entry. Cost of a sweep: two operations an entry.
+//! Vectors are node-major. Nodes are coloured greedily so that no two neighbours share a colour; a sweep treats one
+//! colour after another, and the nodes of a colour in parallel. The cycle uses a copy of the matrix in
+//! f32, divided by its largest diagonal entry. Cost of a sweep: two operations per entry.
 
 use super::level::{Level, Sweep};
 use super::real::Real;
 use crate::fem::BlockMatrix;
 use rayon::prelude::*;
 
-/// Nodes below which a task is not split.
+/// Number of nodes below which a task is not split.
 const GRAIN: usize = 1 << 12;
 
-/// A level with C components a node.
+/// A level with C components per node.
 #[derive(Debug, Clone)]
 pub(super) struct SparseLevel<'a, const C: usize> {
     matrix: &'a BlockMatrix,
     unit: f64,
     offsets: Vec<u32>,
     columns: Vec<u32>,
-    /// K over the unit.
+    /// K divided by the unit.
     values: Vec<[[f32; C]; C]>,
-    /// Inverses of the own blocks.
+    /// Inverses of the diagonal blocks.
     inverses: Vec<[[f32; C]; C]>,
     colours: Vec<Vec<u32>>,
-    /// The two coarse nodes in the middle of which every node lies.
+    /// The two coarse nodes whose midpoint is a given node.
     parents: Vec<[u32; 2]>,
 }
 
@@ -59,7 +59,7 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
         level
     }
 
-    /// Σ over neighbours (the node itself without its own block if `others` only) of K x.
+    /// Σ over neighbours of K x (without the diagonal block of the node if `others`).
     fn row_sum(&self, node: usize, x: &[f32], others: bool) -> [f32; C] {
         let mut sum = [0.0; C];
         let entries = self.offsets[node] as usize..self.offsets[node + 1] as usize;
@@ -78,7 +78,7 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
         sum
     }
 
-    /// The values that balance a node.
+    /// The values at a node for which its residual vanishes.
     fn relaxed(&self, node: usize, x: &[f32], b: &[f32], fixed: &[bool]) -> [f32; C] {
         let sum = self.row_sum(node, x, true);
         let rest: [f32; C] = std::array::from_fn(|a| b[node * C + a] - sum[a]);
@@ -110,7 +110,7 @@ fn inverse<const C: usize>(entry: impl Fn(usize, usize) -> f64) -> [[f32; C]; C]
     std::array::from_fn(|a| std::array::from_fn(|b| inverse[a][b] as f32))
 }
 
-/// The nodes by colours: each node takes the first one that no neighbour before it has.
+/// The nodes by colour: each node has the first colour that no preceding neighbour has.
 fn colours(matrix: &BlockMatrix) -> Vec<Vec<u32>> {
     let mut colours: Vec<Vec<u32>> = Vec::new();
     let mut colour_of = vec![usize::MAX; matrix.nodes()];

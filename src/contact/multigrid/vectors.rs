@@ -1,9 +1,9 @@
-//! Long vectors on all cores: sums in pieces of fixed length, so that results do not depend on the number of
-//! threads.
+//! Operations on long vectors, in parallel: sums are formed in blocks of fixed length, so that results do not depend
+//! on the number of threads.
 
 use rayon::prelude::*;
 
-/// Entries of a piece.
+/// Number of entries of a block.
 const PIECE: usize = 1 << 13;
 
 /// Σ a_i b_i.
