@@ -1,18 +1,18 @@
 //! Complementary data on the fine edge of a strip: u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0.
 //!
-//! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem) the pair
-//! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ, for every pair.
-//! [`crate::problems`] builds pairs of given regularity.
+//! On a fine edge of N cells with operator A (of a strip, or of the continuous harmonic problem), every such pair
+//! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ. [`crate::problems`] constructs pairs of
+//! given regularity.
 
 use super::sides::{LateralCondition, check_cells};
 use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_finite, require_length};
 use crate::text::pairs;
 
-/// Complementary data on a fine edge.
+/// Complementary data (u_N, λ) on a fine edge.
 ///
-/// Values and forces are ordered by x = i/n; n + 1 of them with natural sides, n with periodic ones. The forces are
-/// λ_i = −∫ σ_N φ_i, so that Σ_i λ_i is the total contact force.
+/// Values and forces are ordered by x = i/n; there are n + 1 of them with natural sides, n with periodic sides. The
+/// forces are λ_i = −∫ σ_N φ_i, so that Σ_i λ_i is the total contact force.
 ///
 /// ```
 /// use signorini::{cone::Cone, strip::{EdgeData, LateralCondition, Strip}};
@@ -36,8 +36,7 @@ pub struct EdgeData {
 }
 
 impl EdgeData {
-    /// The pair u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells`
-    /// cells.
+    /// The pair of u_N = `values` ≤ 0 and nodal forces λ = `forces` ≥ 0 at the nodes of an edge of `cells` cells.
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
@@ -48,9 +47,10 @@ impl EdgeData {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite); [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
-    /// [`Error::NotComplementary`] when both are nonzero at a node; [`Error::EmptyContact`] when no node has
-    /// u_N = 0.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite);
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign; [`Error::NotComplementary`] if
+    /// both are nonzero at a node; [`Error::EmptyContact`] if u_N = 0 at no node.
     pub fn new(cells: usize, sides: LateralCondition, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", &values), ("lambda", &forces)] {
@@ -66,18 +66,18 @@ impl EdgeData {
         Ok(Self { cells, sides, values, forces, regularity: None })
     }
 
-    /// The same data, known to be of regularity `tau`.
+    /// The same data, declared to be of regularity `tau`.
     ///
-    /// It is stored for rates, and neither checked nor used in computations.
+    /// The value is stored for convergence rates; it is neither checked nor used in computations.
     pub fn with_regularity(self, tau: f64) -> Self {
         Self { regularity: Some(tau), ..self }
     }
 
-    /// The pair u_N and λ (a density) read from text: one line per node, two numbers per line, `#` starts a
-    /// comment. The number of lines is 2^k + 1 with natural sides and 2^k with periodic ones.
+    /// The pair of u_N and the density λ read from text: one line per node, two numbers per line, `#` starts a
+    /// comment. The number of lines is 2^k + 1 with natural sides and 2^k with periodic sides.
     ///
-    /// Numbers are separated by blanks or commas. A density at a node is integrated by the trapezoidal
-    /// rule: λ_i = density/n, half of it at an end with natural sides.
+    /// Numbers are separated by blanks or commas. The density is integrated by the trapezoidal rule: λ_i = density/n,
+    /// half of it at an end with natural sides.
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
@@ -87,9 +87,9 @@ impl EdgeData {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Syntax`] naming the line that is not two numbers, [`Error::AtLine`] naming the line that is
-    /// not an admissible pair; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
-    /// the number of lines; and as [`EdgeData::new`].
+    /// [`Error::Syntax`] with the line that does not contain two numbers, [`Error::AtLine`] with the line that is not
+    /// an admissible pair; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for the number of
+    /// lines; and as for [`EdgeData::new`].
     pub fn from_samples(text: &str, sides: LateralCondition) -> Result<Self> {
         let rows = pairs(text, "samples")?;
         for (node, &(line, [value, density])) in rows.iter().enumerate() {
@@ -102,8 +102,8 @@ impl EdgeData {
         let (values, densities): (Vec<f64>, Vec<f64>) =
             rows.iter().map(|&(_, [u, force])| (u, force)).unzip();
         let (cells, range) = match sides {
-            LateralCondition::Natural => (values.len().saturating_sub(1), "the numbers 2^k + 1, k >= 1"),
-            LateralCondition::Periodic => (values.len(), "the numbers 2^k, k >= 1"),
+            LateralCondition::Natural => (values.len().saturating_sub(1), "2^k + 1 with k >= 1"),
+            LateralCondition::Periodic => (values.len(), "2^k with k >= 1"),
         };
         if !cells.is_power_of_two() || cells < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -141,14 +141,14 @@ impl EdgeData {
         &self.forces
     }
 
-    /// τ, if it is known analytically.
+    /// The regularity τ, if it is known analytically.
     pub fn regularity(&self) -> Option<f64> {
         self.regularity
     }
 
-    /// Number of gaps on the fine edge: maximal ranges of nodes with u_N < 0.
+    /// Number of non-contact intervals on the fine edge: maximal ranges of nodes with u_N < 0.
     ///
-    /// With periodic sides a gap through x = 0 is counted once.
+    /// With periodic sides a non-contact interval through x = 0 is counted once.
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
@@ -165,7 +165,7 @@ impl EdgeData {
     }
 }
 
-/// u_N ≤ 0 and λ ≥ 0, one of them 0.
+/// Checks that u_N ≤ 0 and λ ≥ 0, and that one of them is 0.
 fn require_complementary(node: usize, value: f64, force: f64) -> Result<()> {
     Error::require("u_N", value, "(-inf, 0]", value <= 0.0)?;
     Error::require("lambda", force, "[0, inf)", force >= 0.0)?;

@@ -1,10 +1,10 @@
 //! Contact on a strip, reduced exactly to its contact edge by Fourier modes.
 //!
-//! The rows of a uniform mesh on a strip are translation invariant: Fourier modes diagonalise them, and
-//! eliminating all rows but the contact edge is exact. The result is a dense symmetric operator A on n edge
-//! unknowns, known by its symbol and applied in O(n log n); n = 2^20 represents 10^12 nodes. Sign
-//! convention of the paper: u_N ≤ 0, λ = −σ_N ≥ 0 on the contact edge y = 0, whose outward normal points
-//! down; in the scalar strip u replaces u_N (Remark 1).
+//! The rows of a uniform mesh on a strip are translation invariant: they are diagonalised by Fourier modes, and the
+//! elimination of all rows but the contact edge is exact. The result is a dense symmetric operator A on n edge
+//! unknowns, given by its symbol and applied in O(n log n); n = 2^20 represents 10^12 nodes. Sign convention of the
+//! paper: u_N ≤ 0, λ = −σ_N ≥ 0 on the contact edge y = 0, whose outward normal points down; in the scalar strip u
+//! replaces u_N (Remark 1).
 //!
 //! | symbol | here |
 //! | --- | --- |

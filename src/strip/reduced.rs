@@ -27,7 +27,7 @@ enum Kind {
 }
 
 impl Strip {
-    /// Laplace's equation, natural sides.
+    /// The strip for the Laplace equation, with natural sides.
     ///
     /// On (0, 1) × (0, m/n): ∫ ∇u·∇v = ℓ(v), u = 0 on top. Symbol S(θ) = 2 s √(1 + s²) coth(m φ), s = sin(θ/2),
     /// φ = 2 asinh s, θ = kπ/n, and S(0) = 1/m. Cost: O(n).
@@ -46,10 +46,11 @@ impl Strip {
         Ok(Self(Kind::Scalar(ScalarStrip::new(cells, layers)?)))
     }
 
-    /// Elasticity of one material, periodic sides.
+    /// The strip for elasticity with one material, with periodic sides.
     ///
-    /// On (0, 1) × (0, m/n), plane strain, u = 0 on top, no friction. The edge matrix of a mode, Hermitian 2 × 2, comes
-    /// from log₂ m doublings of a layer; relative accuracy 1e-13 for λ = μ, 1e-12 for λ = 100 μ. Cost: O(n log m).
+    /// On (0, 1) × (0, m/n), plane strain, u = 0 on top, no friction. The edge matrix of a mode, Hermitian 2 × 2, is
+    /// computed by log₂ m doublings of a layer; its relative accuracy is 1e-13 for λ = μ, 1e-12 for λ = 100 μ. Cost:
+    /// O(n log m).
     ///
     /// ```
     /// use signorini::{fem::Lame, strip::Strip};
@@ -65,7 +66,7 @@ impl Strip {
         Ok(Self(Kind::Elastic(ElasticStrip::new(cells, layers, lame)?)))
     }
 
-    /// The edge operator A; elastic: that of the normal displacement, the tangential one condensed.
+    /// The edge operator A; for elasticity that of the normal displacement, with the tangential one condensed.
     ///
     /// With v = (u_x, u_y) and the matrix A of a mode, S_N = A_yy − |A_xy|²/A_xx acts on u_N = −u_y.
     pub fn operator(&self) -> &EdgeOperator {
@@ -75,9 +76,10 @@ impl Strip {
         }
     }
 
-    /// Number of unknowns of the two-dimensional problem it represents: (n + 1) m scalar, 2 n m elastic.
+    /// Number of unknowns of the represented two-dimensional problem: (n + 1) m for the scalar strip, 2 n m for the
+    /// elastic one.
     ///
-    /// Exact below 2^53.
+    /// It is exact below 2^53.
     ///
     /// ```
     /// use signorini::{fem::Lame, strip::Strip};
@@ -92,9 +94,9 @@ impl Strip {
         }
     }
 
-    /// b and c of J(g) = ½ g'A g − b'g + c under the load ∫ f_h·v, f_h the nodal interpolant of f (scalar: of its
-    /// first entry), consistent P1 mass matrix: nodal forces on the edge, and the energy of the interior with the edge
-    /// held. Cost: O(n m log n).
+    /// The edge load b and the constant c of J(g) = ½ g'A g − b'g + c for the load ∫ f_h·v, f_h the nodal interpolant
+    /// of f (scalar: of its first component), by the consistent P1 mass matrix; c is the energy of the interior with
+    /// the edge fixed. Cost: O(n m log n).
     ///
     /// Block elimination from the top: with pivots C_j of the rows, y_j ← F_j − R C_{j+1}⁻¹ y_{j+1} and
     /// c = −½ Σ_j y_j* C_j⁻¹ y_j over the interior rows. In the elastic strip b belongs to u_N; the energy of the
@@ -112,7 +114,7 @@ impl Strip {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if f is not finite at a node.
     pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
         match &self.0 {
             Kind::Scalar(strip) => strip.condense(|x, y| f(x, y)[0]),

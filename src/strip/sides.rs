@@ -32,7 +32,7 @@ impl LateralCondition {
         }
     }
 
-    /// Checks for at least two cells, an even number with periodic sides, at most 2^26.
+    /// Checks that there are at least two cells and at most 2^26, an even number with periodic sides.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) otherwise.
@@ -48,7 +48,7 @@ impl LateralCondition {
         }
     }
 
-    /// Period of the (evenly extended) edge, in cells.
+    /// The period of the (evenly extended) edge, in cells.
     ///
     /// P = 2n with natural sides, P = n with periodic ones: the length of the Fourier transforms.
     pub fn period(self, cells: usize) -> usize {
@@ -59,13 +59,11 @@ impl LateralCondition {
     }
 }
 
-/// Checks for at least two cells, an even number with periodic sides.
+/// Checks that there are at least two cells and at most 2^26, an even number with periodic sides.
 pub(crate) fn check_cells(cells: usize, sides: LateralCondition) -> Result<()> {
     let (admissible, range) = match sides {
         LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
-        LateralCondition::Periodic => {
-            (cells >= 2 && cells.is_multiple_of(2), "the even numbers in [2, 2^26]")
-        }
+        LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "even numbers in [2, 2^26]"),
     };
     if admissible && cells <= 1 << 26 {
         Ok(())

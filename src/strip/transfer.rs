@@ -2,7 +2,7 @@
 
 use super::sides::LateralCondition;
 
-/// P g: linear interpolation from the edge of twice the mesh size to an edge of `nodes` nodes.
+/// The linear interpolant P g on an edge of `nodes` nodes, from the edge of twice the mesh size.
 ///
 /// (P g)_{2i} = g_i, (P g)_{2i+1} = (g_i + g_{i+1})/2; with periodic sides indices are modulo the coarse
 /// length.
@@ -18,9 +18,9 @@ pub(crate) fn prolong(coarse: &[f64], nodes: usize) -> Vec<f64> {
         .collect()
 }
 
-/// P'b: the load on the edge of twice the mesh size.
+/// The restriction P'b: the load on the edge of twice the mesh size.
 ///
-/// (P'b)_i = b_{2i} + (b_{2i−1} + b_{2i+1})/2. Σ_i (P'b)_i = Σ_i b_i: the resultant is kept.
+/// (P'b)_i = b_{2i} + (b_{2i−1} + b_{2i+1})/2. Σ_i (P'b)_i = Σ_i b_i: the resultant is preserved.
 pub(crate) fn restrict(fine: &[f64], sides: LateralCondition) -> Vec<f64> {
     let cells = match sides {
         LateralCondition::Natural => (fine.len() - 1) / 2,

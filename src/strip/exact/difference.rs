@@ -1,15 +1,14 @@
-//! g − P g_h by modes: interpolation from a coarse edge is diagonal up to aliasing, so that no transform of
-//! the fine length is needed once ĝ is known.
+//! The modes of g − P g_h: interpolation from a coarse edge is diagonal up to aliasing, so that no transform of the
+//! fine length is needed once ĝ is known.
 //!
-//! P interpolates linearly from n to N = r n cells; its kernel is the hat function of width r, whose
-//! transform is the square of Dirichlet's kernel over r. With the periods P and p = P/r of the (evenly
-//! extended) edges
+//! P interpolates linearly from n to N = r n cells; its kernel is the hat function of width r, whose transform is the
+//! square of the Dirichlet kernel divided by r. With the periods P and p = P/r of the (evenly extended) edges
 //!
 //! (P g_h)^(k) = s(k) ĝ_h(k mod p),  s(k) = sin²(πk/p) / (r sin²(πk/P)) for k ≠ 0,  s(0) = r.
 //!
-//! Rounding: ĝ carries η ‖ĝ‖₂ with η = ε log₂ P, the growth of a transform. By Parseval this moves the
-//! energy norm of the difference by at most η (γ max S)^(1/2) ‖g‖₂, the norm of the extended nodal values.
-//! Cost per coarse edge: O(N) with one product each, and a transform of the coarse length.
+//! Rounding: the error of ĝ is η ‖ĝ‖₂ with η = ε log₂ P, as usual for a transform. By Parseval's identity this
+//! changes the energy norm of the difference by at most η (γ max S)^(1/2) ‖g‖₂, the norm of the extended nodal
+//! values. Cost per coarse edge: O(N) with one product per mode, and a transform of the coarse length.
 
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
@@ -21,7 +20,7 @@ pub(super) struct Interpolation {
     inverse: Vec<f64>,
 }
 
-/// The modes of P g_h, without the part 1/sin²(πk/P) that belongs to the fine edge.
+/// The modes of P g_h, without the factor 1/sin²(πk/P) of the fine edge.
 pub(super) struct Interpolated<'a> {
     fine: &'a Interpolation,
     /// sin²(πj/p)/r ĝ_h(j), j = 0 ... p/2.
@@ -64,7 +63,7 @@ impl Interpolated<'_> {
     }
 }
 
-/// The effect of the rounding of the modes `exact` of period P on the square root of Σ S |ĝ − ĝ_h|² γ/P.
+/// The effect of rounding errors in the modes `exact` of period P on the square root of Σ S |ĝ − ĝ_h|² γ/P.
 ///
 /// ε log₂ P (γ max S)^{1/2} ‖g‖₂: absolute, in the energy norm.
 pub(super) fn rounding(exact: &[Complex<f64>], largest_symbol: f64) -> f64 {

@@ -1,12 +1,12 @@
-//! Exact energy-norm errors of the elastic strip from its edge alone.
+//! Exact energy-norm errors of the elastic strip, computed from its edge alone.
 //!
 //! The test problem prescribes u_N and λ on a fine edge of N cells; no tangential force acts, so u_x follows from
 //! u_N. As in the scalar case, with v = (u_x, u_y) on the edge,
 //!
 //! |u − u_h|²_a = ⟨A d, d⟩ + ⟨G v_h, v_h⟩,  d = v − P v_h,
 //!
-//! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative, mode by mode, and so is d
-//! formed (module `difference`).
+//! A the fine edge matrices, G from `elastic_defect`; both forms are nonnegative mode by mode, and d is computed by
+//! modes as well (module `difference`).
 
 use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
@@ -21,11 +21,11 @@ use crate::strip::sides::LateralCondition;
 use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 
-/// Relative rounding of the defects: those of low modes are rounded from double-double, the others keep
-/// eleven digits.
+/// Relative rounding errors of the defects: those of low modes are computed in double-double, the others have eleven
+/// correct digits.
 const DEFECTS: f64 = 1e-11;
 
-/// Exact elastic edge data on a fine grid, its loads on all coarser grids, and errors against it.
+/// Exact elastic edge data on a fine grid, the loads on all coarser grids, and errors with respect to the exact data.
 #[derive(Debug, Clone)]
 pub(super) struct ExactElastic {
     cells: usize,
@@ -38,7 +38,7 @@ pub(super) struct ExactElastic {
     loads: Vec<Vec<f64>>,
     /// Modes of u_x and u_y.
     exact: [Vec<Complex<f64>>; 2],
-    /// The effect of their rounding on an error.
+    /// The effect of their rounding errors on the error.
     rounding: f64,
     interpolation: Interpolation,
 }
@@ -49,8 +49,9 @@ impl ExactElastic {
     /// computed.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the
-    /// numbers of layers are powers of two.
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a test problem with natural sides,
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N and the numbers of layers are
+    /// powers of two.
     pub(super) fn new(
         edge_data: &EdgeData,
         height: (usize, usize),
@@ -106,7 +107,7 @@ impl ExactElastic {
     /// Replaces the test problem by another one on the same fine grid.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the grids differ.
     pub(super) fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(edge_data.values())?;
         force.iter_mut().zip(edge_data.forces()).for_each(|(b, l)| *b += l);
@@ -120,7 +121,7 @@ impl ExactElastic {
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the height is a whole number of layers.
     pub(super) fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.height)
     }
@@ -147,7 +148,8 @@ impl ExactElastic {
     /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
     ///
     /// # Errors
-    /// As [`ExactElastic::load`], `cells` not below the coarsest grid; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
+    /// As for [`ExactElastic::load`], also for `cells` below the coarsest grid;
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;

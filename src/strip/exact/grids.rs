@@ -1,17 +1,17 @@
-//! The grids N, N/2, N/4, ... below the grid of the exact data, their layers and their loads.
+//! The grids N, N/2, N/4, ... below the grid of the exact data, with their layers and loads.
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::operator::scalar::check_layers;
 use crate::strip::sides::LateralCondition;
 use crate::strip::transfer::restrict;
 
-/// The number of halvings, less than `levels`, that lead from `fine` to `cells`.
+/// The number of halvings, less than `levels`, from `fine` to `cells`.
 pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize> {
     let level = (0..levels).find(|&level| fine >> level == cells);
     level.ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {
         name: "cells",
         value: cells,
-        range: "the halvings of the reference grid",
+        range: "the cells of the reference grid divided by powers of two",
     }))
 }
 
@@ -22,7 +22,7 @@ pub(crate) fn power_of_two(cells: usize) -> Result<()> {
         Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "the powers of two >= 2",
+            range: "powers of two, at least 2",
         }))
     }
 }
@@ -34,7 +34,7 @@ pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "the numbers n for which n·height is an integer",
+            range: "the n for which n·height is an integer",
         }));
     }
     let layers = cells * up / down;

@@ -1,4 +1,4 @@
-//! Exact solutions of a strip and the energy norms of the errors against them.
+//! Exact solutions of a strip, and the energy norms of errors with respect to them.
 
 mod difference;
 mod elastic;

@@ -1,4 +1,4 @@
-//! The scalar and the elastic strip with an exact solution, with one interface.
+//! The scalar and the elastic strip with an exact solution, under one interface.
 
 use super::elastic::ExactElastic;
 use super::reference::Reference;
@@ -23,14 +23,14 @@ use std::str::FromStr;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StripKind {
-    /// Laplace, natural sides.
+    /// The Laplacian, natural sides.
     Scalar,
-    /// Elasticity, periodic sides.
+    /// Plane elasticity, periodic sides.
     Elastic,
 }
 
 impl StripKind {
-    /// The sides of this kind of strip.
+    /// The lateral conditions of this kind of strip.
     pub fn sides(self) -> LateralCondition {
         match self {
             StripKind::Scalar => LateralCondition::Natural,
@@ -66,10 +66,10 @@ impl FromStr for StripKind {
 
 /// A contact problem on the strip of height 1 whose exact solution has given complementary edge data.
 ///
-/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse
-/// problem is the Galerkin problem of the reference. The errors |u − u_h|_a depend on the edge values only:
-/// with d = u_N − P u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, G ≥ 0 the excess of the energy
-/// of the coarse strip over that of the fine one.
+/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse problem is
+/// the Galerkin problem of the reference. The errors |u − u_h|_a depend only on the edge values: with d = u_N − P
+/// u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, where G ≥ 0 is the excess of the energy of the coarse strip
+/// over that of the fine one.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -94,15 +94,15 @@ enum Exact {
 }
 
 impl StripProblem {
-    /// Height 1; elastic: λ = μ = 1, compared with the discrete solution on the grid of the test problem only.
+    /// The problem on the strip of height 1; for elasticity λ = μ = 1, and the reference must be the discrete
+    /// solution on the grid of the test problem.
     ///
-    /// `coarsest` is the smallest number of cells for which errors are computed. Cost: O(N log N), N the
+    /// `coarsest` is the smallest number of cells for which errors are computed. Cost: O(N log N), N the number of
     /// cells of the data.
     ///
     /// # Errors
-    /// As [`EdgeData::new`], [`ToolkitError::Incompatible`] for sides of the other kind, [`ToolkitError::CountOutOfRange`] unless the
-    /// number of cells is a power of two; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a continuous elastic
-    /// reference.
+    /// As for [`EdgeData::new`]; [`ToolkitError::Incompatible`] for sides of the other kind and for a continuous
+    /// elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells is a power of two.
     pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(Self(match kind {
             StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(edge_data, (1, 1), reference)?),
@@ -120,12 +120,12 @@ impl StripProblem {
         }))
     }
 
-    /// Replaces the test problem by another one on the same grid; much cheaper than a new problem.
+    /// Replaces the test problem by another one on the same grid, at a much lower cost than a new problem.
     ///
-    /// Operators and defects are kept; the loads and the modes of u_N are computed anew, O(N log N).
+    /// Operators and defects are kept; the loads and the modes of u_N are recomputed in O(N log N).
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the grids differ.
     pub fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
         match &mut self.0 {
             Exact::Scalar(exact) => exact.set_data(edge_data),
@@ -162,7 +162,7 @@ impl StripProblem {
         }
     }
 
-    /// b: the nodal forces of the load on the edge of `cells` cells.
+    /// The load b on the edge of `cells` cells, as nodal forces.
     ///
     /// b_n = P'...P' (A u_N + λ), one entry per edge node; Σ_i b_i is the same on every level.
     ///
@@ -185,12 +185,11 @@ impl StripProblem {
         }
     }
 
-    /// |u − u_h|_a for the discrete solution with edge values `values` on `cells` cells. There is no
-    /// tolerance: the energy is a finite sum of nonnegative terms over modes, and the error is its
-    /// rounding.
+    /// The error |u − u_h|_a of the discrete solution with edge values `values` on `cells` cells. There is no
+    /// tolerance: the energy is a finite sum of nonnegative terms over modes, computed up to rounding.
     ///
-    /// Cost: O(N). `error` of the estimate bounds the rounding of the modes, η (γ max S)^{1/2} ‖u_N‖₂ with η = ε log₂
-    /// P.
+    /// The `error` of the estimate bounds the rounding error of the modes, η (γ max S)^{1/2} ‖u_N‖₂ with η = ε log₂
+    /// P. Cost: O(N).
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -204,7 +203,8 @@ impl StripProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist,
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of values.
     pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         match &self.0 {
             Exact::Scalar(exact) => exact.error(cells, values),

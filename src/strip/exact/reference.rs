@@ -4,10 +4,10 @@ use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
-/// The reference for the discrete solutions.
+/// The reference with which discrete solutions are compared.
 ///
-/// `Nested` measures |u_fine − u_h|_a, which misses the error of the fine mesh; `Harmonic` includes it, and
-/// depends on the edge values only as well.
+/// `Nested` measures |u_fine − u_h|_a, which does not include the error of the fine mesh; `Harmonic` includes it and
+/// also depends only on the edge values.
 ///
 /// ```
 /// use signorini::strip::Reference;
@@ -18,7 +18,7 @@ use std::str::FromStr;
 pub enum Reference {
     /// The discrete solution on the strip of the fine grid.
     Nested,
-    /// The continuous harmonic function above the fine edge data.
+    /// The continuous harmonic function with the fine edge data.
     Harmonic,
 }
 

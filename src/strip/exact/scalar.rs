@@ -1,15 +1,15 @@
-//! Exact energy-norm errors of the scalar strip from its edge alone.
+//! Exact energy-norm errors of the scalar strip, computed from its edge alone.
 //!
-//! g is the exact edge shape on a fine grid of N cells; u is either the discrete solution on the fine strip
-//! or the continuous harmonic function above the piecewise linear g. For a coarse solution with edge shape
-//! g_h, no volume load,
+//! g is the exact edge displacement on a fine grid of N cells; u is either the discrete solution on the fine strip or
+//! the continuous harmonic function with the piecewise linear edge data g. For a coarse solution with edge
+//! displacement g_h and no volume load,
 //!
 //! |u − u_h|²_a = ⟨T d, d⟩ + ⟨G g_h, g_h⟩,  d = g − P g_h:
 //!
-//! the fine energy of the difference at the edge, and the surplus energy of the coarse mesh in the interior
-//! (module `defect`). Both are sums of nonnegative terms over modes, without cancellation; the plain
-//! difference of energies loses at least six digits at n = 2^18. d is formed by modes (module
-//! `difference`): O(N) per error and one transform of the coarse length.
+//! the fine energy of the difference on the edge, and the excess energy of the coarse mesh in the interior (module
+//! `defect`). Both are sums of nonnegative terms over modes, without cancellation; the plain difference of energies
+//! loses at least six digits at n = 2^18. d is computed by modes (module `difference`): O(N) per error and one
+//! transform of the coarse length.
 
 use super::difference::{Interpolation, rounding};
 use super::grids::{layers_on, level_of, power_of_two, pyramid};
@@ -25,16 +25,16 @@ use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
-/// Relative rounding of the defects and of the sum over modes: closed forms without cancellation, a few dozen
+/// Relative rounding error of the defects and of the sum over modes: closed forms without cancellation, a few dozen
 /// ε.
 const DEFECTS: f64 = 1e-14;
 
-/// Exact edge data g, λ on a fine grid, its loads on all coarser grids, and errors against it.
+/// Exact edge data g, λ on a fine grid, the loads on all coarser grids, and errors with respect to the exact data.
 #[derive(Debug, Clone)]
 pub(super) struct ExactEdge {
     /// ĝ.
     modes: Vec<Complex<f64>>,
-    /// The effect of the rounding of ĝ on an error.
+    /// The effect of rounding errors in ĝ on the error.
     rounding: f64,
     interpolation: Interpolation,
     cells: usize,
@@ -52,8 +52,9 @@ impl ExactEdge {
     /// the test problem; natural sides.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic test problem, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two
-    /// and the height gives a whole number of layers on it.
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a periodic test problem,
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless N is a power of two and the
+    /// height gives a whole number of layers on it.
     pub(super) fn scalar(edge_data: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if edge_data.sides() != LateralCondition::Natural {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
@@ -98,7 +99,7 @@ impl ExactEdge {
     /// Replaces the test problem by another one on the same fine grid.
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) when the grid is another one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the grids differ.
     pub(super) fn set_data(&mut self, edge_data: &EdgeData) -> Result<()> {
         let mut force = self.operator.apply(edge_data.values())?;
         force.iter_mut().zip(edge_data.forces()).for_each(|(b, l)| *b += l);
@@ -111,7 +112,7 @@ impl ExactEdge {
     /// Layers of the strip with `cells` cells.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) when the height is not a whole number of them.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the height is a whole number of layers.
     pub(super) fn layers(&self, cells: usize) -> Result<usize> {
         layers_on(cells, self.layers_per_cell)
     }

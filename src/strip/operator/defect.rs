@@ -1,9 +1,9 @@
-//! The surplus energy of the coarse strip over the fine one: differences of symbols without cancellation.
+//! The excess energy of a coarse strip over a fine one: differences of symbols without cancellation.
 //!
-//! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h in the
-//! shape g_h exceeds that of the finer strip (or of the continuous harmonic function) in the shape P g_h by
-//! ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in the modes. All terms below are written as sums of positive ones; θ =
-//! kπ/n, m the layers, φ = 2 asinh sin(θ/2).
+//! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h with edge
+//! displacement g_h exceeds that of the finer strip (or of the continuous harmonic function) with edge displacement P
+//! g_h by ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in the modes. All terms below are written as sums of positive ones; θ =
+//! kπ/n, m the number of layers, φ = 2 asinh sin(θ/2).
 //!
 //! * One halving, s = sin(θ/4), c = cos(θ/4), S the symbols: D(θ) = S_h(θ) − 2 [c⁴ S_{h/2}(θ/2) + s⁴
 //!   S_{h/2}(π − θ/2)], on the half plane D = 4sc { s² (4c²+1+c²+c⁴−c⁶)/(√(1+4s²c²) + c³ √(1+s²)) − s³
@@ -11,8 +11,8 @@
 //! * Continuous: T(θ) = (2 sin(θ/2))⁴ Σ_j |θ+2πj|⁻³ coth(m |θ+2πj|), G = S_h − T; with s = sin(θ/2), r = 2s/θ
 //!   on the half plane G = 2s { s²/(1+√(1+s²)) + (1−r)(1+r+r²) − (s/π)³ Z }, Z = ζ(3, 1+x) + ζ(3, 1−x), x =
 //!   θ/2π.
-//! * Finite height enters through coth a − coth b = sinh(b−a)/(sinh a sinh b), with b − a free of
-//!   cancellation too.
+//! * Finite height enters through coth a − coth b = sinh(b−a)/(sinh a sinh b), with b − a also computed without
+//!   cancellation.
 
 use std::f64::consts::PI;
 
@@ -43,7 +43,7 @@ pub(crate) fn halving(theta: f64, layers: f64) -> f64 {
     half_plane / coarse.tanh() + same + alias * coth_difference(coarse, fine_alias - coarse)
 }
 
-/// Argument from which on coth is 1 to rounding.
+/// Argument above which coth is 1 up to rounding.
 const DEEP: f64 = 20.0;
 
 /// coth a − coth(a + d) for a, d ≥ 0.
@@ -56,10 +56,10 @@ fn coth_difference(a: f64, d: f64) -> f64 {
     decay * (-a).exp() / a.sinh()
 }
 
-/// T(θ): the energy of the continuous harmonic function above piecewise linear edge data.
+/// T(θ): the energy of the continuous harmonic function with piecewise linear edge data.
 ///
 /// T(θ) = (2 sin(θ/2))⁴ Σ_j |θ + 2πj|⁻³ coth(m |θ + 2πj|): the transform of the hat function is (2 sin(θ/2)/θ)², and
-/// |θ| coth(m|θ|) the Dirichlet-to-Neumann symbol of the strip. T ≤ S_h (Dirichlet's principle).
+/// |θ| coth(m|θ|) the Dirichlet-to-Neumann symbol of the strip. T ≤ S_h (Dirichlet principle).
 pub(crate) fn harmonic_symbol(theta: f64, layers: f64) -> f64 {
     if theta == 0.0 {
         return 1.0 / layers;
@@ -114,7 +114,7 @@ fn alias_sum(theta: f64, layers: f64) -> f64 {
 /// is 1 in it.
 const ALIASES: usize = 10;
 
-/// ζ(3, a) for a ≥ 10 by Euler and Maclaurin.
+/// ζ(3, a) for a ≥ 10 by the Euler-Maclaurin formula.
 ///
 /// ζ(3, a) = Σ_{k ≥ 0} (a + k)⁻³ = 1/(2a²) + 1/(2a³) + 1/(4a⁴) − ...
 fn zeta_tail(a: f64) -> f64 {

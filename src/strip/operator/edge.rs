@@ -21,11 +21,11 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::fmt;
 
-/// A symmetric positive definite operator on the contact edge, given by its symbol.
+/// A symmetric positive definite translation-invariant operator on the contact edge, given by its symbol.
 ///
-/// It is the Schur complement of the body's stiffness matrix on the contact edge: ½ g'A g is the least energy of the
-/// body with edge displacement g. S grows like θ for 1/m ≪ θ ≪ 1, so that g'A g is equivalent to
-/// |g|²_{1/2} + ‖g‖²/H.
+/// It is the Schur complement of the stiffness matrix of the body on the contact edge: ½ g'A g is the minimal energy
+/// of the body with edge displacement g. S grows like θ for 1/m ≪ θ ≪ 1, so that g'A g is equivalent to |g|²_{1/2} +
+/// ‖g‖²/H.
 ///
 /// ```
 /// use signorini::strip::{EdgeOperator, LateralCondition};
@@ -51,9 +51,9 @@ impl fmt::Debug for EdgeOperator {
 }
 
 impl EdgeOperator {
-    /// The operator with symbol values at θ = 2πk/P, k = 0 ... P/2.
+    /// The operator with the given symbol at θ = 2πk/P, k = 0 ... P/2.
     ///
-    /// Cost: plans of two transforms of length P, O(n).
+    /// Cost: O(n), and the plans of two transforms of length P.
     ///
     /// ```
     /// use signorini::strip::{EdgeOperator, LateralCondition::Periodic};
@@ -65,8 +65,9 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd number on a periodic edge),
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd
+    /// number on a periodic edge), [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
     pub fn new(cells: usize, sides: LateralCondition, symbol: Vec<f64>) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
@@ -83,7 +84,7 @@ impl EdgeOperator {
         })
     }
 
-    /// Number of cells n of the edge; h = 1/n.
+    /// Number n of cells of the edge; h = 1/n.
     pub fn cells(&self) -> usize {
         self.cells
     }
@@ -93,7 +94,7 @@ impl EdgeOperator {
         self.cells
     }
 
-    /// Number of nodes: n + 1 (natural sides) or n (periodic).
+    /// Number of nodes: n + 1 with natural sides, n with periodic sides.
     pub fn nodes(&self) -> usize {
         self.sides.nodes(self.cells)
     }
@@ -105,23 +106,23 @@ impl EdgeOperator {
 
     /// The given contact cone on this edge.
     ///
-    /// Open with natural sides, closed with periodic ones: n + 1 or n nodes; the midpoint cone has n
-    /// constraints on both.
+    /// It is open with n + 1 nodes for natural sides, closed with n nodes for periodic sides; the midpoint cone has n
+    /// constraints in both cases.
     pub fn cone(&self, cone: Cone) -> EdgeCone {
         cone.on(self.nodes(), self.sides.ends())
     }
 
-    /// S(2πk/P), k = 0 ... P/2.
+    /// The symbol S(2πk/P), k = 0 ... P/2.
     ///
-    /// The eigenvalues of A with periodic sides, of W⁻¹A with natural ones; nondimensional, O(1), least about 1/m at k
-    /// = 0.
+    /// These are the eigenvalues of A with periodic sides, and of W⁻¹A with natural sides; nondimensional, O(1), the
+    /// smallest is about 1/m at k = 0.
     pub fn symbol(&self) -> &[f64] {
         &self.symbol
     }
 
-    /// The largest symbol: the norm of A.
+    /// The largest value of the symbol: the norm of A.
     ///
-    /// max_k S(θ_k); the step length of the projected gradient is its reciprocal.
+    /// It is max_k S(θ_k); the step length of the projected gradient method is its reciprocal.
     ///
     /// ```
     /// use signorini::strip::Strip;
@@ -134,7 +135,7 @@ impl EdgeOperator {
         self.norm
     }
 
-    /// Position of node i, i/n.
+    /// The position i/n of node i.
     ///
     /// ```
     /// let strip = signorini::strip::Strip::scalar(8, 8)?;
@@ -148,16 +149,16 @@ impl EdgeOperator {
         node as f64 / self.cells as f64
     }
 
-    /// W_i: ½ at the two ends of an edge with natural sides, else 1.
+    /// The weight W_i: ½ at the two ends of an edge with natural sides, 1 otherwise.
     ///
-    /// h W_i is the length of the edge that belongs to node i, ∫ φ_i.
+    /// h W_i is the length associated with node i, ∫ φ_i.
     pub fn weight(&self, node: usize) -> f64 {
         if self.sides == LateralCondition::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
     }
 
-    /// A g: the nodal forces that hold the edge in the shape g.
+    /// The product A g: the nodal forces that hold the edge at the displacement g.
     ///
-    /// Cost: two real transforms of length P, O(n log n). Relative rounding error about ε log₂ P in the
+    /// Cost: two real transforms of length P, O(n log n). The relative rounding error is about ε log₂ P in the
     /// Euclidean norm.
     ///
     /// ```
@@ -172,7 +173,8 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless g has one value per node; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless g has one value per node;
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn apply(&self, g: &[f64]) -> Result<Vec<f64>> {
         self.check_field("edge values", g)?;
         let mut out = vec![0.0; self.nodes()];
@@ -180,10 +182,10 @@ impl EdgeOperator {
         Ok(out)
     }
 
-    /// A⁻¹ b: the shape of the edge under nodal forces b.
+    /// The solution A⁻¹ b: the edge displacement under nodal forces b.
     ///
-    /// It minimises ½ g'A g − b'g over all g: the edge without contact. Rounding is amplified by the condition number
-    /// of A, max S/min S, about 3m. Cost: O(n log n).
+    /// It minimises ½ g'A g − b'g over all g: the edge without contact. Rounding errors are amplified by the
+    /// condition number of A, max S/min S, about 3m. Cost: O(n log n).
     ///
     /// ```
     /// use signorini::strip::Strip;
@@ -195,7 +197,7 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// As [`EdgeOperator::apply`].
+    /// As for [`EdgeOperator::apply`].
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>> {
         self.check_field("edge forces", b)?;
         let mut out = vec![0.0; self.nodes()];
@@ -203,9 +205,9 @@ impl EdgeOperator {
         Ok(out)
     }
 
-    /// g'A g as a sum of nonnegative terms over the modes.
+    /// The quadratic form g'A g, as a sum of nonnegative terms over the modes.
     ///
-    /// (γ/P) Σ_k S(θ_k) |ĝ(k)|², twice the least energy J of the unloaded body with edge displacement g.
+    /// (γ/P) Σ_k S(θ_k) |ĝ(k)|², twice the minimal energy J of the unloaded body with edge displacement g.
     ///
     /// ```
     /// use signorini::strip::Strip;
@@ -219,7 +221,7 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// As [`EdgeOperator::apply`].
+    /// As for [`EdgeOperator::apply`].
     pub fn energy(&self, g: &[f64]) -> Result<f64> {
         self.check_field("edge values", g)?;
         let mut work = self.workspace();
@@ -258,7 +260,7 @@ impl EdgeOperator {
 
     /// The modes of dual nodal values b, that is of W⁻¹ b.
     ///
-    /// W⁻¹ makes the end values of a dual vector those of an even function: (A⁻¹ b)^(k) = (W⁻¹ b)^(k)/S(θ_k).
+    /// W⁻¹ turns the end values of a dual vector into those of an even function: (A⁻¹ b)^(k) = (W⁻¹ b)^(k)/S(θ_k).
     pub(crate) fn dual_modes(&self, b: &[f64]) -> Result<Vec<Complex<f64>>> {
         let mut work = self.workspace();
         self.transform(b, |i| 1.0 / self.weight(i), &mut work)?;

@@ -4,9 +4,9 @@
 //! for (u_x, u_y); contact is frictionless, so the tangential component is condensed: S_N = A_yy −
 //! |A_xy|²/A_xx, acting on u_N = −u_y.
 //!
-//! Volume loads are eliminated row by row from the top, P the edge matrix of what is above, y the load
-//! gathered so far: P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y.
-//! Cost: O(n log m) for the symbol, O(n m log n) for a volume load.
+//! Volume loads are eliminated row by row from the top, with P the edge matrix of the part above and y the load
+//! accumulated so far: P ← T + P − (R+P)(C+P)⁻¹(R*+P),  y ← F_j + y − (R+P)(C+P)⁻¹ y,  c ← c − ½ y*(C+P)⁻¹ y. Cost:
+//! O(n log m) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
 use super::load::mass_row;
@@ -72,7 +72,7 @@ pub(crate) struct ElasticStrip {
 }
 
 impl ElasticStrip {
-    /// n cells along the edge, m layers, one material.
+    /// The strip with n cells along the edge, m layers and one material.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
@@ -83,7 +83,7 @@ impl ElasticStrip {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "layers",
                 value: layers,
-                range: "the powers of two",
+                range: "powers of two",
             }));
         }
         let matrices = edge_matrices(cells, layers, lame);
@@ -96,20 +96,21 @@ impl ElasticStrip {
         })
     }
 
-    /// The operator of the normal displacement, tangential component condensed.
+    /// The operator of the normal displacement, with the tangential component condensed.
     pub(crate) fn operator(&self) -> &EdgeOperator {
         &self.operator
     }
 
-    /// Number of unknowns of the two-dimensional problem it represents: 2 n m.
+    /// Number of unknowns of the represented two-dimensional problem: 2 n m.
     pub(crate) fn virtual_unknowns(&self) -> f64 {
         2.0 * self.operator.nodes() as f64 * self.layers as f64
     }
 
-    /// Condenses the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), consistent P1 mass matrix.
+    /// The edge load and constant of the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), by the consistent
+    /// P1 mass matrix.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if f is not finite at a node.
     pub(crate) fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> [Vec<f64>; 2] {
@@ -135,11 +136,11 @@ impl ElasticStrip {
         })
     }
 
-    /// Condenses a volume load given by its rows: `row(j, [F_x, F_y])` writes the dual values of layer j =
-    /// 0 ... m − 1, evaluated from the top downwards.
+    /// The edge load and constant of a volume load given by rows: `row(j, [F_x, F_y])` writes the dual values of
+    /// layer j = 0 ... m − 1; rows are evaluated from the top downwards.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if a row is not finite.
     fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<(Vec<f64>, f64)> {
         let operator = &self.operator;
         let n = operator.cells();
@@ -173,8 +174,8 @@ impl ElasticStrip {
     }
 }
 
-/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: these require
-/// the most doublings, and their differences are used.
+/// Below this angle (three modes in a hundred) edge matrices are computed in double-double: these modes require the
+/// most doublings, and differences of their matrices are used.
 pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.

@@ -1,13 +1,13 @@
-//! The surplus energy of the coarse elastic strip over the fine one, mode by mode.
+//! The excess energy of a coarse elastic strip over a fine one, mode by mode.
 //!
 //! As in the scalar module, interpolation from n to 2n cells aliases mode θ into θ/2 and θ/2 + π, so that
 //!
 //! D(θ) = A_h(θ) − 2 [c⁴ A_{h/2}(θ/2) + s⁴ conj A_{h/2}(π − θ/2)],  s = sin(θ/4), c = cos(θ/4),
 //!
-//! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A
-//! is O(θ): the difference loses ε/θ². There is no closed form to rewrite; for θ below [`LOW`] (three modes
-//! in a hundred) the whole computation is done in double-double, which keeps 1e-30/θ², more than 16 digits
-//! for n up to 2^26.
+//! and over several halvings G_h(θ) = D(θ) + 2 [c⁴ G_{h/2}(θ/2) + s⁴ conj G_{h/2}(π − θ/2)]. D is O(θ³) and A is
+//! O(θ): the difference has a relative error of ε/θ². It has no closed form free of cancellation; for θ below [`LOW`]
+//! (three modes in a hundred) the whole computation is done in double-double, with an error of 1e-30/θ²: more than 16
+//! digits for n up to 2^26.
 
 use super::elastic::{EdgeMatrix, LOW};
 use super::slab::{Mode, edge_matrix};

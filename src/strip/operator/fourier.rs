@@ -1,14 +1,14 @@
 //! Real Fourier transforms of one length, with their buffers.
 //!
-//! The transforms fail only for buffers of another length than planned; buffers are allocated here by the
-//! plan, so that this cannot happen, and it is reported as an error.
+//! The transforms fail only for buffers of a length other than planned. The buffers are allocated here according to
+//! the plan, so this cannot happen; it would be reported as an error.
 
 use crate::error::{Error, Result};
 use realfft::num_complex::Complex;
 use realfft::{ComplexToReal, FftError, RealFftPlanner, RealToComplex};
 use std::sync::Arc;
 
-/// Plans of the transform of length P and its inverse (P times too large, as usual).
+/// Plans of the transform of length P and of its inverse (unnormalised: P times the inverse).
 #[derive(Clone)]
 pub(crate) struct RealFourier {
     forward: Arc<dyn RealToComplex<f64>>,
@@ -34,7 +34,7 @@ impl RealFourier {
         work
     }
 
-    /// Gives the buffers the lengths of this transform; cheap when they have them.
+    /// Adapts the lengths of the buffers to this transform; cheap if they already fit.
     pub(crate) fn fit(&self, work: &mut Workspace) {
         let period = self.forward.len();
         work.real.resize(period, 0.0);

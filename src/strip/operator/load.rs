@@ -2,8 +2,8 @@
 
 use crate::strip::sides::LateralCondition;
 
-/// One row of the consistent P1 load: the mass matrix applied to nodal values in the rows below, here and
-/// above (`below` is empty on the contact edge). Squares cut from bottom left to top right, h = 1/n.
+/// One row of the consistent P1 load: the mass matrix applied to nodal values in the row below, the row itself and
+/// the row above (`below` is empty on the contact edge). Squares are cut from bottom left to top right, h = 1/n.
 ///
 /// Entries h²/12 on the six neighbours of an inner node and h²/2 on the node itself: row sum h².
 pub(crate) fn mass_row(

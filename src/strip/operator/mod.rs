@@ -1,4 +1,4 @@
-//! The strip reduced to its edge: symbols, loads, and the surplus energy of a coarse strip over a fine one.
+//! The strip reduced to its edge: symbols, loads, and the excess energy of a coarse strip over a fine one.
 
 pub(super) mod defect;
 pub(super) mod edge;

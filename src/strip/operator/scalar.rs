@@ -7,10 +7,10 @@
 //!
 //! S(θ) = sinh φ coth(mφ) = 2 s √(1+s²) coth(mφ),  S(0) = 1/m.
 //!
-//! Volume loads with rows F_j are eliminated from the top downwards, one row at a time, in O(n) memory: the
-//! pivots d_j = 2 + 4s² − 1/d_{j+1} are 1 + e_j with e_j = 4s² + e_{j+1}/(1 + e_{j+1}), a sum of positive
-//! terms. What is left is an edge load b and a constant c = −½ Σ_j y_j²/d_j, so that min J = min over the
-//! edge of ½ g'A g − b'g + c. Cost: O(n) for the symbol, O(n m log n) for a volume load.
+//! Volume loads with rows F_j are eliminated from the top downwards, one row at a time, in O(n) memory: the pivots
+//! d_j = 2 + 4s² − 1/d_{j+1} are 1 + e_j with e_j = 4s² + e_{j+1}/(1 + e_{j+1}), a sum of positive terms. The result
+//! is an edge load b and a constant c = −½ Σ_j y_j²/d_j, so that min J is the minimum of ½ g'A g − b'g + c over the
+//! edge. Cost: O(n) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
 use super::load::mass_row;
@@ -28,7 +28,7 @@ pub(crate) struct ScalarStrip {
 }
 
 impl ScalarStrip {
-    /// n cells along the edge, m layers; the height is H = m/n.
+    /// The strip with n cells along the edge and m layers; its height is H = m/n.
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
@@ -46,21 +46,21 @@ impl ScalarStrip {
         &self.operator
     }
 
-    /// The edge operator alone.
+    /// The edge operator A; the strip is consumed.
     pub(crate) fn into_operator(self) -> EdgeOperator {
         self.operator
     }
 
-    /// Number of unknowns of the two-dimensional problem it represents: (n + 1) m.
+    /// Number of unknowns of the represented two-dimensional problem: (n + 1) m.
     pub(crate) fn virtual_unknowns(&self) -> f64 {
         self.operator.nodes() as f64 * self.layers as f64
     }
 
-    /// Condenses a volume load given by its rows: `row(j, F)` writes the n + 1 dual values F_j of layer j =
-    /// 0 ... m − 1 (j = 0 is the contact edge). Rows are evaluated from the top downwards.
+    /// The edge load and constant of a volume load given by rows: `row(j, F)` writes the n + 1 dual values F_j of
+    /// layer j = 0 ... m − 1 (j = 0 is the contact edge). Rows are evaluated from the top downwards.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when a row is not.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if a row is not finite.
     fn condense_rows(&self, mut row: impl FnMut(usize, &mut [f64])) -> Result<(Vec<f64>, f64)> {
         let operator = &self.operator;
         let modes = operator.cells() + 1;
@@ -94,10 +94,11 @@ impl ScalarStrip {
         Ok((force, constant))
     }
 
-    /// Condenses the load ∫ f_h v with f_h the nodal interpolant of f, consistent P1 mass matrix.
+    /// The edge load and constant of the load ∫ f_h v, f_h the nodal interpolant of f, by the consistent P1 mass
+    /// matrix.
     ///
     /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) when f is not finite at a node.
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if f is not finite at a node.
     pub(crate) fn condense(&self, f: impl Fn(f64, f64) -> f64) -> Result<(Vec<f64>, f64)> {
         let n = self.operator.cells();
         let nodal = |j: usize| -> Vec<f64> {
@@ -114,7 +115,7 @@ impl ScalarStrip {
     }
 }
 
-/// S(θ) of the scalar strip with m layers (m may be fractional: coarse and fine grids share mφ).
+/// The symbol S(θ) of the scalar strip with m layers (m may be fractional: coarse and fine grids have the same mφ).
 ///
 /// S(θ) = sinh φ coth(mφ), sinh(φ/2) = sin(θ/2); S(0) = 1/m.
 pub(crate) fn scalar_symbol(theta: f64, layers: f64) -> f64 {

@@ -1,7 +1,7 @@
-//! The elastic slab of one Fourier mode, and how two equal slabs merge.
+//! The elastic slab of one Fourier mode, and the merging of two equal slabs.
 //!
-//! Rows carry two displacement components, u(x) = û e^{iθ i}. A slab of L layers keeps its bottom û and d =
-//! û_top − û_bottom:
+//! Rows have two displacement components, u(x) = û e^{iθ i}. A slab of L layers is described by its bottom
+//! displacement û and d = û_top − û_bottom:
 //!
 //! E = ½ { û*T û + 2 Re û*R d + d*C d }.
 //!
@@ -14,12 +14,12 @@
 //!
 //! T ← 2T − T M⁻¹ T,  R ← R − T M⁻¹ W,  C ← C − W* M⁻¹ W.
 //!
-//! Since T = O(θ²), R = O(θ) are kept apart from C = O(1), low modes keep their relative accuracy: 1e-13
-//! after 18 doublings for λ = μ, 1e-12 for λ = 100 μ, where doubling the plain 4 × 4 stiffness loses ε n²
-//! (4e-7). With the top clamped (d = −û) the edge matrix is T − R − R* + C. Doubling stops when the
-//! condition at the top no longer affects the bottom. Cost O(log L) per mode.
+//! Since T = O(θ²) and R = O(θ) are stored separately from C = O(1), low modes keep their relative accuracy: 1e-13
+//! after 18 doublings for λ = μ, 1e-12 for λ = 100 μ, where doubling the plain 4 × 4 stiffness matrix loses ε n²
+//! (4e-7). With the top clamped (d = −û) the edge matrix is T − R − R* + C. Doubling stops when the condition at the
+//! top no longer affects the bottom. Cost: O(log L) per mode.
 //!
-//! Written for any real field: binary64, or double-double where differences of these matrices are wanted
+//! Generic in the real field: binary64, or double-double where differences of these matrices are needed
 //! (`elastic_defect`).
 
 use crate::fem::Lame;
@@ -30,7 +30,7 @@ use std::ops::Neg;
 
 /// A real field with the four operations.
 pub(crate) trait Field: Num + Copy + Neg<Output = Self> + From<f64> {
-    /// Relative change at which doubling stops: about the square root of the rounding, with a margin.
+    /// Relative change at which doubling stops: about the square root of the rounding error, with a margin.
     const SETTLED: f64;
     /// The nearest binary64.
     fn approximate(self) -> f64;
@@ -166,7 +166,7 @@ pub(crate) struct Slab<T> {
 }
 
 impl<T: Field> Slab<T> {
-    /// One layer.
+    /// The slab of one layer.
     pub(crate) fn layer(mode: Mode<T>, lame: Lame) -> Self {
         let (lambda, mu) = (T::from(lame.lambda()), T::from(lame.mu()));
         let (zero, half) = (T::zero(), T::from(0.5));
@@ -184,7 +184,7 @@ impl<T: Field> Slab<T> {
         }
     }
 
-    /// Two of these, one on the other.
+    /// The slab of two of these, one on top of the other.
     pub(crate) fn doubled(self) -> Self {
         let Self { t, r, c } = self;
         let two = T::from(2.0);
@@ -206,10 +206,10 @@ impl<T: Field> Slab<T> {
 
 /// The edge matrix of 2^doublings layers with the top clamped.
 ///
-/// The effect of the clamped top at depth L decays like exp(−2κL), so that a doubling squares the remaining
-/// error: once a doubling changes the matrix by less than the square root of the rounding, the slab is
-/// effectively infinite. (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π
-/// decay far more slowly.)
+/// The effect of the clamped top at depth L decays like exp(−2κL), so that a doubling squares the remaining error:
+/// once a doubling changes the matrix by less than the square root of the rounding error, the slab is effectively
+/// infinite. (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π decay far more
+/// slowly.)
 pub(crate) fn edge_matrix<T: Field>(mode: Mode<T>, lame: Lame, doublings: u32) -> Matrix<T> {
     let mut slab = Slab::layer(mode, lame);
     let mut matrix = slab.clamped();

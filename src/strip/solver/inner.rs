@@ -1,8 +1,8 @@
 //! The linear problem on a face: Π A Π x = Π b by preconditioned conjugate gradients.
 //!
-//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to
-//! the energy norm of the error with constants near 1. Iterations needed for a given reduction do not
-//! depend on n or on the contact set.
+//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy
+//! norm of the error with constants close to 1. The number of iterations for a given reduction is bounded
+//! independently of n and of the contact set.
 
 use super::precondition::Preconditioner;
 use crate::cone::Face;
@@ -15,7 +15,7 @@ use crate::strip::operator::fourier::Workspace;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Inner {
     pub(crate) iterations: usize,
-    /// ρ at the end, relative to the load's norm in the same sense.
+    /// The final ρ, relative to the norm of the load in the same sense.
     pub(crate) residual: f64,
 }
 
@@ -64,8 +64,8 @@ impl<'a> FaceSolver<'a> {
         }
     }
 
-    /// Improves x (projected onto the face) until ρ ≤ max(goal · ‖b‖, reduction · ρ at the start), at most
-    /// `limit` times.
+    /// Improves x (projected onto the face) until ρ ≤ max(goal · ‖b‖, reduction · initial ρ), in at most `limit`
+    /// iterations.
     pub(crate) fn solve(
         &mut self,
         face: &Face,

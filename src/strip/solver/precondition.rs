@@ -1,12 +1,12 @@
 //! Preconditioner of the edge operator on a face: one sine transform per non-contact interval.
 //!
-//! On a gap (non-contact interval) of L nodes between contact intervals the operator is close to the
-//! function of the sine modes with the same symbol: B = DST⁻¹ S(πk/(L+1))⁻¹ DST (odd extension of period
-//! 2(L+1)); both are equivalent to the half Laplacian on the gap. The spectrum of BA lies in a fixed
-//! interval, independent of the number and length of the gaps. A gap that reaches a natural side is
-//! continued evenly past it; without any contact B is the exact inverse. Contact intervals (midpoint
-//! amplitudes) are divided by ‖A‖. L + 1 is raised to the next number with prime factors up to 13, so that
-//! no transform has a large prime length. Cost O(n log n).
+//! On a non-contact interval of L nodes between contact intervals the operator is close to the function of the sine
+//! modes with the same symbol: B = DST⁻¹ S(πk/(L+1))⁻¹ DST (odd extension of period 2(L+1)); both are equivalent to
+//! the half Laplacian on the interval. The spectrum of BA lies in a fixed interval, independent of the number and
+//! length of the non-contact intervals. A non-contact interval that reaches a natural side is extended evenly beyond
+//! it; without any contact B is the exact inverse. Contact intervals (midpoint amplitudes) are divided by ‖A‖. L + 1
+//! is raised to the next number with prime factors up to 13, so that no transform has a large prime length. Cost: O(n
+//! log n).
 
 use crate::cone::{Block, Face};
 use crate::error::Result;
@@ -39,7 +39,8 @@ impl<'a> Preconditioner<'a> {
 
     /// z ← B r on the face.
     ///
-    /// On a gap of L nodes z = Σ_k (2/(L + 1)) S(πk/(L + 1))⁻¹ ⟨r, s_k⟩ s_k with s_k(j) = sin(πkj/(L + 1));
+    /// On a non-contact interval of L nodes
+    /// z = Σ_k (2/(L + 1)) S(πk/(L + 1))⁻¹ ⟨r, s_k⟩ s_k with s_k(j) = sin(πkj/(L + 1));
     /// on a contact interval of the midpoint cone z = Π r/‖A‖.
     pub(crate) fn apply(
         &mut self,

@@ -19,29 +19,31 @@ use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 pub struct EdgeSolution {
     /// u_N at the edge nodes.
     ///
-    /// One per edge node by x = i/n; ≤ 0 in the nodal cone, means over segments ≤ 0 in the midpoint cone.
+    /// One value per edge node, ordered by x = i/n. In the nodal cone they are ≤ 0, in the midpoint cone their means
+    /// over segments are.
     pub values: Vec<f64>,
     /// λ ≥ 0, one per node (nodal cone) or per segment (midpoint cone).
     ///
-    /// Forces, λ_i = −∫ σ_N φ_i or −∫ σ_N over segment i, unscaled by h.
+    /// These are forces, λ_i = −∫ σ_N φ_i or −∫ σ_N over segment i, not scaled by h.
     pub multiplier: Vec<f64>,
-    /// Active constraints.
+    /// The active constraints.
     pub contact: ContactSet,
-    /// The cone.
+    /// The discrete cone.
     pub cone: Cone,
-    /// min ½ g'A g − b'g.
+    /// The energy min ½ g'A g − b'g.
     ///
-    /// Nonpositive, since g = 0 is admissible; summed in pairs.
+    /// It is nonpositive, since g = 0 is admissible; summed in pairs.
     pub energy: f64,
     /// The termination status of the iteration.
     pub status: Status,
     /// The four scaled KKT residuals.
     pub kkt: KktResiduals,
-    /// Distance from weak contact.
+    /// The margins of strict complementarity; small values mean weak contact.
     pub margins: Margins,
-    /// Inner iterations of each step.
+    /// Number of inner iterations of each step.
     ///
-    /// One FFT product each; independent of n and of the number of gaps up to a small factor.
+    /// Each has one FFT product; the number is independent of n and of the number of non-contact intervals up to a
+    /// small factor.
     pub inner_iterations: Vec<usize>,
 }
 

@@ -1,12 +1,12 @@
 //! Contact on the edge: min ½ g'A g − b'g over the nodal or the midpoint cone.
 //!
-//! Semismooth Newton on w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
-//! constraints active in the projection define a face, the next w solves the linear problem on it. For the
-//! nodal cone this is the primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge
-//! matrix is an M-matrix; for the midpoint cone the textbook rule stalls in checkerboard patterns and the
-//! projection does not. While the set changes the linear problems are solved to two digits only. A start
-//! from the grid of twice the mesh size interpolates set and values. If a set recurs, the iteration
-//! continues with feasible descent: every step decreases J, so that no set can recur.
+//! Semismooth Newton method for w = Proj(w + (b − A w)/σ), σ = ‖A‖, Proj the exact projection onto the cone: the
+//! constraints active in the projection define a face, and the next w solves the linear problem on it. For the nodal
+//! cone this is the primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an
+//! M-matrix; for the midpoint cone the standard rule stalls in checkerboard patterns, while the projection does not.
+//! While the set changes, the linear problems are solved to only two digits. A start from the grid of twice the mesh
+//! size interpolates set and values. If a set recurs, the iteration continues with feasible descent: every step
+//! decreases J, so that no set can recur.
 //!
 //! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion
 //! along each contact interval. Cost: O(n log n) per inner iteration, a few dozen of them per level.
@@ -34,16 +34,17 @@ const STEPS: usize = 200;
 /// Largest number of inner iterations per linear problem; about twenty are typical.
 const INNER_STEPS: usize = 200;
 
-/// A repeated accurate linear solve that leaves more than this share of its residual has reached rounding.
+/// A repeated accurate linear solve whose residual remains above this fraction of the previous one has reached the
+/// rounding level.
 const STALLED: f64 = 0.5;
 
 impl EdgeOperator {
-    /// The contact solution min ½ g'A g − b'g over the cone for nodal forces b; `start` is a solution on
-    /// the edge of twice the mesh size, or on this one.
+    /// The contact solution, the minimiser of ½ g'A g − b'g over the cone, for nodal forces b; `start` is a solution
+    /// on the edge of twice the mesh size, or on this edge.
     ///
-    /// The residual of the linear problem on the last contact set is at most `tolerance`, relative and in the energy
-    /// norm, and the set reproduces itself at this accuracy; 1e-13 is a hundred roundings above what binary64 reaches.
-    /// Cost: O(n log n) per inner iteration, a few dozen of them per level.
+    /// The residual of the linear problem on the final contact set is at most `tolerance`, relative and in the energy
+    /// norm, and the set reproduces itself at this accuracy; 1e-13 is about a hundred times the rounding level of
+    /// binary64. Cost: O(n log n) per inner iteration, a few dozen of them per level.
     ///
     /// ```
     /// use signorini::{cone::Cone, strip::Strip};
@@ -57,7 +58,7 @@ impl EdgeOperator {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`], [`ToolkitError::NotFinite`], [`ToolkitError::OutOfRange`] for
-    /// invalid data. The termination of the iteration is a status; a tolerance below rounding ends as
+    /// invalid data. The termination of the iteration is a status; a tolerance below rounding leads to
     /// [`Status::Stalled`].
     pub fn solve_contact(
         &self,
@@ -109,7 +110,7 @@ impl<'a> Iteration<'a> {
         }
     }
 
-    /// Cold: the face of Proj(b/σ). Nested: values interpolated, contact intervals refined.
+    /// Without a start: the face of Proj(b/σ). With a coarse start: values interpolated, contact intervals refined.
     fn start(&mut self, start: Option<&EdgeSolution>, scale: f64) -> Result<()> {
         let Some(start) = start else {
             self.active = self.next_set()?;
@@ -179,7 +180,7 @@ impl<'a> Iteration<'a> {
         Ok(inner.residual)
     }
 
-    /// w + (b − A w)/σ on contact intervals, w in gaps.
+    /// w + (b − A w)/σ on contact intervals, w on non-contact intervals.
     fn shifted(&mut self) -> Result<Vec<f64>> {
         let mut product = vec![0.0; self.operator.nodes()];
         self.solver.product(&self.values, &mut product)?;
@@ -203,8 +204,8 @@ impl<'a> Iteration<'a> {
         Ok(self.cone.nearest(&shifted).1)
     }
 
-    /// Feasible descent: a projected gradient step chooses the face, the Newton step on it is cut at the
-    /// border of the cone.
+    /// Feasible descent: a projected gradient step selects the face, the Newton step on it is truncated at the
+    /// boundary of the cone.
     ///
     /// p = Proj(w + (b − A w)/σ) lowers J by at least σ|p − w|²/2, as A ≤ σ; then w ← p + t (v − p), v the minimiser on
     /// the face of p and t the longest step in the cone. J falls strictly until the KKT conditions hold.
