@@ -1,10 +1,10 @@
-//! Two squares of side 1 at an offset Δ, each cut from bottom left to top right: integrals of products of
-//! their four hat functions.
+//! Integrals of products of the four hat functions of two squares of side 1 at an offset Δ, each cut from
+//! bottom left to top right.
 //!
-//! S_ab = ∫∫ φ_a(x) φ_b(x) k, C_ab = ∫∫ φ_a(x) φ_b(y) k, k = |x−y|^{-2-2s}, x in the square at 0, y in that
-//! at Δ. Near squares go through [`super::means`]. For others k is interpolated on q × q Chebyshev points
-//! of both squares: on a uniform grid it takes only (2q−1)² values, and the moments of hat functions and of
-//! their products are known once for all.
+//! S_ab = ∫∫ φ_a(x) φ_b(x) k, C_ab = ∫∫ φ_a(x) φ_b(y) k, k = |x−y|^{-2-2s}, x in the square at 0, y in the
+//! square at Δ. Near squares are treated by [`super::means`]. For the others k is interpolated at q × q
+//! Chebyshev points of both squares: on a uniform grid this takes only (2q−1)² values, and the moments of hat
+//! functions and of their products are computed once for all.
 
 use super::far::Nodes;
 use super::kernel::InversePower;
@@ -14,13 +14,13 @@ use super::simplex::{Corner, NO_NODE, Simplex};
 use crate::error::Result;
 use crate::order::Order;
 
-/// Hats of a square, counterclockwise from bottom left.
+/// Number of hat functions of a square, counterclockwise from bottom left.
 pub(super) const HATS: usize = 4;
-/// Their places.
+/// The corners at which they are 1.
 pub(super) const CORNERS: [[usize; 2]; HATS] = [[0, 0], [1, 0], [1, 1], [0, 1]];
-/// Both triangles.
+/// The hat functions of the two triangles.
 const HALVES: [[usize; 3]; 2] = [[0, 1, 2], [0, 2, 3]];
-/// Largest offset in both coordinates that is integrated by subdivision.
+/// Largest offset in both coordinates for which the integrals are computed by subdivision.
 const NEAR: usize = 4;
 /// Smallest and largest number of Chebyshev points.
 const POINTS: (usize, usize) = (3, 12);
@@ -42,7 +42,7 @@ struct Moments {
     ones: Vec<f64>,
 }
 
-/// Pairs of squares for one order and one accuracy.
+/// The integrals over pairs of squares for one order and one accuracy.
 pub(super) struct CellPairs {
     means: Means,
     kernel: InversePower,
@@ -61,7 +61,7 @@ impl CellPairs {
         })
     }
 
-    /// The forms of an offset without a common node.
+    /// The forms for an offset without a common node.
     pub(super) fn apart(&self, offset: [i64; 2]) -> Result<CellPair> {
         let reach = offset[0].unsigned_abs().max(offset[1].unsigned_abs()) as usize;
         if reach > NEAR {
@@ -113,8 +113,8 @@ impl CellPairs {
         pair
     }
 
-    /// The whole form of two squares that share nodes, on the nodes of a patch of 3 × 3: the first square at
-    /// `origin`, the second at origin + offset, both inside the patch.
+    /// The whole form of two squares that share nodes, on the nodes of a patch of 3 × 3 nodes: the first square
+    /// at `origin`, the second at origin + offset, both inside the patch.
     pub(super) fn touching(&self, origin: [usize; 2], offset: [i64; 2]) -> Result<[[f64; 9]; 9]> {
         let other = [0, 1].map(|k| (origin[k] as i64 + offset[k]) as usize);
         let piece = |corners: &[usize; 3], at: [usize; 2]| {

@@ -5,14 +5,14 @@ use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
 
-/// The torus: lengths without prime factors above 5.
+/// The torus; its lengths have no prime factors above 5.
 pub(super) struct Torus {
     size: [usize; 2],
     forward: [Arc<dyn Fft<f64>>; 2],
     backward: [Arc<dyn Fft<f64>>; 2],
 }
 
-/// Transforms, second index of the torus first.
+/// Transforms, stored with the second index of the torus first.
 pub(super) type Spectrum = Vec<Complex64>;
 
 impl Torus {
@@ -24,8 +24,8 @@ impl Torus {
         Self { size, forward, backward: size.map(|n| planner.plan_fft_inverse(n)) }
     }
 
-    /// The transform of what is given by rows of second index; the real part of two fields may travel
-    /// together.
+    /// The transform of a field given by rows of the second index; two real fields may be combined as real and
+    /// imaginary part.
     pub(super) fn transform(&self, mut field: Vec<Complex64>, rows: usize) -> Spectrum {
         let [n, m] = self.size;
         let used = rows.min(m) * n;
@@ -57,14 +57,14 @@ impl Torus {
         vec![Complex64::default(); self.size[0] * self.size[1]]
     }
 
-    /// The position of an offset in a field.
+    /// The index of an offset in a field.
     pub(super) fn at(&self, offset: [i64; 2]) -> usize {
         let [i, j] = [0, 1].map(|k| offset[k].rem_euclid(self.size[k] as i64) as usize);
         j * self.size[0] + i
     }
 }
 
-/// The transpose of rows of length n, m of them.
+/// The transpose of a field of m rows of length n.
 fn turn(field: &[Complex64], n: usize, m: usize) -> Vec<Complex64> {
     const BLOCK: usize = 32;
     let mut turned = vec![Complex64::default(); n * m];
@@ -79,7 +79,7 @@ fn turn(field: &[Complex64], n: usize, m: usize) -> Vec<Complex64> {
     turned
 }
 
-/// The least number from n on without prime factors above 5.
+/// The smallest number from n upwards without prime factors above 5.
 fn smooth(n: usize) -> usize {
     let is_smooth = |&k: &usize| {
         let mut rest = k;

@@ -3,9 +3,9 @@
 //! With Lagrange polynomials ℓ_k on q × q Chebyshev points x_k of the box of a cluster and the moments M^j_k
 //! = ∫ ℓ_k (w − c)^j, j = 0, 1, 2, of a cluster, c its first value, and a = c − c',
 //! ∫∫ (w(x)−w(y))² |x−y|^{-2-2s} ≈ Σ_kl |x_k−y_l|^{-2-2s} (M̃²_k N⁰_l − 2 M̃¹_k N¹_l + M̃⁰_k N²_l), M̃ the
-//! moments of w − c + a. Moments of a parent follow from those of its children exactly. A box no longer than
-//! its distance leaves an error of about ρ^{-q}, ρ = 2.83 + 3 where the sides are equal. Cost q⁴ kernel
-//! values for a pair.
+//! moments of w − c + a. The moments of a parent follow exactly from those of its children. If a box is no
+//! longer than its distance, the error is about ρ^{-q}, ρ = 2.83 + 3 for equal sides. Cost: q⁴ kernel values
+//! for a pair.
 
 use super::geometry::Point;
 use super::kernel::InversePower;
@@ -16,7 +16,7 @@ use crate::numeric::parallel;
 use crate::numeric::scale::power_of_two;
 use std::f64::consts::PI;
 
-/// Triangles with the values at their corners, for the moments.
+/// Triangles with the values at their corners, from which the moments are computed.
 pub(super) struct Source<'a> {
     pub(super) triangles: &'a [[Point; 3]],
     pub(super) values: &'a [[f64; 3]],
@@ -33,7 +33,7 @@ impl Nodes {
         Self { at: (0..q).map(|k| (PI * (k as f64 + 0.5) / q as f64).cos()).collect() }
     }
 
-    /// All Lagrange polynomials at t: ℓ_k = (1 + 2 Σ T_m(t_k) T_m(t))/q.
+    /// The values of all Lagrange polynomials at t: ℓ_k = (1 + 2 Σ T_m(t_k) T_m(t))/q.
     pub(super) fn lagrange(&self, t: f64) -> Vec<f64> {
         let q = self.at.len();
         let one = |&node: &f64| {
@@ -146,7 +146,7 @@ impl<'a> FarField<'a> {
         self.nodes.at.iter().map(|t| cluster.low[k] + 0.5 * (1.0 + t) * cluster.size(k)).collect()
     }
 
-    /// The integral over x in a, y in b, and the number of kernel values.
+    /// The integral over x in a and y in b, and the number of kernel values.
     pub(super) fn pair(&self, a: usize, b: usize) -> (f64, u64) {
         let (left, right) = (&self.tree.clusters[a], &self.tree.clusters[b]);
         let (first, second) = (&self.moments[a], &self.moments[b]);
@@ -176,7 +176,7 @@ impl<'a> FarField<'a> {
     }
 }
 
-/// Moments of w − c + a.
+/// The moments of w − c + a.
 fn shifted(moments: &Moments, a: f64) -> [Vec<f64>; 3] {
     let [zero, one, two] = &moments.of;
     let first = zero.iter().zip(one).map(|(z, o)| o + a * z).collect();

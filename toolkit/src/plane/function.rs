@@ -39,7 +39,7 @@ impl PlaneFunction {
         &self.mesh
     }
 
-    /// The values: of triangles for piecewise constants, of nodes for piecewise linears.
+    /// The values: on triangles for piecewise constant functions, at nodes for piecewise linear ones.
     pub(crate) fn values(&self) -> &[f64] {
         &self.values
     }
@@ -49,7 +49,7 @@ impl PlaneFunction {
         self.shape == Shape::Constants
     }
 
-    /// The two partial derivatives, piecewise constant.
+    /// The two partial derivatives, which are piecewise constant.
     ///
     /// # Errors
     /// [`crate::Error::NotFinite`] on overflow.

@@ -3,7 +3,7 @@
 /// A point or a vector.
 pub(super) type Point = [f64; 2];
 
-/// a − b.
+/// The difference a − b.
 pub(super) fn minus(a: Point, b: Point) -> Point {
     [a[0] - b[0], a[1] - b[1]]
 }
@@ -16,21 +16,21 @@ pub(super) fn length(a: Point) -> f64 {
     a[0].hypot(a[1])
 }
 
-/// ab − cd with an error of some units of 1e-32 of the products (Kahan).
+/// ab − cd with an error of a few units of 1e-32 of the products (Kahan).
 pub(super) fn product_difference(a: f64, b: f64, c: f64, d: f64) -> f64 {
     let second = c * d;
     a.mul_add(b, -second) - c.mul_add(d, -second)
 }
 
-/// a − b and what its rounding lost (Knuth's exact difference).
+/// The rounded difference a − b and its rounding error (Knuth's exact difference).
 fn exact_difference(a: f64, b: f64) -> (f64, f64) {
     let difference = a - b;
     let back = difference - a;
     (difference, (a - (difference - back)) - (b + back))
 }
 
-/// (b − a) × (c − a), twice the signed area of a triangle: the error is some units of 1e-32 of the product of
-/// the two lengths, so that it is accurate for a triangle of aspect ratio 1e6.
+/// (b − a) × (c − a), twice the signed area of a triangle: the error is a few units of 1e-32 of the product of
+/// the two lengths, so that it is accurate for a triangle with aspect ratio 1e6.
 pub(super) fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     let ((bx, bx_low), (by, by_low)) = (exact_difference(b[0], a[0]), exact_difference(b[1], a[1]));
     let ((cx, cx_low), (cy, cy_low)) = (exact_difference(c[0], a[0]), exact_difference(c[1], a[1]));
@@ -41,8 +41,8 @@ pub(super) fn twice_area(a: Point, b: Point, c: Point) -> f64 {
     high + (high_low + (first_low - second_low) + low)
 }
 
-/// The distance of a point from the segment ab, computed from the nearer end, so that small distances have
-/// full relative accuracy.
+/// The distance of a point from the segment ab, computed from the nearer end, so that small distances have full
+/// relative accuracy.
 pub(super) fn distance_from_segment(p: Point, a: Point, b: Point) -> f64 {
     let (first, second) = (minus(p, a), minus(p, b));
     let is_nearer = dot(first, first) <= dot(second, second);

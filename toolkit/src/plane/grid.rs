@@ -1,5 +1,5 @@
-//! Products with the Gram matrix of |·|_s for continuous piecewise linears on a uniform grid of squares, each
-//! cut from bottom left to top right.
+//! Products with the Gram matrix of |·|_s for continuous piecewise linear functions on a uniform grid of
+//! squares, each cut from bottom left to top right.
 
 use super::cell_pairs::{CORNERS, CellPair, CellPairs, HATS, Square};
 use super::convolution::{Spectrum, Torus};
@@ -12,19 +12,20 @@ use crate::order::Order;
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
 
-/// Highest accuracy of the entries that is requested.
+/// Smallest relative tolerance of the entries that is used.
 const FINEST: f64 = 1e-14;
 
 /// The Gram matrix of |·|_s on a uniform grid, as a fast product.
 ///
 /// # Method
 ///
-/// Pairs of squares depend on their offset only. With the forms of `cell_pairs`, w_c the four values
-/// on the square c,
+/// Pairs of squares depend only on their offset. With the forms of `cell_pairs` and the four values w_c on the
+/// square c,
 /// wᵀAw = Σ_c w_cᵀ 2D(c) w_c − 2 Σ_{c,c'} w_cᵀ C(c'−c) w_{c'} + squares that touch, D(c) = Σ S(c'−c) over the
-/// squares c' that do not touch c: a rectangle of offsets, known from sums over quadrants. The second sum is
-/// ten convolutions. Rows of A sum to zero up to rounding. Units: the side of a square; A scales with
-/// h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) per product; memory about 200 N numbers.
+/// squares c' that do not touch c: a rectangle of offsets, computed from sums over quadrants. The second sum
+/// consists of ten convolutions. The rows of A sum to zero up to rounding. Units: the side of a square; A
+/// scales with h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) operations per product; memory about
+/// 200 N numbers.
 pub(crate) struct GridOperator {
     squares: [usize; 2],
     scale: f64,
@@ -36,19 +37,19 @@ pub(crate) struct GridOperator {
     touching: Vec<Touching>,
 }
 
-/// The form of two squares that touch, twice unless they are one: on the nodes of both, the second square at
-/// `offset` from the first.
+/// The form of two squares that touch, counted twice unless they coincide, on the nodes of both; the second
+/// square lies at `offset` from the first.
 struct Touching {
     offset: [i64; 2],
-    /// from the bottom left node of the first square
+    /// offsets from the bottom left node of the first square
     nodes: Vec<[i64; 2]>,
     form: Vec<f64>,
 }
 
-/// About 200 numbers for a square.
+/// Bytes per square: about 200 numbers.
 const BYTES_OF_SQUARE: usize = 1600;
 
-/// Rows of squares that share one pass over the touching forms.
+/// Number of rows of squares that are treated in one pass over the forms of touching squares.
 const BAND: usize = 32;
 
 impl GridOperator {
@@ -60,7 +61,7 @@ impl GridOperator {
     pub(crate) fn new(squares: [usize; 2], h: f64, order: Order, tolerance: Tolerance) -> Result<Self> {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         if squares.contains(&0) {
-            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
+            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "[1, inf)" });
         }
         require_memory("squares", squares[0].saturating_mul(squares[1]), BYTES_OF_SQUARE)?;
         let pairs = CellPairs::new(order, tolerance.relative().max(FINEST))?;
@@ -78,19 +79,19 @@ impl GridOperator {
         Ok(Self { squares, scale, torus, spectra, own: offsets.own(), touching })
     }
 
-    /// Number of nodes, row by row from the bottom.
+    /// The number of nodes, which are numbered row by row from the bottom.
     pub(crate) fn size(&self) -> usize {
         (self.squares[0] + 1) * (self.squares[1] + 1)
     }
 
-    /// Bytes of the numbers held: the transforms, ten complex numbers for every point of a torus of about
-    /// four times the squares, and sixteen numbers for every square.
+    /// The memory that is held, in bytes: the transforms, ten complex numbers for every point of a torus of
+    /// about four times as many points as squares, and sixteen numbers for every square.
     pub(crate) fn bytes(&self) -> usize {
         let spectra: usize = self.spectra.iter().map(|(_, spectrum)| size_of_val(spectrum.as_slice())).sum();
         spectra + size_of_val(self.own.as_slice())
     }
 
-    /// A w.
+    /// The product A w.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -105,7 +106,7 @@ impl GridOperator {
         j * (self.squares[0] + 1) + i
     }
 
-    /// The convolutions; real fields travel in pairs as real and imaginary part.
+    /// The convolutions; pairs of real fields are combined as real and imaginary part.
     fn far(&self, w: &[f64]) -> Vec<f64> {
         let [columns, rows] = self.squares;
         let width = self.torus.size()[0];
@@ -198,7 +199,7 @@ impl GridOperator {
 }
 
 impl Touching {
-    /// The form from that on a patch of 3 × 3 nodes, the first square at `origin`.
+    /// The form obtained from that on a patch of 3 × 3 nodes, with the first square at `origin`.
     fn new(origin: [usize; 2], offset: [i64; 2], patch: &[[f64; 9]; 9]) -> Self {
         let twice = if offset == [0, 0] { 1.0 } else { 2.0 };
         let of = |at: [i64; 2]| CORNERS.map(|corner| [0, 1].map(|k| corner[k] as i64 + at[k]));
@@ -213,7 +214,7 @@ impl Touching {
         Self { offset, nodes, form }
     }
 
-    /// Adds the form's product for the first square at `at` to rows of nodes from `first` on.
+    /// Adds the product with the form for the first square at `at` to the rows of nodes from `first` on.
     fn add(&self, at: [usize; 2], width: usize, first: usize, w: &[f64], part: &mut [f64]) {
         let node = |[x, y]: [i64; 2]| ((at[1] as i64 + y) * width as i64 + at[0] as i64 + x) as usize;
         let mut values = [0.0; 9];
@@ -261,7 +262,7 @@ impl Offsets {
         torus.transform(field, usize::MAX)
     }
 
-    /// 2 D(c): sums of 2 S over the rectangle of offsets that stay in the grid.
+    /// The values 2 D(c): sums of 2 S over the rectangle of offsets that remain in the grid.
     fn own(&self) -> Vec<Square> {
         let [columns, rows] = self.squares;
         let (width, height) = (2 * columns, 2 * rows);

@@ -1,10 +1,10 @@
 //! Means of (w(x)−w(y))² |x−y|^{-2-2s} over two simplices that do not touch.
 //!
-//! Tensor Gauss rules; on a triangle the rule is a product after collapsing one side to a corner, x = A + r
-//! (B − A + t (C − B)) with the weight 2r. Along a segment of length ℓ at distance d the kernel is analytic
-//! in the ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and n points leave about ρ^{-2n}. Pieces longer than
-//! twice their distance are halved first. Every mean is computed with n − 2, n − 1 and n points: the Gauss
-//! error of a convex kernel has one sign, so that the three values of a whole sum show the rate of
+//! Tensor Gauss rules are used; on a triangle the rule is a product after collapsing one side to a corner, x =
+//! A + r (B − A + t (C − B)) with the weight 2r. Along a segment of length ℓ at distance d the kernel is
+//! analytic in the ellipse with ρ = δ + √(1+δ²), δ = 2d/ℓ, and the error with n points is about ρ^{-2n}. Pieces
+//! longer than twice their distance are bisected first. Every mean is computed with n − 2, n − 1 and n points:
+//! the Gauss error of a convex kernel has one sign, so that the three values of a whole sum show the rate of
 //! convergence.
 
 use super::kernel::InversePower;
@@ -18,14 +18,14 @@ use std::sync::{Arc, OnceLock};
 /// Entries (i, j) of a quadratic form in K functions, by three rules.
 pub(super) type Levels<const K: usize> = [[[f64; K]; K]; LEVELS];
 
-/// Rules compared.
+/// Number of rules that are compared.
 pub(super) const LEVELS: usize = 3;
 /// Smallest ratio of distance to length of an admissible piece.
 const ADMISSIBLE: f64 = 0.5;
-/// Share of the digits required on average, since only the nearest points are as close as the distance.
+/// Share of the digits that is required on average, since only the nearest points are as close as the distance.
 const AVERAGE: f64 = 0.75;
-/// Smallest number of points of the last rule: two points of the first are exact for the square of a linear
-/// function.
+/// Smallest number of points of the last rule: the two points of the first rule are exact for the square of a
+/// linear function.
 const FEWEST: usize = LEVELS + 1;
 /// Largest number of points of a rule.
 const MOST: usize = 44;
@@ -34,15 +34,16 @@ const PATIENCE: usize = 2_000_000;
 
 /// Message: the work limit is exceeded.
 const NEEDLES: &str = "the work limit is reached: thin triangles are subdivided in proportion to their aspect ratio; use a \
-     mesh with less elongated triangles, or raise Tolerance::with_work";
+     mesh with less elongated triangles, or raise the limit with Tolerance::with_work";
 
 /// Barycentric coordinates (of corners 1 and 2) and weights of sum one.
 type Points = Vec<([f64; 2], f64)>;
 
-/// The error for two triangles without a common node that are too close to be separated by bisection.
+/// The error for two triangles without a common node that are too close to each other to be separated by
+/// bisection.
 pub(super) fn too_near(distance: f64, size: f64) -> Error {
     let range = "the range that the quadrature resolves for triangles without a common node";
-    Error::OutOfRange { name: "distance over length", value: distance / size, range }
+    Error::OutOfRange { name: "ratio of distance to length", value: distance / size, range }
 }
 
 /// The rule with n points in each direction on a simplex of that dimension.
@@ -72,7 +73,7 @@ pub(super) struct Leaves {
     kernel: InversePower,
     /// ln(1 / relative accuracy)
     digits: f64,
-    /// the remaining evaluations
+    /// the number of remaining evaluations
     left: Arc<AtomicU64>,
     asked: f64,
 }
@@ -89,7 +90,7 @@ impl Leaves {
         }
     }
 
-    /// The same with at most this many kernel evaluations for all pairs together.
+    /// The same integrals with at most this many kernel evaluations for all pairs together.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { left: Arc::new(AtomicU64::new(evaluations)), ..self }
     }
@@ -104,7 +105,7 @@ impl Leaves {
         }
     }
 
-    /// Points in each direction for a piece of length ℓ at distance d.
+    /// The number of points in each direction for a piece of length ℓ at distance d.
     fn count(&self, size: f64, distance: f64) -> usize {
         if size == 0.0 {
             return FEWEST;
@@ -114,10 +115,10 @@ impl Leaves {
         ((0.5 * AVERAGE * self.digits / logarithm).ceil() as usize + 1).clamp(FEWEST, MOST)
     }
 
-    /// `weight` times the mean over both; counts evaluations in `work`.
+    /// `weight` times the mean over both simplices; the evaluations are counted in `work`.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] when the two touch or are too close.
+    /// [`Error::OutOfRange`] if the two simplices touch or are too close to each other.
     pub(super) fn mean<const K: usize>(
         &self,
         a: &Simplex<K>,
@@ -198,7 +199,8 @@ pub(super) fn add_square<const K: usize>(entries: &mut [[f64; K]; K], k: f64, d:
 
 type Placed<const K: usize> = Vec<(super::geometry::Point, [f64; K], f64)>;
 
-/// The points of a rule relative to the first corner of `origin` in units, the values there, the weights.
+/// The points of a rule relative to the first corner of `origin`, in units, with the values there and the
+/// weights.
 fn placed<const K: usize>(s: &Simplex<K>, origin: &Simplex<K>, unit: f64, n: usize) -> Result<Placed<K>> {
     let (corners, origin) = (s.corners(), origin.corners()[0].at);
     let (first, second) = (corners[1.min(s.dimension())], corners[s.dimension()]);

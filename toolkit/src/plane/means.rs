@@ -1,4 +1,4 @@
-//! Means of homogeneous integrands over pairs of simplices: one dimension less per common corner.
+//! Means of homogeneous integrands over pairs of simplices: every common corner reduces the dimension by one.
 //!
 //! Let F(x, y) be homogeneous of degree p about a corner that σ and σ' share, d and d' their dimensions, φ
 //! and φ' the faces opposite that corner. Euler's identity and the divergence theorem in d + d' dimensions
@@ -13,8 +13,9 @@
 //! - a common corner: integrals segment-triangle over pieces that do not touch.
 //!
 //! All factors are positive: there is no cancellation. Simplices that do not touch are integrated by
-//! [`super::leaves`]; a point and a segment to Gauss rules in θ, where the distance along the segment from
-//! the foot of the point is its height times sinh θ: exact to rounding for every sliver.
+//! [`super::leaves`]; for a point and a segment, Gauss rules in θ are used, where the distance along the
+//! segment from the foot of the perpendicular through the point is its height times sinh θ: exact to rounding
+//! for every sliver.
 
 use super::geometry::{dot, length, minus, product_difference, twice_area};
 use super::leaves::{LEVELS, Leaves, Levels, add_square};
@@ -35,7 +36,7 @@ pub(super) enum Shape {
 const CELL: f64 = 1.0;
 const CELL_POINTS: usize = 12;
 
-/// Integrals for one order, one shape and one accuracy.
+/// The integrals for one order, one shape and one accuracy.
 #[derive(Debug, Clone)]
 pub(super) struct Means {
     order: Order,
@@ -48,12 +49,12 @@ impl Means {
         Self { order, shape, leaves: Leaves::new(order.value(), accuracy) }
     }
 
-    /// The same with at most this many kernel evaluations.
+    /// The same integrals with at most this many kernel evaluations.
     pub(super) fn within(self, evaluations: u64) -> Self {
         Self { leaves: self.leaves.within(evaluations), ..self }
     }
 
-    /// p + k, without cancellation.
+    /// The sum p + k, without cancellation.
     fn degree_plus(&self, k: usize) -> f64 {
         match self.shape {
             Shape::Constants if k == 3 => self.order.one_minus_twice(),
@@ -62,8 +63,8 @@ impl Means {
         }
     }
 
-    /// `weight` times the mean of the products of differences over two simplices; counts evaluations in
-    /// `work`.
+    /// `weight` times the mean of the products of differences over two simplices; the evaluations are counted
+    /// in `work`.
     ///
     /// # Errors
     /// As [`Leaves::mean`].
@@ -94,7 +95,7 @@ impl Means {
         Ok(sum)
     }
 
-    /// The mean over a point A and a segment BC, u = h sinh θ along the segment.
+    /// The mean over a point A and a segment BC, with u = h sinh θ along the segment.
     fn point_and_segment<const K: usize>(
         &self,
         point: &Simplex<K>,

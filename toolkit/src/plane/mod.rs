@@ -2,12 +2,12 @@
 //!
 //! |w|²_{s,Ω} = ∫_Ω∫_Ω (w(x)−w(y))² / |x−y|^{2+2s} dx dy, 0 < s < 1.
 //!
-//! | what | where |
+//! | quantity | type |
 //! | --- | --- |
 //! | triangulations | [`Triangles`] |
 //! | products with the Gram matrix on a uniform grid | [`Gram`](crate::Gram) |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
-//! | norms of piecewise constants, of continuous piecewise linears and of their gradients | [`PlaneFunction`] |
+//! | norms of piecewise constants, of continuous piecewise linear functions and of their gradients | [`PlaneFunction`] |
 //! | norms of formulas with declared corner singularities | [`SingularPlaneFunction`] |
 
 mod cell_pairs;

@@ -1,4 +1,4 @@
-//! Norms of order s and 1 + s of piecewise constants and linears in the plane.
+//! Norms of order s and 1 + s of piecewise constant and piecewise linear functions in the plane.
 
 use super::function::PlaneFunction;
 use super::means::{Means, Shape};
@@ -12,12 +12,12 @@ use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled, scaled_root};
 
 /// Largest number of times the accuracy of the integrals is raised.
 const ATTEMPTS: usize = 3;
-/// Its first value over the tolerance.
+/// Ratio of the first accuracy of the integrals to the tolerance.
 const FIRST: f64 = 0.4;
-/// Factor beyond the ratio of requested to reached accuracy, and its maximum.
+/// Factor in addition to the ratio of requested to reached accuracy, and its smallest value.
 const SHARPER: f64 = 0.04;
 const LEAST_SHARPER: f64 = 1e-4;
-/// Default number of kernel evaluations per triangle.
+/// Default limit of kernel evaluations per triangle.
 const PER_TRIANGLE: u64 = 1 << 26;
 /// Message: what limits the accuracy of a sum over pairs.
 const LIMIT: &str = "rounding dominates: finer rules and clusters do not help";
@@ -32,16 +32,17 @@ impl PlaneFunction {
     /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     /// ```
     ///
-    /// The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of `means`. Piecewise constants
-    /// have a finite seminorm for s < 1/2 only, and so do gradients of piecewise linears. Every integral is
-    /// computed by three rules: the second gives the value, the first and third its error. Limits:
-    /// (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s has a limit as s → 0, the integral with s = 0.
-    /// |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; beyond, separated clusters
-    /// are compressed, with their error included: cost O(N log N).
+    /// The sum over all pairs of triangles of |T||T'| m(T, T'), m the mean of `means`. Piecewise constant
+    /// functions have a finite seminorm only for s < 1/2, and so do gradients of piecewise linear functions.
+    /// Every integral is computed by three rules: the second gives the value, the first and the third its
+    /// error. Limits: (1−s)|w|²_s → (π/2)||∇w||² as s → 1; on a polygon |w|_s converges as s → 0 to the
+    /// integral with s = 0. |w(·/l)|_s = l^{1−s}|w|_s. Up to 200 triangles all pairs are integrated; for more
+    /// triangles, separated clusters are compressed, and the error includes that of the compression: cost O(N
+    /// log N).
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for a function with a jump and s ≥ 1/2; [`Error::OutOfRange`] for triangles
-    /// that touch without a common node or are too close for their length; [`Error::ToleranceNotMet`].
+    /// [`Error::InfiniteNorm`] for a function with a jump and s ≥ 1/2; [`Error::OutOfRange`] for triangles that
+    /// touch without a common node or whose distance is too small for their length; [`Error::ToleranceNotMet`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
@@ -55,12 +56,12 @@ impl PlaneFunction {
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function: its square is
+    /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function, the square of which is
     /// ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; as
-    /// [`PlaneFunction::seminorm`].
+    /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; else
+    /// as [`PlaneFunction::seminorm`].
     pub(crate) fn norm_with_gradient(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_piecewise_constant() && !self.is_constant() {
             let why = "a function that jumps has no gradient in L^2";
@@ -74,8 +75,8 @@ impl PlaneFunction {
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// The L² norm, exact to rounding, which meets every tolerance: on a triangle the mean of w² is
-    /// (Σ w_i² + (Σ w_i)²)/12, w_i the values at its corners.
+    /// The L² norm, exact to rounding, so that it meets every tolerance: on a triangle the mean of w² is (Σ
+    /// w_i² + (Σ w_i)²)/12, w_i the values at its corners.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
@@ -96,8 +97,8 @@ impl PlaneFunction {
         used.iter().all(|value| *value == used[0])
     }
 
-    /// |w|_s with its error, even above the tolerance; computed in units of the size of the polygon and of
-    /// the values.
+    /// |w|_s with its error, which may exceed the tolerance; computed in units of the size of the polygon and
+    /// of the values.
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         if self.is_constant() {
             return Estimate::new(0.0, 0.0, Work::default());
@@ -121,7 +122,7 @@ impl PlaneFunction {
         }
     }
 
-    /// |w|²_s of w over a unit on the polygon over its extent.
+    /// |w|²_s for w divided by `unit` on the polygon divided by `extent`.
     fn squared(&self, order: Order, tolerance: Tolerance, unit: f64, extent: f64) -> Result<Estimate> {
         let sum = PairSum::new(self, unit, extent);
         let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);

@@ -1,4 +1,4 @@
-//! Triangles that have inner points in common.
+//! Triangles that have interior points in common.
 
 use super::geometry::{Point, length, minus, twice_area};
 
@@ -6,13 +6,13 @@ use super::geometry::{Point, length, minus, twice_area};
 const FEW: usize = 24;
 /// Largest depth of subdivision of a set of boxes.
 const DEEPEST: u32 = 40;
-/// Largest overlap by rounding, relative to the smaller height of two triangles.
+/// Largest overlap that is attributed to rounding, relative to the smaller height of two triangles.
 const ROUNDING: f64 = 1e-6;
 
-/// Ends of the smallest upright rectangle around a triangle.
+/// The lower and upper ends of the smallest axis-parallel rectangle that contains a triangle.
 type Rectangle = [[f64; 2]; 2];
 
-/// Two triangles that overlap, if any. Cost O(n log n) for triangles that do not.
+/// Two triangles that overlap, or `None`. Cost: O(n log n) if no triangles overlap.
 pub(super) fn overlapping(triangles: &[[Point; 3]]) -> Option<[usize; 2]> {
     let rectangle = |t: &[Point; 3]| -> Rectangle {
         [0, 1].map(|k| {
@@ -60,7 +60,8 @@ fn among(
     None
 }
 
-/// True if they have interior points in common: no line along an edge of one separates it from the other.
+/// True if the two triangles have interior points in common: no line along an edge of one separates it from the
+/// other.
 fn share_points(a: &[Point; 3], b: &[Point; 3]) -> bool {
     let height = |t: &[Point; 3]| {
         let longest = (0..3).map(|k| length(minus(t[k], t[(k + 1) % 3]))).fold(0.0, f64::max);

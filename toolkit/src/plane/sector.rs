@@ -18,7 +18,7 @@ enum Part {
     Bend,
 }
 
-/// r^a sin(bφ) on a sector.
+/// The function r^a sin(bφ) on a sector.
 ///
 /// # Method
 ///
@@ -54,18 +54,18 @@ pub(crate) struct SectorPower {
     radius: f64,
 }
 
-/// Points in each direction, and those of the rule for the error estimate.
+/// Number of points in each direction, and that of the rule for the error estimate.
 const POINTS: [usize; 2] = [16, 22];
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the largest number of quadrature points is reached, or rounding of a + 1 - s dominates";
-/// Largest cells.
+/// Largest width of a cell.
 const CELL: f64 = 0.5;
 /// Largest opening angle; beyond it the two sides come close to each other.
 const WIDEST: f64 = 1.75 * PI;
-/// Exponent from which on e^{-x} is negligible.
+/// Value of x from which e^{-x} is negligible.
 const NOTHING: f64 = 40.0;
 
-/// The elastic v above on a half disc.
+/// The elastic displacement v above on a half disc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ElasticCorner {
     alpha: f64,
@@ -74,7 +74,7 @@ pub(crate) struct ElasticCorner {
 }
 
 impl ElasticCorner {
-    /// v for 0 < φ < π, r < R.
+    /// The displacement v for 0 < φ < π, r < R.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < p ≤ 20, α > 0 and R > 0.
@@ -84,7 +84,7 @@ impl ElasticCorner {
         Ok(Self { alpha, power: SectorPower::new(power, power, PI, radius)? })
     }
 
-    /// |∇v|_s; scales like R^{p−s}.
+    /// The seminorm |∇v|_s, which scales like R^{p−s}.
     ///
     /// # Errors
     /// As [`SectorPower::seminorm`], with a = p − 1.
@@ -103,7 +103,7 @@ impl ElasticCorner {
 }
 
 impl SectorPower {
-    /// r^a sin(bφ) for r < R, 0 < φ < ω.
+    /// The function r^a sin(bφ) for r < R, 0 < φ < ω.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
@@ -115,7 +115,7 @@ impl SectorPower {
         Ok(Self { part: Part::Sine, exponent, frequency, angle, radius })
     }
 
-    /// |∇w|_s of the harmonic r^p sin(pφ); `None` if a ≠ b. Scales like R^{p−s}.
+    /// The seminorm |∇w|_s of the harmonic r^p sin(pφ), which scales like R^{p−s}; `None` if a ≠ b.
     ///
     /// # Errors
     /// As [`SectorPower::seminorm`], with a = p − 1.
@@ -129,7 +129,7 @@ impl SectorPower {
         scaled(power.abs(), gradient.seminorm(order, tolerance)?).map(Some)
     }
 
-    /// |w|_s; scales like R^{a+1−s}.
+    /// The seminorm |w|_s, which scales like R^{a+1−s}.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] for a ≤ s − 1, [`Error::ToleranceNotMet`].
@@ -148,7 +148,7 @@ impl SectorPower {
         accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance, LIMIT)
     }
 
-    /// The double integral with n points in each direction, and how many points that is.
+    /// The double integral with n points in each direction, and the total number of points.
     fn integral(&self, order: Order, n: usize) -> Result<(f64, u64)> {
         let near = self.angle.min(1.0);
         let (plain, power) = (Rule::gauss_legendre(n)?, 2.0 * order.complement() - 1.0);

@@ -2,7 +2,7 @@
 
 use super::geometry::{Point, distance_from_segment, length, minus};
 
-/// Number of a corner of a piece that is not a node of the mesh.
+/// The number of a corner of a piece that is not a node of the mesh.
 pub(super) const NO_NODE: usize = usize::MAX;
 
 /// A corner with the values of K linear functions.
@@ -44,7 +44,7 @@ impl<const K: usize> Simplex<K> {
         self.count - 1
     }
 
-    /// The face opposite a corner; the simplex must not be a point.
+    /// The face opposite a corner of a simplex that is not a point.
     pub(super) fn face(&self, corner: usize) -> Self {
         let mut face = *self;
         face.corners.copy_within(corner + 1.., corner);
@@ -52,7 +52,7 @@ impl<const K: usize> Simplex<K> {
         face
     }
 
-    /// Positions of a node that both have.
+    /// The positions in both simplices of a common node.
     pub(super) fn shared(&self, other: &Self) -> Option<(usize, usize)> {
         self.corners().iter().enumerate().find_map(|(i, a)| {
             let same = |b: &Corner<K>| b.node == a.node && a.node != NO_NODE;
@@ -60,7 +60,7 @@ impl<const K: usize> Simplex<K> {
         })
     }
 
-    /// The longest edge as positions of its ends, and its length; 0 for a point.
+    /// The longest edge, given by the positions of its ends, and its length; 0 for a point.
     pub(super) fn longest(&self) -> ([usize; 2], f64) {
         let mut longest = ([0, 0], 0.0);
         for i in 0..self.count {
@@ -74,7 +74,7 @@ impl<const K: usize> Simplex<K> {
         longest
     }
 
-    /// Both halves, cut through the middle of an edge.
+    /// The two halves of a simplex that is cut through the midpoint of an edge.
     pub(super) fn halves(&self, edge: [usize; 2]) -> [Self; 2] {
         let middle = self.corners[edge[0]].middle(self.corners[edge[1]]);
         edge.map(|replaced| {
@@ -89,7 +89,7 @@ impl<const K: usize> Simplex<K> {
         self.corner_distance(other).min(other.corner_distance(self))
     }
 
-    /// The least distance of a corner from the boundary of another simplex.
+    /// The smallest distance of a corner from the boundary of another simplex.
     fn corner_distance(&self, other: &Self) -> f64 {
         let (count, points) = (other.count, &other.corners);
         let mut least = f64::INFINITY;

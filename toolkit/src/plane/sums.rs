@@ -1,5 +1,5 @@
-//! |w|²_s as a sum over pairs of triangles: all of them directly, or the near ones directly and the far ones
-//! by clusters.
+//! |w|²_s as a sum over pairs of triangles: all pairs directly, or near pairs directly and far pairs by
+//! clusters.
 
 use super::far::{FarField, Source};
 use super::function::PlaneFunction;
@@ -16,19 +16,19 @@ use crate::root::ENTRY_ROUNDING;
 
 /// Largest number of triangles for which all pairs are summed directly.
 const DIRECT: usize = 200;
-/// Safety factor: error of a rule over its difference to the next rule.
+/// Safety factor: ratio of the error of a rule to its difference from the next rule.
 const SAFETY: f64 = 3.0;
 /// Smallest ratio of successive changes that is accepted.
 const LEAST_CHANGE: f64 = 0.02;
-/// The error of q + 1 Chebyshev points over the change from q − 1: two steps, since odd and even counts err
-/// differently and a single step may be small by accident.
+/// Ratio of the error with q + 1 Chebyshev points to the change from q − 1 points: two steps, since odd and
+/// even numbers of points have different errors and a single step may be small by accident.
 const FAR_SAFETY: f64 = 0.5;
-/// ln of the average gain of a further Chebyshev point at the nearest corners of separated clusters.
+/// ln of the average gain per additional Chebyshev point at the nearest corners of separated clusters.
 const FAR_GAIN: f64 = 2.7;
 /// Smallest and largest number of Chebyshev points.
 const FAR_POINTS: (usize, usize) = (4, 18);
 
-/// Sums of one function in units of its values and of its polygon.
+/// The sums for one function, in units of its values and of its polygon.
 pub(super) struct PairSum {
     shape: Shape,
     simplices: Vec<Simplex<1>>,
@@ -61,7 +61,7 @@ impl PairSum {
         }
     }
 
-    /// The sum with integrals of that accuracy.
+    /// The sum with integrals of the given accuracy.
     pub(super) fn squared(&self, means: &Means, s: f64, accuracy: f64) -> Result<Estimate> {
         let count = self.simplices.len();
         if count <= DIRECT {
@@ -88,7 +88,7 @@ impl PairSum {
         settled(&parts, far[1], FAR_SAFETY * (far[1] - far[0]).abs())
     }
 
-    /// All pairs of two lists; of a list with itself each pair once.
+    /// The sum over all pairs of triangles from two lists; for a list with itself each pair is counted once.
     fn near(&self, means: &Means, first: &[usize], second: &[usize]) -> Result<Part> {
         let (mut sums, mut work) = ([RunningSum::default(); LEVELS], Work::default());
         let same = std::ptr::eq(first, second);
@@ -108,8 +108,8 @@ impl PairSum {
     }
 }
 
-/// The second of three converging sums, with its error by the third; a last change far below the one before
-/// is not accepted.
+/// The second of three converging sums, with its error estimated from the third; a last change far below the
+/// previous one is not trusted.
 fn settled(parts: &[Part], far: f64, far_error: f64) -> Result<Estimate> {
     let [first, value, judge]: [f64; LEVELS] =
         std::array::from_fn(|k| compensated(parts.iter().map(|part| part.0[k])));

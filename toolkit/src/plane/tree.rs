@@ -1,14 +1,14 @@
-//! A binary tree of clusters of triangles, and the pairs of clusters that make up the square of the
-//! polygon.
+//! A binary tree of clusters of triangles, and the pairs of clusters into which the square of the polygon is
+//! divided.
 
 use super::geometry::{Point, length};
 
-/// Largest number of triangles of a leaf.
+/// Largest number of triangles in a leaf.
 const LEAF: usize = 4;
 /// Two clusters are separated if neither box has a diagonal longer than this multiple of their distance.
 const APART: f64 = 1.0;
 
-/// Triangles first..end of the order of the tree, in the box from `low` to `high`.
+/// The triangles first..end in the order of the tree, in the box from `low` to `high`.
 #[derive(Debug, Clone)]
 pub(super) struct Cluster {
     pub(super) first: usize,
@@ -18,17 +18,17 @@ pub(super) struct Cluster {
     pub(super) children: Option<[usize; 2]>,
 }
 
-/// Clusters, parents before children.
+/// The clusters, parents before children.
 pub(super) struct Tree {
     pub(super) order: Vec<usize>,
     pub(super) clusters: Vec<Cluster>,
 }
 
-/// Pairs of clusters, each unordered pair of triangles in exactly one.
+/// Pairs of clusters that contain each unordered pair of triangles exactly once.
 #[derive(Default)]
 pub(super) struct Pairs {
     pub(super) far: Vec<[usize; 2]>,
-    /// leaves, also with themselves
+    /// pairs of leaves, including a leaf with itself
     pub(super) near: Vec<[usize; 2]>,
 }
 
@@ -57,7 +57,8 @@ impl Tree {
         index
     }
 
-    /// Halves the larger of two clusters until they are apart or leaves.
+    /// The pairs of clusters, obtained by bisecting the larger of two clusters until they are separated or
+    /// leaves.
     pub(super) fn pairs(&self) -> Pairs {
         let mut pairs = Pairs::default();
         let mut open = vec![[0, 0]];
@@ -90,7 +91,7 @@ impl Cluster {
         length([self.size(0), self.size(1)])
     }
 
-    /// The distance of the boxes.
+    /// The distance between the boxes.
     pub(super) fn distance(&self, other: &Self) -> f64 {
         let gap = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
         length([gap(0), gap(1)])

@@ -15,7 +15,7 @@ const BYTES_OF_SQUARE: usize = 300;
 /// # Method
 ///
 /// Triangles meet only in whole edges or at nodes, which they share by number, and do not overlap. Either
-/// orientation is allowed. Coordinates may have any size: 1e-100 to 1e100.
+/// orientation is allowed. Coordinates may have any size from 1e-100 to 1e100.
 #[doc(alias("mesh", "triangulation"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Triangles {
@@ -25,7 +25,7 @@ pub struct Triangles {
 }
 
 impl Triangles {
-    /// The triangulation with the given nodes and three node numbers for each triangle.
+    /// The triangulation with the given nodes and the three node numbers of each triangle.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;
@@ -36,13 +36,12 @@ impl Triangles {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate,
-    /// [`Error::Triangle`] for a node number out of range or a triangle without area, [`Error::Edge`] for
-    /// an edge of more than two triangles, [`Error::Overlap`] for two triangles with interior points in
-    /// common.
+    /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate, [`Error::Triangle`]
+    /// for a node number out of range or a triangle of area zero, [`Error::Edge`] for an edge of more than two
+    /// triangles, [`Error::Overlap`] for two triangles with interior points in common.
     pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "n >= 1" });
+            return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });
         }
         for (index, node) in nodes.iter().enumerate() {
             node.iter().try_for_each(|&x| require_finite_at("coordinate", index, x))?;
@@ -51,12 +50,20 @@ impl Triangles {
         let mut areas = Vec::with_capacity(triangles.len());
         for (triangle, corners) in triangles.iter().enumerate() {
             if let Some(&node) = corners.iter().find(|&&node| node >= nodes.len()) {
-                return Err(Error::Triangle { triangle, reason: "has no node", value: node as f64 });
+                return Err(Error::Triangle {
+                    triangle,
+                    reason: "refers to a node that does not exist:",
+                    value: node as f64,
+                });
             }
             let [a, b, c] = *corners;
             let twice = twice_area(nodes[a], nodes[b], nodes[c]).abs();
             if !(twice >= f64::MIN_POSITIVE && twice.is_finite()) {
-                return Err(Error::Triangle { triangle, reason: "has twice the area", value: twice });
+                return Err(Error::Triangle {
+                    triangle,
+                    reason: "is degenerate, or its area overflows: twice its area is",
+                    value: twice,
+                });
             }
             areas.push(0.5 * twice);
             for (a, b) in [(a, b), (b, c), (c, a)] {
@@ -96,7 +103,7 @@ impl Triangles {
         Error::require("h", h, "(0, inf)", h > 0.0 && h.is_finite())?;
         let [columns, rows] = squares;
         if columns == 0 || rows == 0 {
-            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "n >= 1" });
+            return Err(Error::CountOutOfRange { name: "squares", value: 0, range: "[1, inf)" });
         }
         require_memory("squares", columns.saturating_mul(rows), BYTES_OF_SQUARE)?;
         let node = |i: usize, j: usize| j * (columns + 1) + i;
@@ -109,8 +116,8 @@ impl Triangles {
         Self::new(places.collect(), triangles)
     }
 
-    /// The triangulation of the polygon with corners 0, P_1, ..., P_m by the triangles 0 P_k P_{k+1}; node
-    /// 0 is the origin.
+    /// The triangulation of the polygon with vertices 0, P_1, ..., P_m by the triangles 0 P_k P_{k+1}; node 0
+    /// is the origin.
     ///
     /// # Errors
     /// As [`Triangles::new`].
@@ -119,8 +126,8 @@ impl Triangles {
         Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
     }
 
-    /// The refined triangulation in which every triangle at a node is cut in three: a smaller copy at that
-    /// node, `share` < 1 times its sides, and two triangles that fill the rest.
+    /// The refined triangulation in which every triangle at a node is divided into three: a smaller copy at
+    /// that node, with `share` < 1 times its sides, and two triangles that fill the rest.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;
@@ -153,7 +160,7 @@ impl Triangles {
         Self::new(nodes, triangles)
     }
 
-    /// The same triangulation with its nodes moved.
+    /// The same triangulation with its nodes moved by a map.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;
@@ -174,7 +181,7 @@ impl Triangles {
         &self.nodes
     }
 
-    /// The nodes of the triangles.
+    /// The node numbers of the triangles.
     pub fn triangles(&self) -> &[[usize; 3]] {
         &self.triangles
     }
@@ -193,7 +200,7 @@ impl Triangles {
         self.triangles[triangle].map(|node| self.nodes[node])
     }
 
-    /// The size of the polygon: the larger side of its bounding box.
+    /// The size of the polygon: the longer side of its bounding box.
     pub(super) fn extent(&self) -> f64 {
         let span = |k: usize| {
             let of = |node: &usize| self.nodes[*node][k];

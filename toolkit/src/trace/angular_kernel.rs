@@ -1,27 +1,27 @@
-//! The kernel |x−z|^{-2-2s} integrated over the radii against r^{s−1+iτ}.
+//! The kernel |x−z|^{-2-2s}, integrated over the radii against r^{s−1+iτ}.
 //!
 //! K_τ(a) = ∫_{−∞}^∞ cos(τu) (2cosh u − 2cos a)^{-1-s} du,
 //! D_τ(a) = ∫_{−∞}^∞ (cosh((1−s)u) − cos(τu)) (2cosh u − 2cos a)^{-1-s} du, 0 < a ≤ π.
 //!
-//! With S = sin(a/2), sinh(u/2) = S sinh v: 2cosh u − 2cos a = 4S² cosh² v, and the trapezoidal rule in v is
-//! exponentially accurate uniformly in a. a^{1+2s} K and a^{2s−1} D are smooth in ln a: tabulated at
+//! With S = sin(a/2), sinh(u/2) = S sinh v: 2cosh u − 2cos a = 4S² cosh² v, and the trapezoidal rule in v
+//! converges exponentially, uniformly in a. a^{1+2s} K and a^{2s−1} D are smooth in ln a: they are tabulated at
 //! Chebyshev points of cells in ln a.
 
 use crate::order::Order;
 use std::f64::consts::PI;
 
-/// Chebyshev points of a cell, whose ends have the ratio e^{WIDTH}.
+/// Number of Chebyshev points of a cell, the ends of which have the ratio e^{WIDTH}.
 const POINTS: usize = 16;
 const WIDTH: f64 = 0.7;
 /// Logarithm of the relative truncation error of the sums in v.
 const NOTHING: f64 = 34.0;
 
-/// K and D as tables.
+/// Tables of K and D.
 pub(super) struct AngularKernel {
     order: Order,
     /// ln of the smallest angle.
     start: f64,
-    /// The places of a cell in (0, 1) and their barycentric weights.
+    /// The positions of the points of a cell in (0, 1), and their barycentric weights.
     places: [(f64, f64); POINTS],
     /// (a^{1+2s} K, a^{2s−1} D), cell after cell.
     values: Vec<[f64; 2]>,

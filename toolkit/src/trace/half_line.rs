@@ -8,7 +8,7 @@
 use crate::numeric::gamma::log_gamma_difference;
 use nalgebra::Complex;
 
-/// C for one order.
+/// The symbol C for one order.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct HalfLineSymbol {
     /// p = 1 − 2ν.
@@ -23,7 +23,7 @@ impl HalfLineSymbol {
         Self { gap, log_gamma: log_gamma_difference(Complex::new(1.0 + 0.5 * gap, 0.0), gap).re }
     }
 
-    /// ν C(t).
+    /// The value ν C(t).
     pub(crate) fn at(&self, t: f64) -> f64 {
         let g = self.log_gamma - log_gamma_difference(Complex::new(1.0, t), self.gap);
         let half = (0.5 * g.im).sin();

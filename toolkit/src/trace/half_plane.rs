@@ -6,13 +6,14 @@ use crate::numeric::gamma::digamma_above_one;
 use crate::order::Order;
 use std::f64::consts::PI;
 
-/// Rounding of the closed form, relative: D is a difference of π tan(πσ) and at most a third of it.
+/// Relative rounding error of the closed form: D is the difference of π tan(πσ) and a number of at most a third
+/// of it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// C(s), the best constant of the trace on the half-plane: the closed form of [`crate::trace_constant`]. Cost: twenty
+/// The best constant C(s) of the trace on the half-plane: the closed form of [`crate::trace_constant`]. Cost: twenty
 /// terms.
 ///
-/// Three steps, proved in full on the page of the book:
+/// The proof has three steps, given in full on the page of the book:
 /// - y^{2s−1} is harmonic for Lw(x) = PV ∫_H (w(x)−w(z)) |x−z|^{-2-2s} dz, and L commutes with the inversion
 ///   w ↦ |x|^{2s−2} w(x/|x|²); so y^{2s−1}/|x|^{2s} is harmonic too, the Poisson kernel of the operator
 ///   div(y^{2−2s} ∇w).
@@ -34,20 +35,21 @@ pub(super) fn half_plane_trace(order: Order) -> Result<Estimate> {
     Estimate::new(value, value * (ROUNDING + conditioning), Work::default())
 }
 
-/// σ = s − 1/2 where there is a trace.
+/// The number σ = s − 1/2 if functions have a trace.
 pub(super) fn require_trace(order: Order) -> Result<f64> {
     Error::require("s - 1/2", order.offset(), "(0, 1/2)", order.offset() > 0.0)
 }
 
-/// Width of the exponents, e^{-700}: the remainder is negligible.
+/// Range of the exponents, down to e^{-700}: the remainder is negligible.
 const RANGE: f64 = 700.0;
 /// Step of the trapezoidal rule in ln t: its error is below rounding for σ ≤ 1/2.
 const STEP: f64 = 0.06;
 
-/// φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2: the extremal function on the half-plane is e^{ix} φ(y).
+/// The profile φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2: the extremal function on the half-plane is e^{ix}
+/// φ(y).
 ///
-/// From φ(y) = (1/Γ(σ)) ∫₀^∞ t^{σ−1} e^{−t−y²/(4t)} dt by the trapezoidal rule in ln t; φ(0) = 1, relative
-/// error below 1e-13 where φ > 1e-100. Cost: a few hundred exponentials.
+/// It is computed from φ(y) = (1/Γ(σ)) ∫₀^∞ t^{σ−1} e^{−t−y²/(4t)} dt by the trapezoidal rule in ln t; φ(0) =
+/// 1, and the relative error is below 1e-13 where φ > 1e-100. Cost: a few hundred exponentials.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for s ≤ 1/2 and unless 1e-30 ≤ y ≤ 1e3 or y = 0.

@@ -1,4 +1,4 @@
-//! The trace theorem with its constant: |w|\_{s−1/2, edge} ≤ C |w|\_{s,Ω}, 1/2 < s ≤ 1.
+//! The trace theorem with an explicit constant: |w|\_{s−1/2, edge} ≤ C |w|\_{s,Ω}, 1/2 < s ≤ 1.
 
 mod angular_kernel;
 mod half_line;
@@ -16,12 +16,13 @@ use half_plane::{extension_profile, half_plane_trace};
 use std::f64::consts::TAU;
 use wedge::{WedgeTrace, quotient_at_one};
 
-/// Modes at which the quotient of a corner is computed first.
+/// Modes for which the quotient of a corner is computed first.
 const MODES: [f64; 8] = [0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0];
-/// Golden section, and steps of it that leave 1e-4 of an interval: 1e-8 of the value.
+/// Golden ratio, and the number of steps of golden-section search that reduce an interval to 1e-4: 1e-8 of the
+/// value.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 const STEPS: usize = 20;
-/// Beyond this y the profile of the half-plane is below 1e-300.
+/// Value of y beyond which the profile of the half-plane is below 1e-300.
 const FAR: f64 = 690.0;
 
 /// The best constant in |w|\_{s−1/2, edge} ≤ C |w|\_{s,Ω}, 1/2 < s ≤ 1, on a half-plane, a sector or a square.
@@ -35,12 +36,12 @@ const FAR: f64 = 690.0;
 /// 2π. Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1. No edge of a domain has a smaller
 /// constant. The extremal function is cos(x) φ(y), φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2.
 ///
-/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of each mode, which tends to that of
-/// the half-plane as τ → ∞: it is the larger of the latter and of the largest quotient found for τ ≤ 16, a
+/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of the modes, which tends to that of the
+/// half-plane as τ → ∞. The larger of the latter and of the largest quotient found for τ ≤ 16 is returned: a
 /// lower bound up to the error of the finite elements.
 ///
-/// **Square.** C(s) of the half-plane: proved to be the best constant for s = 1, a proved lower bound for s < 1, where
-/// no function with a larger quotient is known and `upper` is `None`.
+/// **Square.** C(s) of the half-plane: proved to be the best constant for s = 1, and proved to be a lower bound for s
+/// < 1, where no function with a larger quotient is known and `upper` is `None`.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, Order, trace_constant};
@@ -75,11 +76,16 @@ pub fn trace_constant(
         }
         _ => return Err(domain.refused("trace", "HalfPlane, Corner or Square")),
     };
-    found.met("trace constant", tolerance, "rounding and finite elements of fixed degree")
+    found.met(
+        "trace constant",
+        tolerance,
+        "rounding, and the fixed degree of the finite elements, limit the accuracy",
+    )
 }
 
-/// |f|²\_{s−1/2}/|w|²_s for the boundary values f = r^{s−1+iτ} of a corner or, even in x, of the half-plane, and w with
-/// the least energy, 1/2 < s ≤ 1, 0 ≤ τ ≤ 100: a lower bound of the square of [`trace_constant`].
+/// The quotient |f|²\_{s−1/2}/|w|²_s for the boundary values f = r^{s−1+iτ} of a corner or, even in x, of the
+/// half-plane, and the extension w of least energy, 1/2 < s ≤ 1, 0 ≤ τ ≤ 100: a lower bound of the square of
+/// [`trace_constant`].
 ///
 /// # Method
 ///
@@ -87,9 +93,9 @@ pub fn trace_constant(
 ///
 /// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
 ///
-/// whose minimum over ψ is approximated from above by finite elements: up to quadrature the value is a
-/// lower bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient
-/// equals the closed form for *every* τ, confirmed by two independent computations. For s = 1: 2(πτ
+/// whose minimum over ψ is approximated from above by finite elements: up to quadrature the value is a lower
+/// bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient equals
+/// the closed form for *every* τ, as two independent computations confirm. For s = 1 the quotient is 2(πτ
 /// coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.
 ///
 /// ```
@@ -125,10 +131,15 @@ pub fn trace_quotient(
     if found.relative_error() <= tolerance.relative() {
         return Ok(found);
     }
-    Err(Error::not_met("trace quotient", tolerance.relative(), found, "finite elements of fixed degree"))
+    Err(Error::not_met(
+        "trace quotient",
+        tolerance.relative(),
+        found,
+        "the fixed degree of the finite elements limits the accuracy",
+    ))
 }
 
-/// C(s) of the half-plane.
+/// The constant C(s) of the half-plane.
 fn half_plane(s: UnitOrder) -> Result<Estimate> {
     match s {
         UnitOrder::Inner(order) => half_plane_trace(order),

@@ -1,4 +1,4 @@
-//! A corner: the wedge 0 < θ < ω, trace on its edge θ = 0.
+//! A corner: the wedge 0 < θ < ω, with the trace on its edge θ = 0.
 
 use super::angular_kernel::AngularKernel;
 use super::half_line::HalfLineSymbol;
@@ -10,19 +10,19 @@ use crate::numeric::pencil::Factored;
 use crate::order::Order;
 use std::f64::consts::{FRAC_PI_2, PI};
 
-/// Two levels of refinement: the second is returned, the first gives the error.
+/// Two levels of refinement: the value of the second one is returned, the first one gives the error.
 const FINENESS: [Fineness; 2] = [
     Fineness { degree: 7, points: 11, levels: 3, first: 1e-4 },
     Fineness { degree: 9, points: 14, levels: 4, first: 1e-5 },
 ];
-/// Rounding of the matrix, relative to the energy; and what is lost of it as 1 − s → 0, times 1/(1−s): changing
-/// the quadrature points by one rounding changes the quotient by 1.1e-11/(1−s) at 1 − s = 1e-8.
+/// Rounding error of the matrix, relative to the energy, and its growth as 1 − s → 0, times 1/(1−s): changing
+/// the quadrature points by one rounding error changes the quotient by 1.1e-11/(1−s) at 1 − s = 1e-8.
 const ROUNDING: f64 = 1e-12;
 const LOST: f64 = 2e-11;
-/// Largest τ that the meshes resolve.
+/// Largest value of τ that the meshes resolve.
 const LARGEST_TAU: f64 = 100.0;
 
-/// Quotients edge/wedge of the squared seminorms, mode by mode.
+/// Quotients edge/wedge of the squared seminorms, for every mode.
 ///
 /// # Method
 ///
@@ -33,8 +33,8 @@ const LARGEST_TAU: f64 = 100.0;
 ///
 /// whose minimum over ψ is computed by finite elements (`wedge_elements`). The best constant of the
 /// wedge is the supremum of C(τ)/min E_τ over τ; as τ → ∞ the quotient tends to that of the half-plane,
-/// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}: ω = π and an axis of symmetry
-/// at π/2; there the quotient is the closed form for *every* τ, an independent computation of it.
+/// from below. The half-plane itself, with even boundary values |x|^{s−1+iτ}, has ω = π and an axis of symmetry
+/// at π/2; there the quotient is the closed form for *every* τ, which is thus computed independently.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WedgeTrace {
     order: Order,
@@ -61,8 +61,8 @@ impl WedgeTrace {
         Ok(Self { order, angle: FRAC_PI_2, mirrored: true })
     }
 
-    /// |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the least energy: a lower bound of the
-    /// square of the best constant.
+    /// The quotient |f|²_{s−1/2}/|w|²_s for the boundary values r^{s−1+iτ} and the extension of least energy: a
+    /// lower bound of the square of the best constant.
     ///
     /// The finite elements approximate the least energy from above: up to quadrature the value is a lower
     /// bound of the quotient. Cost: 1e6 operations.
@@ -79,7 +79,7 @@ impl WedgeTrace {
         Estimate::new(edge / fine, edge / fine * error / fine, work)
     }
 
-    /// The symbol of the edge.
+    /// The symbol of the seminorm on the edge.
     fn edge(&self, tau: f64) -> f64 {
         let (nu, s) = (self.order.offset(), self.order.value());
         let half = HalfLineSymbol::new(2.0 * self.order.complement()).at(tau) / nu;
@@ -98,7 +98,7 @@ impl WedgeTrace {
         half + 8.0 * step * (1..=terms).map(across).sum::<f64>()
     }
 
-    /// min E_τ and the number of unknowns.
+    /// The minimum of E_τ and the number of unknowns.
     fn least_energy(&self, tau: f64, fineness: Fineness) -> Result<(f64, u64)> {
         let first = fineness.first / (1.0 + tau);
         let elements = WedgeElements::new(self.order, self.angle, Fineness { first, ..fineness })?;

@@ -1,5 +1,5 @@
-//! Finite elements in the angle: polynomials on a mesh graded to both edges of a wedge, and c θ^{2s−1} on the
-//! first element, where the least energy has its singular part.
+//! Finite elements in the angle: polynomials on a mesh graded towards both edges of a wedge, and c θ^{2s−1} on
+//! the first element, the singular part of the function of least energy.
 //!
 //! With ψ = 1 − η, η(0) = 0, the energy is e₁₁ − 2 r·η + η·Mη, the entries formed from differences of the
 //! basis: constants have no energy and there is no cancellation.
@@ -12,8 +12,8 @@ use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// The discretisation parameters: degree, points of a rule, levels of rules graded to a singular point,
-/// first element.
+/// The discretisation parameters: degree, number of points of a rule, number of levels of rules graded towards
+/// a singular point, length of the first element.
 #[derive(Clone, Copy)]
 pub(super) struct Fineness {
     pub(super) degree: usize,
@@ -22,7 +22,8 @@ pub(super) struct Fineness {
     pub(super) first: f64,
 }
 
-/// Ratio of neighbouring elements, of neighbouring cells of a graded rule, and elements next to the far edge.
+/// Ratio of neighbouring elements and of neighbouring cells of a graded rule, and number of elements next to
+/// the far edge.
 const RATIO: f64 = 0.2;
 const CELL_RATIO: f64 = 0.15;
 const FAR: i32 = 4;
@@ -41,7 +42,7 @@ pub(super) struct AngularForm {
 pub(super) struct WedgeElements {
     order: Order,
     angle: f64,
-    /// Ends of the elements, from 0 to ω.
+    /// The ends of the elements, from 0 to ω.
     cuts: Vec<f64>,
     /// Local nodes with their barycentric weights.
     nodes: Points,
@@ -52,7 +53,8 @@ pub(super) struct WedgeElements {
     graded: Points,
 }
 
-/// A rule for t^β times what is smooth plus less singular terms: weights without the power.
+/// A rule for t^β times the sum of a smooth function and less singular terms; its weights do not contain the
+/// power.
 fn graded(beta: f64, fineness: Fineness) -> Result<Points> {
     let (n, last) = (fineness.points, CELL_RATIO.powi(fineness.levels));
     let inner = Rule::gauss_jacobi(n, 0.0, beta)?;
@@ -91,7 +93,7 @@ impl WedgeElements {
         })
     }
 
-    /// An angle below every distance of two points of the rules, which come as close as 1−s near s = 1.
+    /// An angle below every distance of two points of the rules, which is as small as 1−s near s = 1.
     pub(super) fn smallest(&self) -> f64 {
         let shortest = (0..self.cuts.len() - 1).map(|e| self.size(e)).fold(self.angle, f64::min);
         let rules = [&self.plain, &self.same, &self.touching, &self.graded];
@@ -103,13 +105,14 @@ impl WedgeElements {
         self.cuts[e + 1] - self.cuts[e]
     }
 
-    /// First unknown of an element and how many it has: 0 is the value at the end of the first element.
+    /// The first unknown of an element and the number of its unknowns: 0 is the value at the end of the first
+    /// element.
     fn unknowns(&self, e: usize) -> (usize, usize) {
         let p = self.nodes.len() - 1;
         if e == 0 { (0, 1) } else { ((e - 1) * p, p + 1) }
     }
 
-    /// The basis of element e at the local place x.
+    /// The values of the basis of element e at the local position x.
     fn basis(&self, e: usize, x: f64, values: &mut [f64]) {
         if e == 0 {
             values[0] = x.powf(2.0 * self.order.offset());
@@ -123,7 +126,7 @@ impl WedgeElements {
         values.iter_mut().for_each(|value| *value /= total);
     }
 
-    /// (local place in e, in f, distance, weight) of a rule for pairs of elements e ≤ f.
+    /// (local position in e, in f, distance, weight) for a rule for pairs of elements e ≤ f.
     fn pairs(&self, e: usize, f: usize) -> Vec<[f64; 4]> {
         let (h, k) = (self.size(e), self.size(f));
         let mut all = Vec::new();
@@ -164,7 +167,7 @@ impl WedgeElements {
         all
     }
 
-    /// The energy with the kernel of one τ; with the mirror image at ω where `mirrored`.
+    /// The energy with the kernel for one τ; if `mirrored`, with the mirror image at ω.
     pub(super) fn form(&self, kernel: &AngularKernel, mirrored: bool) -> Result<AngularForm> {
         let elements = self.cuts.len() - 1;
         let (last, count) = self.unknowns(elements - 1);

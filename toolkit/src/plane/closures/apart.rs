@@ -1,7 +1,7 @@
-//! Pairs of pieces that do not touch, and the L² norm: rules on single pieces.
+//! Pairs of pieces that do not touch, and the L² norm, by rules on single pieces.
 //!
 //! A piece longer than twice its distance is subdivided first. On a piece at a declared corner, x = ρ e(t),
-//! cells of ln ρ extend to where r^{2a+2} and r² are negligible; t runs over parts of the edge no longer
+//! cells of ln ρ extend to where r^{2a+2} and r² are negligible; t is divided into parts of the edge no longer
 //! than their distance from the corner.
 
 use super::piece::{Piece, View};
@@ -15,13 +15,13 @@ use crate::quadrature::Rule;
 
 /// Smallest ratio of distance to length of an admissible piece.
 const ADMISSIBLE: f64 = 0.5;
-/// Part of an edge over its distance from the corner.
+/// Largest ratio of the length of a part of an edge to its distance from the corner.
 const LONGEST: f64 = 1.1;
 /// Largest number of pieces into which one pair is subdivided.
 const PATIENCE: usize = 20_000;
 
-/// A point relative to the base of its piece, the root of a weight in area, and the function times that
-/// root: r^a may be so large that its square overflows.
+/// A point relative to the base of its piece, the square root of a weight for the area, and the function
+/// multiplied by that root: r^a may be so large that its square overflows.
 type Placed = (Point, f64, f64);
 
 /// Parameters of integrals over pieces.
@@ -39,7 +39,7 @@ impl Apart<'_> {
     /// ∫∫ (w(x)−w(y))² |x−y|^{-2-2s} over x in a and y in b, in units.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) when the two touch or are too close.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) if the two pieces touch or are too close to each other.
     pub(super) fn pair(&self, a: &Piece, b: &Piece, work: &mut u64) -> Result<f64> {
         let (mut open, mut patience, mut sum) = (vec![(*a, *b)], PATIENCE, 0.0);
         while let Some((a, b)) = open.pop() {

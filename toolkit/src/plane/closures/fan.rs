@@ -1,15 +1,16 @@
 //! Pairs of triangles with a common corner P: one is {P + ρ e(t)}, the other {P + ρτ e'(t')}, ρ, τ, t, t' in
 //! (0, 1).
 //!
-//! ∫∫ over the pairs with y nearer to P, on the scale of its edge, than x is
+//! The integral over the pairs in which y is nearer to P than x, on the scale of its edge, is
 //!
 //! J J' ∫∫∫ τ² |e(t) − τ e'(t')|^{-2-2s} (∫₀¹ ρ^{1−2s} (w(P + ρ e(t)) − w(P + ρτ e'(t')))² dρ) dt dt' du,
 //!
-//! τ = e^{-u}, J and J' twice the areas: the kernel depends on ρ by a power only, so that the radial rule
-//! ([`super::radial`]) integrates over the whole corner. What is singular is u = 0, t = t' on one edge, or
-//! u = t = t' = 0 where the edges e and e' begin at one point: Duffy's coordinates with a rule for
-//! ξ^{1−2s}, for ξ^{2−2s} (ξ^{−2s} when the function jumps there). Elsewhere tensor rules on boxes no
-//! longer than twice their distance; e(t) − τ e'(t') is computed from 1 − τ without cancellation.
+//! τ = e^{-u}, J and J' twice the areas: the kernel depends on ρ only by a power, so that the radial rule
+//! ([`super::radial`]) integrates over the whole corner. The integrand is singular at u = 0, t = t' for a
+//! common edge, or at u = t = t' = 0 if the edges e and e' begin at one point: Duffy's coordinates are used
+//! with a rule for ξ^{1−2s}, or for ξ^{2−2s} (ξ^{−2s} if the function jumps there). Elsewhere tensor rules are
+//! used on boxes no longer than twice their distance; e(t) − τ e'(t') is computed from 1 − τ without
+//! cancellation.
 
 use super::radial::{self, Points};
 use super::side::Side;
@@ -21,7 +22,7 @@ use crate::quadrature::Rule;
 
 /// Smallest ratio of distance to length of an admissible box.
 const ADMISSIBLE: f64 = 0.5;
-/// First interval of u beyond the singular part.
+/// Length of the first interval of u beyond the singular part.
 const STEP: f64 = 1.0;
 /// Largest number of boxes into which one pair is subdivided.
 const PATIENCE: usize = 20_000;
@@ -33,13 +34,13 @@ pub(super) struct Fan<'a> {
     /// Number of points of every rule except the radial one.
     pub(super) points: usize,
     pub(super) radial: &'a Points,
-    /// u up to which cells are needed; none where w is smooth in τ.
+    /// Value of u up to which cells are needed; `None` if w is smooth in τ.
     pub(super) depth: Option<f64>,
-    /// The function may jump across the common edge.
+    /// True if the function may jump across the common edge.
     pub(super) jumps: bool,
 }
 
-/// τ between e^{-to} and e^{-from}, t and t'.
+/// A box: τ between e^{-to} and e^{-from}, and intervals of t and t'.
 #[derive(Debug, Clone, Copy)]
 struct Region {
     from: f64,
@@ -49,8 +50,9 @@ struct Region {
 }
 
 impl Fan<'_> {
-    /// All pairs of points of two lists of sides that together are two triangles (or the same one), in units;
-    /// `begins`: both lists begin at a common second corner. Counts values of the function in `work`.
+    /// The integral, in units, over all pairs of points of two lists of sides that form two triangles or the
+    /// same one; `begins` states that both lists begin at a common second corner. Values of the function are
+    /// counted in `work`.
     pub(super) fn pair(
         &self,
         first: &[Side<'_>],
@@ -76,12 +78,12 @@ impl Fan<'_> {
         Ok(sum)
     }
 
-    /// Sides whose edges do not touch.
+    /// The integral for sides whose edges do not touch.
     fn both(&self, x: &Side<'_>, y: &Side<'_>, work: &mut u64) -> Result<f64> {
         Ok(self.boxes(x, y, 0.0, work)? + self.boxes(y, x, 0.0, work)?)
     }
 
-    /// One side with itself.
+    /// The integral for one side with itself.
     fn same(&self, side: &Side<'_>, work: &mut u64) -> Result<f64> {
         let power = 2.0 * self.order.complement();
         let reach = length(side.along) / length(side.edge(0.5));
@@ -103,7 +105,7 @@ impl Fan<'_> {
         Ok(2.0 * (sum + self.boxes(side, side, reach, work)?))
     }
 
-    /// Sides whose edges begin at the same point, both orders.
+    /// The integral for sides whose edges begin at the same point, in both orders.
     fn adjacent(&self, x: &Side<'_>, y: &Side<'_>, jumps: bool, work: &mut u64) -> Result<f64> {
         let twice = 2.0 * self.order.complement();
         let power = if jumps { self.order.one_minus_twice() } else { 1.0 + twice };
@@ -137,7 +139,7 @@ impl Fan<'_> {
         self.kernel.at(dot(z, z)) * x.radial(y, self.radial, [t, other, tau])
     }
 
-    /// The part beyond u = `from`, x farther out than y.
+    /// The part beyond u = `from`, with x farther from P than y.
     fn boxes(&self, x: &Side<'_>, y: &Side<'_>, from: f64, work: &mut u64) -> Result<f64> {
         let whole = [0.0, 1.0];
         let mut open = vec![Region { from, to: from + STEP, t: whole, other: whole }];
@@ -155,7 +157,7 @@ impl Fan<'_> {
             let parts = self.cut(x, y, &region);
             if patience == 0 {
                 return Err(Error::OutOfRange {
-                    name: "distance of edges seen from a common corner",
+                    name: "relative distance of the edges opposite a common corner",
                     value: 0.0,
                     range: "the range that the quadrature resolves",
                 });
@@ -169,7 +171,7 @@ impl Fan<'_> {
         Ok(sum)
     }
 
-    /// Halves in the longest direction, or none when the box is small enough.
+    /// The two halves of a box, cut in its longest direction; `None` if the box is small enough.
     fn cut(&self, x: &Side<'_>, y: &Side<'_>, region: &Region) -> Option<[Region; 2]> {
         let Region { from, to, t, other } = *region;
         let (near, deep) = ((-from).exp(), (-to).exp());
@@ -240,7 +242,7 @@ impl Fan<'_> {
 /// The relative position of the edges opposite to the common corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Contact {
-    /// One triangle with itself.
+    /// The two triangles are the same.
     Same,
     /// They begin at a second common corner.
     Edge,

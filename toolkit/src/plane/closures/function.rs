@@ -8,8 +8,8 @@ use crate::plane::geometry::{Point, minus};
 use crate::plane::triangles::Triangles;
 use std::collections::HashMap;
 
-/// A function that is smooth in every triangle, up to w = w₀ + r^a (smooth function of r and of the angle) at
-/// declared corners. Across edges it may jump.
+/// A function that is smooth in every triangle, except that w = w₀ + r^a (smooth function of r and of the
+/// angle) at declared corners. It may jump across edges.
 pub(crate) struct SingularPlaneFunction<'a> {
     mesh: Triangles,
     corners: Corners,
@@ -35,7 +35,7 @@ const EDGE_SAMPLES: [f64; 3] = [0.2, 0.5, 0.7];
 const EQUAL: f64 = 1e-9;
 
 impl<'a> SingularPlaneFunction<'a> {
-    /// w on a triangulation; `corners` are pairs (node, a).
+    /// The function w on a triangulation; `corners` are pairs (node, a).
     ///
     /// # Errors
     /// [`crate::Error::OutOfRange`] unless −1 < a ≤ 20, [`crate::Error::Node`] for a node that belongs to
@@ -68,17 +68,17 @@ impl<'a> SingularPlaneFunction<'a> {
         &self.corners
     }
 
-    /// True when the two sides of an inner edge differ.
+    /// True if the values on the two sides of an inner edge differ.
     pub(super) fn jumps(&self) -> bool {
         self.jumps
     }
 
-    /// A power of two of the size of the values.
+    /// A power of two comparable to the values.
     pub(super) fn unit(&self) -> f64 {
         power_of_two(self.largest)
     }
 
-    /// The value at base + offset, `anchor` the declared corner at the base.
+    /// The value at base + offset, where `anchor` is the declared corner at the base.
     pub(super) fn at(&self, triangle: usize, base: Point, offset: Point, anchor: Option<usize>) -> f64 {
         let x = [base[0] + offset[0], base[1] + offset[1]];
         let anchor = anchor.map(|corner| (corner, offset));

@@ -1,4 +1,4 @@
-//! Norms in the plane of functions given by code, smooth in each triangle up to declared corner
+//! Norms in the plane of functions given by code that are smooth in each triangle up to declared corner
 //! singularities.
 
 mod apart;

@@ -13,7 +13,7 @@ use crate::root::{accept, root_of_squares, scaled, scaled_root};
 const LIMIT: &str = "the largest number of quadrature points is reached: the function is less smooth than declared, or \
      rounding dominates";
 
-/// The estimate, unless it misses the tolerance.
+/// The estimate if it meets the tolerance, otherwise [`Error::ToleranceNotMet`].
 fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
     accept(what, found, tolerance, if found.work.points > tolerance.work() { SPENT } else { LIMIT })
 }
@@ -28,17 +28,17 @@ impl SingularPlaneFunction<'_> {
     /// ||w||²_{1+s} = ||w||² + ||∇w||² + |∂₁w|²_s + |∂₂w|²_s.
     /// ```
     ///
-    /// Finite at a corner with w = w₀ + r^a (…) exactly for a > s − 1, and for functions that jump across
-    /// an edge exactly for s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 where
-    /// that is finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: pairs of triangles times n⁴,
-    /// n the points that the tolerance needs, about 9 for 1e-8; n³ to n⁴ values of the function per pair.
-    /// There is no special rule for a singularity along an edge: [`Error::ToleranceNotMet`] reports the
-    /// accuracy that is reached.
+    /// For w = w₀ + r^a (…) at a corner it is finite if and only if a > s − 1, and for functions that jump
+    /// across an edge if and only if s < 1/2. |w(·/l)|_s = l^{1−s}|w|_s; (1−s)|w|²_s → (π/2)||∇w||² as s → 1 if
+    /// this is finite; as s → 0 |w|_s tends to the integral with s = 0. Cost: the number of pairs of triangles
+    /// times n⁴, where n is the number of points needed for the tolerance, about 9 for 1e-8; n³ to n⁴ values of
+    /// the function per pair. There is no special rule for a singularity along an edge:
+    /// [`Error::ToleranceNotMet`] reports the accuracy that was reached.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps and s ≥
-    /// 1/2; [`Error::OutOfRange`] for triangles that touch without a common node or are too close for their
-    /// length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
+    /// [`Error::InfiniteNorm`] for a declared corner with a ≤ s − 1, and for a function that jumps if s ≥ 1/2;
+    /// [`Error::OutOfRange`] for triangles that touch without a common node or whose distance is too small for
+    /// their length; [`Error::NotFinite`] for a value that is not finite; [`Error::ToleranceNotMet`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         judged("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance)
     }
@@ -55,7 +55,7 @@ impl SingularPlaneFunction<'_> {
     /// The norm of order 1 + s, from the given partial derivatives.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] where w jumps or the gradient has no norm of order s; as
+    /// [`Error::InfiniteNorm`] if w jumps or the seminorm of order s of the gradient is infinite; else as
     /// [`SingularPlaneFunction::seminorm`].
     pub(crate) fn norm_with_gradient(
         &self,

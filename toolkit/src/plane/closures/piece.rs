@@ -1,9 +1,8 @@
 //! Triangles and parts of triangles, relative to a base point so that small offsets have full relative
 //! accuracy.
 //!
-//! A triangle at a declared corner c is {c + ρ e(t)}, 0 < ρ < 1, e(t) on the edge opposite c. Cut at ρ =
-//! 1/2 it is divided into a smaller such triangle and a strip of two triangles on which the function is
-//! smooth.
+//! A triangle at a declared corner c is {c + ρ e(t)}, 0 < ρ < 1, e(t) on the edge opposite c. It is divided at
+//! ρ = 1/2 into a smaller such triangle and a strip of two triangles on which the function is smooth.
 
 use super::function::SingularPlaneFunction;
 use crate::numeric::scale::power_of_two;
@@ -17,10 +16,10 @@ pub(super) struct Piece {
     base: Point,
     /// The declared corner at the base.
     anchor: Option<usize>,
-    /// True when corner 0 is that declared corner.
+    /// True if corner 0 is that declared corner.
     pub(super) is_singular: bool,
     pub(super) nodes: [usize; 3],
-    /// Relative to the base.
+    /// The corners relative to the base.
     pub(super) at: [Point; 3],
 }
 
@@ -49,7 +48,7 @@ impl View<'_> {
         (0..mesh.triangles().len()).map(one).collect()
     }
 
-    /// The function at an offset from the base of a piece.
+    /// The value of the function at an offset from the base of a piece.
     #[inline]
     pub(super) fn value(&self, piece: &Piece, offset: Point) -> f64 {
         let real = |p: Point| p.map(|x| x * self.extent);
@@ -74,7 +73,7 @@ impl Piece {
         product_difference(a[0], b[1], a[1], b[0]).abs()
     }
 
-    /// Points relative to the base of another piece.
+    /// The vector from the base of another piece to that of this one.
     pub(super) fn shift_from(&self, other: &Self) -> Point {
         minus(self.base, other.base)
     }
@@ -88,7 +87,7 @@ impl Piece {
         }))
     }
 
-    /// Positions of the corners that both have, by number of node.
+    /// The positions of the common corners of two pieces, by number of node.
     pub(super) fn shared(&self, other: &Self) -> Vec<[usize; 2]> {
         let find = |i: usize| {
             let same = |&node: &usize| node == self.nodes[i] && node != NO_NODE;
@@ -109,12 +108,13 @@ impl Piece {
         dot(a, b) / (length(a) * length(b))
     }
 
-    /// A power of two of the size of the piece.
+    /// A power of two comparable to the size of the piece.
     pub(super) fn size(&self) -> f64 {
         power_of_two(self.simplex([0.0; 2]).longest().1)
     }
 
-    /// Smaller pieces: of a singular one the part next to its corner and two others, of another one halves.
+    /// Smaller pieces: for a singular piece the part at its corner and two others, for any other piece its
+    /// halves.
     pub(super) fn parts(&self) -> Vec<Self> {
         let middle = |i: usize, j: usize| {
             let (a, b) = (self.at[i], self.at[j]);

@@ -11,7 +11,7 @@ pub(super) struct Corner {
     pub(super) node: usize,
     pub(super) exponent: f64,
     at: Point,
-    /// Direction and angle of the middle of every triangle.
+    /// Direction and angle of the centre of every triangle.
     seen: Vec<(Point, f64)>,
 }
 
@@ -23,8 +23,8 @@ pub(super) struct Corners {
 
 /// A point of a triangle.
 ///
-/// In the triangles at a declared corner the offset from it is exact down to 1e-290; the coordinates are
-/// rounded.
+/// In the triangles at a declared corner the offset from that corner is exact down to 1e-290; the coordinates
+/// are rounded.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Triangles};
@@ -42,7 +42,7 @@ pub struct PlanePosition<'a> {
     corners: &'a Corners,
     triangle: usize,
     x: Point,
-    /// The declared corner from which the point is known, and the offset.
+    /// The declared corner relative to which the point is given, and the offset.
     anchor: Option<(usize, Point)>,
 }
 
@@ -61,12 +61,12 @@ impl<'a> PlanePosition<'a> {
         self.x
     }
 
-    /// The triangle.
+    /// The number of the triangle.
     pub fn triangle(&self) -> usize {
         self.triangle
     }
 
-    /// x minus the declared corner with this number; NaN if there is none.
+    /// The offset of x from the declared corner with this number; NaN if there is none.
     pub fn offset(&self, corner: usize) -> [f64; 2] {
         match (self.anchor, self.corners.all.get(corner)) {
             (Some((anchor, offset)), _) if anchor == corner => offset,
@@ -75,14 +75,14 @@ impl<'a> PlanePosition<'a> {
         }
     }
 
-    /// r, the distance from the declared corner with this number.
+    /// The distance r from the declared corner with this number.
     pub fn radius(&self, corner: usize) -> f64 {
         length(self.offset(corner))
     }
 
-    /// φ, the angle at the declared corner with this number, counterclockwise from the side of the polygon
-    /// at which the interior begins; from the first axis if the corner is an interior point. Continuous on
-    /// every triangle, in [0, 2π] on those at the corner.
+    /// The angle φ at the declared corner with this number, counterclockwise from the side of the polygon at
+    /// which the interior begins; from the first axis if the corner is an interior point. It is continuous on
+    /// every triangle, and in [0, 2π] on those at the corner.
     pub fn angle(&self, corner: usize) -> f64 {
         let Some(known) = self.corners.all.get(corner) else { return f64::NAN };
         let (middle, angle) = known.seen[self.triangle];
@@ -114,7 +114,7 @@ impl Corners {
         for (triangle, nodes) in mesh.triangles().iter().enumerate() {
             let count = nodes.iter().filter(|&&node| corners.at(node).is_some()).count();
             if count > 1 {
-                let reason = "has more than one declared corner, cut it:";
+                let reason = "must be subdivided (Triangles::cut_at): its number of declared corners is";
                 return Err(Error::Triangle { triangle, reason, value: count as f64 });
             }
         }
@@ -127,7 +127,7 @@ impl Corners {
     }
 }
 
-/// Direction and angle of the middle of every triangle, seen from a node.
+/// Direction and angle of the centre of every triangle, seen from a node.
 fn seen(mesh: &Triangles, node: usize) -> Vec<(Point, f64)> {
     let from = mesh.nodes()[node];
     let start = first_side(mesh, node);
@@ -142,7 +142,8 @@ fn seen(mesh: &Triangles, node: usize) -> Vec<(Point, f64)> {
     (0..mesh.triangles().len()).map(one).collect()
 }
 
-/// The direction of the side at a node from which the polygon lies counterclockwise; the first axis inside.
+/// The direction of the side at a node from which the polygon lies counterclockwise; the first axis for an
+/// interior node.
 fn first_side(mesh: &Triangles, node: usize) -> Point {
     let from = mesh.nodes()[node];
     let fan: Vec<[usize; 2]> = (mesh.triangles().iter())

@@ -1,9 +1,9 @@
-//! Rules in the distance from a corner, ρ in (0, 1), for squares of differences and for functions.
+//! Rules in the distance ρ in (0, 1) from a corner, for squares of differences and for functions.
 //!
-//! Next to a corner a difference of two values on the ray from it is ρ^a times an analytic function D of ρ.
-//! A Gauss-Jacobi rule with the weight ρ^{2(a+1−s)−1} therefore integrates ρ^{1−2s} (ρ^a D)² over all of
-//! (0, 1), however close a is to s − 1. Where D is not analytic at 0, cells [e^{-w(k+1)}, e^{-wk}] with
-//! Gauss rules in ln ρ are used first, and the weighted rule for the remainder.
+//! Near a corner a difference of two values on the ray from it is ρ^a times an analytic function D of ρ. A
+//! Gauss-Jacobi rule with the weight ρ^{2(a+1−s)−1} therefore integrates ρ^{1−2s} (ρ^a D)² over all of (0, 1),
+//! however close a is to s − 1. If D is not analytic at 0, cells [e^{-w(k+1)}, e^{-wk}] with Gauss rules in ln
+//! ρ are used first, and the weighted rule for the remainder.
 
 use crate::error::Result;
 use crate::order::Order;
@@ -23,13 +23,13 @@ const DEEPEST: f64 = 640.0;
 /// The radial rule at a corner.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Approach {
-    /// Cells in ln ρ before the weighted rule.
+    /// Number of cells in ln ρ before the weighted rule.
     pub(super) cells: usize,
-    /// Points of every rule.
+    /// Number of points of every rule.
     pub(super) points: usize,
 }
 
-/// A rule for the weight t^{(β+1)−1}, given β + 1 > 0; twice the points where they are extrapolated to 0.
+/// A rule for the weight t^{(β+1)−1}, given β + 1 > 0; with twice the points if they are extrapolated to 0.
 pub(super) fn weighted(n: usize, beta_plus_one: f64) -> Result<Points> {
     Ok(if beta_plus_one < CLOSE {
         PowerWeightRule::new(2 * n, beta_plus_one)?.iter().collect()
@@ -38,7 +38,7 @@ pub(super) fn weighted(n: usize, beta_plus_one: f64) -> Result<Points> {
     })
 }
 
-/// ∫₀¹ ρ^{p−1} f dρ for f = ρ^{e} times an analytic function, p + e > 0: `power` is p, `extra` e.
+/// A rule for ∫₀¹ ρ^{p−1} f dρ, f = ρ^{e} times an analytic function, p + e > 0: `power` is p, `extra` e.
 pub(super) fn rule(power: f64, extra: f64, approach: Approach) -> Result<Points> {
     let mut points = cells(power, CELL * approach.cells as f64, approach.points)?;
     let end = (-CELL * approach.cells as f64).exp();
@@ -51,7 +51,7 @@ pub(super) fn rule(power: f64, extra: f64, approach: Approach) -> Result<Points>
     Ok(points)
 }
 
-/// ∫ ρ^{p−1} f dρ over e^{-depth} < ρ < 1 in cells of ln ρ.
+/// A rule for ∫ ρ^{p−1} f dρ over e^{-depth} < ρ < 1, by cells of ln ρ.
 pub(super) fn cells(power: f64, depth: f64, points: usize) -> Result<Points> {
     let count = (depth / CELL).ceil();
     let width = depth / count.max(1.0);
@@ -65,14 +65,14 @@ pub(super) fn cells(power: f64, depth: f64, points: usize) -> Result<Points> {
     Ok((0..count as usize).flat_map(cell).collect())
 }
 
-/// ln ρ down to which cells are needed where ρ² and ρ^{2+2a} fall below e^{-digits}; limited by the range
-/// of binary64 for ρ and ρ^a.
+/// The depth −ln ρ down to which cells are needed, where ρ² and ρ^{2+2a} fall below e^{-digits}; limited by the
+/// range of binary64 for ρ and ρ^a.
 pub(super) fn depth(digits: f64, exponent: f64) -> f64 {
     let a = exponent.min(0.0);
     (digits / (2.0 + 2.0 * a)).min(DEEPEST / (1.0 - a))
 }
 
-/// The truncation error beyond that depth, relative to the whole.
+/// The truncation error beyond that depth, relative to the whole integral.
 pub(super) fn left_out(digits: f64, exponent: f64) -> f64 {
     (-depth(digits, exponent) * (2.0 + 2.0 * exponent.min(0.0))).exp()
 }

@@ -7,7 +7,7 @@ use crate::plane::geometry::{Point, distance_from_segment, length, minus, produc
 /// Largest ratio of the length of a piece of an edge to its distance from P.
 const LONGEST: f64 = 1.1;
 
-/// A triangle seen from P, in units of length.
+/// A triangle seen from its corner P, in units of length.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Side<'a> {
     view: &'a View<'a>,
@@ -19,8 +19,8 @@ pub(super) struct Side<'a> {
 }
 
 impl<'a> Side<'a> {
-    /// A piece seen from its corner `vertex`, the edge opposite cut where it is long; beginning with the
-    /// corner `first`.
+    /// The sides of a piece seen from its corner `vertex`, whose opposite edge is divided if it is long,
+    /// beginning with the corner `first`.
     pub(super) fn of(
         view: &'a View<'a>,
         piece: &'a Piece,
@@ -58,7 +58,7 @@ impl<'a> Side<'a> {
         rule.iter().map(|(rho, weight)| weight * self.value(*rho, t).powi(2)).sum()
     }
 
-    /// The side with its edge in the other direction.
+    /// The side with the direction of its edge reversed.
     pub(super) fn turned(self) -> Self {
         Self { from: self.edge(1.0), along: self.along.map(|x| -x), ..self }
     }
@@ -71,7 +71,7 @@ impl<'a> Side<'a> {
         product_difference(self.from[0], self.along[1], self.from[1], self.along[0]).abs()
     }
 
-    /// w at P + ρ e(t).
+    /// The value of w at P + ρ e(t).
     #[inline]
     pub(super) fn value(&self, rho: f64, t: f64) -> f64 {
         let (edge, scale) = (self.edge(t), rho * self.unit);

@@ -1,10 +1,10 @@
-//! |w|²_s of a function given by code as a sum over pairs of triangles, each by rules of increasing order
-//! until it converges.
+//! |w|²_s of a function given by code, as a sum over pairs of triangles, each computed by rules of increasing
+//! order until it converges.
 //!
-//! Pairs with a common corner go to [`super::fan`], seen from a declared corner if both are at it; a
-//! triangle at a declared corner that touches another one elsewhere is subdivided first. The radial rule at
-//! a declared corner is chosen once: at a few places (t, t', τ) the radial integral with cells down to
-//! e^{-230} is compared with shorter rules, and the shortest that agrees is used.
+//! Pairs with a common corner are treated by [`super::fan`], seen from a declared corner if both triangles have
+//! it; a triangle at a declared corner that touches another one elsewhere is subdivided first. The radial rule
+//! at a declared corner is chosen once: at a few points (t, t', τ) the radial integral with cells down to
+//! e^{-230} is compared with shorter rules, and the shortest rule that agrees is used.
 
 use super::apart::Apart;
 use super::fan::{Contact, Fan};
@@ -20,7 +20,7 @@ use crate::plane::kernel::InversePower;
 use crate::root::ENTRY_ROUNDING;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// Numbers of points of the rules, in turn.
+/// Successive numbers of points of the rules.
 const POINTS: [usize; 6] = [4, 6, 9, 13, 18, 24];
 /// Points and cells of the radial rules at a corner, from the shortest to the longest; 92 cells reach 1e-100.
 const SHORT: [usize; 4] = [2, 4, 7, 12];
@@ -29,15 +29,15 @@ const CELL_POINTS: [usize; 3] = [6, 9, 13];
 /// Points (t, t', τ) at which radial rules are compared.
 const PROBES: [[f64; 3]; 5] =
     [[0.5, 0.5, 0.4], [0.1, 0.8, 0.7], [0.9, 0.3, 0.2], [0.3, 0.4, 0.9], [0.6, 0.05, 0.05]];
-/// Part of the tolerance that the radial rule and depths may use.
+/// Part of the tolerance that is allowed for the radial rule and the depths.
 const PART: f64 = 1e-2;
-/// Exponent from which on e^{-x} is negligible.
+/// Value of x from which e^{-x} is negligible.
 const NOTHING: f64 = 40.0;
-/// Smallest ratio of successive changes, and of an error to a change, that is accepted.
+/// Smallest accepted ratio of successive changes, and of an error to a change.
 const LEAST_CHANGE: f64 = 2e-3;
 const LEAST: f64 = 0.1;
 
-/// A pair of pieces: number of times it counts, and where they meet.
+/// A pair of pieces: how often it is counted, and where the pieces meet.
 struct Task {
     times: f64,
     pieces: [Piece; 2],
@@ -45,7 +45,7 @@ struct Task {
     meeting: Option<([usize; 2], Option<[usize; 2]>)>,
 }
 
-/// One value with its error.
+/// A value with its error.
 #[derive(Clone, Copy)]
 struct Found {
     value: f64,
@@ -55,14 +55,14 @@ struct Found {
     work: Work,
 }
 
-/// Sums of one function for one order.
+/// The sums for one function and one order.
 pub(super) struct ClosureSum<'a> {
     view: View<'a>,
     order: Order,
     kernel: InversePower,
     /// Requested relative accuracy of the square.
     accuracy: f64,
-    /// Limit of evaluations of the function.
+    /// Limit for the number of evaluations of the function.
     work: u64,
     approaches: Vec<Approach>,
     /// Error of the radial rules, relative to the whole.
@@ -182,8 +182,8 @@ impl<'a> ClosureSum<'a> {
         Apart { view, kernel, power: 1.0 + self.order.value(), points: POINTS[level], digits }
     }
 
-    /// The radial rule at the corner of a piece, longer at higher levels; a single rule where the function
-    /// is smooth.
+    /// The radial rule at the corner of a piece, longer at higher levels; a single rule if the function is
+    /// smooth there.
     fn approach(&self, piece: &Piece, level: usize) -> Approach {
         match piece.corner().map(|corner| self.approaches[corner]) {
             Some(short) => longer(short, level),
@@ -191,7 +191,7 @@ impl<'a> ClosureSum<'a> {
         }
     }
 
-    /// The exponent that differences have at a corner of a piece.
+    /// The exponent of differences at a corner of a piece.
     fn exponent(&self, piece: &Piece) -> f64 {
         let declared = if piece.is_singular { self.view.exponent(piece) } else { 1.0 };
         if self.view.function.jumps() { declared.min(0.0) } else { declared }
