@@ -1,4 +1,4 @@
-//! The explicit constants for one τ and a fixed set of zones, computed at construction.
+//! The explicit constants of the proofs for one τ and a fixed set of zones, computed at construction.
 
 use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
@@ -9,15 +9,15 @@ use fractional_sobolev::{
 use rayon::prelude::*;
 use std::collections::HashMap;
 
-/// Tolerance of γ_θ; the estimated error is added, so that the constant is an upper bound.
+/// Relative tolerance of γ_θ; the estimated error is added, so that the constant is an upper bound.
 const GAMMA: f64 = 1e-5;
-/// Zones 2^{−1}, ..., 2^{−LAW} from which, with the requested zones, the constant of the printed law is
-/// determined.
+/// Zones 2^{−1}, ..., 2^{−LAW} that, in addition to the requested zones, determine the constant of the printed law.
 const LAW: i32 = 16;
-/// At τ = 2 the law is evaluated for θ ≤ 1/2 only: ln(1/θ) vanishes at 1, γ does not.
+/// At τ = 2 the law is evaluated only for θ ≤ 1/2: ln(1/θ) vanishes at θ = 1, γ does not.
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
-/// C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones.
+/// The constants C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones, that is
+/// subintervals of length θ at an end of the unit interval.
 ///
 /// ```
 /// use signorini::proof::ProofConstants;
@@ -33,7 +33,7 @@ pub struct ProofConstants {
     tau: f64,
     order: Order,
     q: f64,
-    /// C(q) of H^ν(0,1) ⊂ L^q(0,1) with the full norm, from above.
+    /// An upper bound of the constant C(q) of the embedding H^ν(0,1) ⊂ L^q(0,1), with the full norm.
     pub embedding: f64,
     /// C_L2(ν) of Lemma 6.1.
     pub interpolation: f64,
@@ -43,21 +43,23 @@ pub struct ProofConstants {
     pub wirtinger: f64,
     /// 1/√3 of (6.2).
     pub pointwise: f64,
-    /// C of the printed law and of the corrected law; above τ = 2 the constant itself.
+    /// The constants C of the printed law and of the corrected law; for τ > 2 the constant itself.
     factors: TwoLaws,
-    /// γ_θ by the bits of θ; empty above τ = 2.
+    /// γ_θ, by the bits of θ; empty for τ > 2.
     gammas: HashMap<u64, f64>,
 }
 
 impl ProofConstants {
-    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, with 2^{−1}, ..., 2^{−16} always
-    /// among them; q ≥ 2 is used at τ = 2 only (2 in the paper), q = 1/(2 − τ) below.
+    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, to which 2^{−1}, ..., 2^{−16} are added; q
+    /// ≥ 2 is used only at τ = 2 (q = 2 in the paper), for τ < 2 q = 1/(2 − τ).
     ///
-    /// The constants C of the laws are the largest quotients over all these zones. Cost: one eigenproblem
-    /// per zone.
+    /// The constants C of the laws are the largest ratios over all these zones. Cost: one eigenvalue problem per
+    /// zone.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) from the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for arguments outside these ranges;
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if a constant does not reach its
+    /// tolerance.
     pub fn new(tau: f64, q: f64, thetas: &[f64]) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
         let order = Order::half_plus(tau - 2.0)?;
@@ -97,37 +99,36 @@ impl ProofConstants {
         })
     }
 
-    /// τ.
+    /// The regularity τ.
     pub fn tau(&self) -> f64 {
         self.tau
     }
 
-    /// ν = τ − 3/2.
+    /// The order ν = τ − 3/2.
     pub fn order(&self) -> Order {
         self.order
     }
 
-    /// The exponent of the embedding.
+    /// The exponent q of the embedding.
     pub fn q(&self) -> f64 {
         self.q
     }
 
-    /// 1 − 1/q: τ − 1 for τ < 2.
+    /// The exponent 1 − 1/q: τ − 1 for τ < 2.
     pub fn hoelder(&self) -> f64 {
         1.0 - 1.0 / self.q
     }
 
-    /// γ_θ(ν), mean zero on a zone of length θ at an end, from above; τ > 2: vanishing at an end,
-    /// independent of θ.
+    /// An upper bound of γ_θ(ν), for functions of mean zero on a zone of length θ at an end of the interval; for τ >
+    /// 2 the constant for functions vanishing at an end, which does not depend on θ.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for θ that is not one of the zones of
-    /// the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) if no constant was computed for this θ.
     pub fn gamma(&self, theta: f64) -> Result<f64> {
         if self.tau > 2.0 {
             return Ok(self.factors.printed);
         }
-        let range = "the zones for which the constants were computed";
+        let range = "the lengths for which the constants were computed";
         self.gammas.get(&theta.to_bits()).copied().ok_or(Error::Toolkit(ToolkitError::OutOfRange {
             name: "theta",
             value: theta,
@@ -135,10 +136,11 @@ impl ProofConstants {
         }))
     }
 
-    /// γ for a zone of at least this share of the segment: its length rounded down to a power of 1/2.
+    /// An upper bound of γ for a zone of at least the given fraction of the segment: its length is rounded down to a
+    /// power of 1/2.
     ///
     /// # Errors
-    /// As [`ProofConstants::gamma`].
+    /// As for [`ProofConstants::gamma`].
     pub fn gamma_below(&self, share: f64) -> Result<f64> {
         let power = share.min(1.0).log2().floor();
         // log2 may round up to the next integer
@@ -146,8 +148,8 @@ impl ProofConstants {
         self.gamma(theta)
     }
 
-    /// The laws of γ_θ with their constants: C θ^{τ−2}; at τ = 2 C ln(1/θ) as printed, C √ln(1/θ) as
-    /// corrected; C above.
+    /// The laws of γ_θ with their constants: C θ^{τ−2} for τ < 2; C ln(1/θ) as printed and C √ln(1/θ) as corrected at
+    /// τ = 2; C for τ > 2.
     pub fn law(&self, theta: f64) -> TwoLaws {
         let TwoLaws { printed, corrected } = self.factors;
         match self.tau {
@@ -158,7 +160,7 @@ impl ProofConstants {
     }
 }
 
-/// γ_θ(ν) with its error added, for the given zones and the powers of 1/2.
+/// γ_θ(ν) plus its estimated error, for the given zones and the powers of 1/2.
 fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
     let mut zones: Vec<f64> = (0..=LAW).map(|k| 0.5f64.powi(k)).chain(thetas.iter().copied()).collect();
     zones.sort_by(f64::total_cmp);
@@ -171,7 +173,7 @@ fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
     zones.into_par_iter().map(constant).collect()
 }
 
-/// The largest quotients of γ_θ and its laws.
+/// The largest ratios of γ_θ and its laws.
 fn law_factors(tau: f64, gammas: &HashMap<u64, f64>) -> TwoLaws {
     let zones = gammas.iter().map(|(&bits, &gamma)| (f64::from_bits(bits), gamma));
     zones.filter(|&(theta, _)| tau < 2.0 || theta <= LARGEST_ZONE_OF_LAW).fold(

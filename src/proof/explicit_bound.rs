@@ -1,8 +1,8 @@
-//! An a priori bound for Signorini's problem with explicit constants, τ = 2.
+//! An a priori bound with explicit constants for the Signorini problem, τ = 2.
 //!
-//! Γ_C straight, n its outward normal, its segments of length h; on each the rectangle Q of height H h lies
-//! in Ω, and S_h is their union. No friction, no initial gap, one material, u_h = I^h u on Γ_D.
-//! |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
+//! Γ_C is straight, n its outward normal, its segments have length h; on each segment the rectangle Q of height H h
+//! lies in Ω, and S_h is the union of these rectangles. No friction, no initial gap, one material, u_h = I^h u on
+//! Γ_D. |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
 //! S = (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
 //!
 //! |u − u_h|_a² ≤ h² (M A² |u|₂² + (b² + 2 c π θ S) |u|²_{2,S_h}),
@@ -31,12 +31,12 @@ use crate::fem::{Form, Lame};
 use crate::numeric::search::sign_change;
 use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
 
-/// Relative amount by which results are rounded up: more than the rounding of a few dozen operations.
+/// Relative amount by which results are rounded up: more than the rounding error of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-14;
 
 /// The data of a mesh that enter the bound.
 ///
-/// Only the triangles enter A; H concerns the contact segments, h the length of these.
+/// Only A depends on the triangles; H refers to the contact segments, h is their length.
 ///
 /// ```
 /// use signorini::proof::MeshShape;
@@ -47,15 +47,16 @@ const ROUND_UP: f64 = 1.0 + 1e-14;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshShape {
-    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For any triangles the largest circumradius over h (K.
-    /// Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
+    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For arbitrary triangles the ratio of the largest circumradius
+    /// and h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
     pub interpolation: f64,
-    /// H: over each contact segment the rectangle of height H h lies in Ω.
+    /// H: the rectangle of height H h on each contact segment lies in Ω.
     pub height: f64,
 }
 
 impl MeshShape {
-    /// Right isosceles triangles with legs h along Γ_C and across: A = 0.49291..., H = 1.
+    /// The data of right isosceles triangles with legs of length h along Γ_C and perpendicular to it: A = 0.49291...,
+    /// H = 1.
     pub fn right_isosceles() -> Self {
         let is_beyond = |t: f64| t * t.cos() + t.sin() < 0.0;
         let (t, _) = sign_change(FRAC_PI_2, PI, 0.0, is_beyond);
@@ -63,17 +64,17 @@ impl MeshShape {
     }
 }
 
-/// B in ‖∇v_y‖ ≤ B |v|_a for v = 0 on ∂Ω \ Γ_C, Γ_C straight and Ω on one side of its line:
-/// φ/(2μ + 2 min(λ, 0))^{1/2}, φ = (1 + √5)/2.
+/// The constant B in ‖∇v_y‖ ≤ B |v|_a for v = 0 on ∂Ω \ Γ_C, Γ_C straight and Ω on one side of its line: φ/(2μ + 2
+/// min(λ, 0))^{1/2}, φ = (1 + √5)/2.
 ///
-/// Continued by zero v lives on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with
-/// primes for d/d(ky), φ² |ε|² − |∇v_y|² is k² times
+/// Extended by zero, v is defined on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with primes
+/// for d/d(ky), φ² |ε|² − |∇v_y|² is k² times
 ///
 /// φ² (f² + g'² + ½ (f' + g)²) − g² − g'²
 ///   = ½ φ² (f' + 2f/φ + g/φ³)² + φ (g' − f/φ + g/φ²)² − (1/φ) d/d(ky) (φ f − g)²,
 ///
-/// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². Sharp for λ
-/// = 0; for λ = μ the least B² μ is 1.183 against φ²/2 = 1.309.
+/// and the integral of the last term is (φ f(0) − g(0))²/φ ≥ 0. |v|_a² ≥ 2 (μ + min(λ, 0)) ‖ε‖². The constant is
+/// sharp for λ = 0; for λ = μ the smallest B² μ is 1.183, compared with φ²/2 = 1.309.
 ///
 /// ```
 /// use signorini::{fem::Lame, proof::half_plane_korn};
@@ -85,10 +86,10 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
     ROUND_UP * GOLDEN_RATIO / (2.0 * (lame.mu() + lame.lambda().min(0.0))).sqrt()
 }
 
-/// The bound for one form, cone, and shape of mesh.
+/// The bound for one form, one cone, and one shape of mesh.
 ///
-/// The norm is the energy norm of the form; the constants depend on neither h nor u, and every one is
-/// rounded up.
+/// The norm is the energy norm of the form; the constants depend neither on h nor on u, and each of them is rounded
+/// up.
 ///
 /// ```
 /// use signorini::{cone::Cone, fem::Form};
@@ -110,13 +111,14 @@ pub struct ExplicitBound {
 }
 
 impl ExplicitBound {
-    /// `segment` is c, rounded up: the consistency term of a segment (step 3) is at most c h² |σ_N| |u_N'| at
-    /// ν = 1/2, [`super::product_bound`], K or κ for the nodal cone and half of the first two for the
-    /// midpoint cone. `korn` is B, used by the midpoint cone in elasticity only.
+    /// The bound with the constant `segment` = c, rounded up: the consistency term of a segment (step 3) is at most c
+    /// h² |σ_N| |u_N'| at ν = 1/2. For the nodal cone c is [`super::product_bound`], K or κ, for the midpoint cone
+    /// half of one of the first two. `korn` is B, used only by the midpoint cone in elasticity.
     ///
     /// # Errors
-    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a form with a reaction term or several materials; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
-    /// for constants that are not positive and finite.
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a form with a reaction term or several
+    /// materials; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for constants that are not positive
+    /// and finite.
     pub fn new(form: &Form, cone: Cone, shape: MeshShape, segment: f64, korn: f64) -> Result<Self> {
         for (name, value) in [
             ("interpolation", shape.interpolation),
@@ -151,8 +153,8 @@ impl ExplicitBound {
         Ok(Self { approximation, projection, consistency })
     }
 
-    /// The bound of |u − u_h|_a for mesh size h, |u|₂ on Ω and on the rectangles;
-    /// [`ExplicitBound::constant`] h |u|₂ if only `whole` is known and passed for both.
+    /// The bound of |u − u_h|_a for mesh size h, from |u|₂ on Ω (`whole`) and on the rectangles (`near`); if only
+    /// `whole` is known and passed for both, this is [`ExplicitBound::constant`] h |u|₂.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless h > 0 and 0 ≤ near ≤ whole, all finite.
@@ -164,9 +166,9 @@ impl ExplicitBound {
         Ok(ROUND_UP * h * (self.approximation * whole).hypot(edge))
     }
 
-    /// C in |u − u_h|_a ≤ C h |u|₂.
+    /// The constant C in |u − u_h|_a ≤ C h |u|₂.
     ///
-    /// C = (M A² + b² + 2 c π θ S)^{1/2}, the bound with |u|_{2,S_h} replaced by |u|₂.
+    /// C = (M A² + b² + 2 c π θ S)^{1/2}: the bound with |u|_{2,S_h} replaced by |u|₂.
     pub fn constant(&self) -> f64 {
         ROUND_UP * self.approximation.hypot(self.projection).hypot(self.consistency.sqrt())
     }

@@ -1,6 +1,6 @@
-//! A bound with both laws of the Poincaré constant.
+//! A bound under both laws of the Poincaré constant.
 
-/// A bound with the printed law of γ_θ and with the corrected one; they differ at τ = 2 only.
+/// A bound evaluated with the printed law of γ_θ and with the corrected law; they differ only at τ = 2.
 ///
 /// ```
 /// use signorini::proof::TwoLaws;
@@ -9,19 +9,19 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwoLaws {
-    /// C ln(1/θ) at τ = 2, C θ^{τ−2} below.
+    /// C ln(1/θ) at τ = 2, C θ^{τ−2} for τ < 2.
     pub printed: f64,
-    /// C √ln(1/θ) at τ = 2, else as printed.
+    /// C √ln(1/θ) at τ = 2, otherwise as printed.
     pub corrected: f64,
 }
 
 impl TwoLaws {
-    /// A bound that does not depend on the law.
+    /// A bound that is the same under both laws.
     pub fn same(value: f64) -> Self {
         Self { printed: value, corrected: value }
     }
 
-    /// The function of both.
+    /// The pair of values of f.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self { printed: f(self.printed), corrected: f(self.corrected) }
     }

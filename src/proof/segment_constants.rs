@@ -1,6 +1,6 @@
 //! Sharp constants of one contact segment, T = (0, 1), over all contact sets E; e = |E|, n = 1 − e.
 //!
-//! σ = σ_N lives on E, w = u_N' on N = T \ E, ν = τ − 3/2, |·|_ν is the seminorm (1.1).
+//! σ = σ_N is supported on E, w = u_N' on N = T \ E, ν = τ − 3/2, |·|_ν is the seminorm (1.1).
 //!
 //! | constant | of | value |
 //! | --- | --- | --- |
@@ -9,24 +9,24 @@
 //! | κ(ν), [`consistency_constant`] | ∫ σ (I^h u), one gap at an end | max_e A(e) B(1−e) |
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
 //!
-//! B, A, D are the moments of 1, x and e − x of functions that vanish beyond (0, e), x the distance from the
-//! free end: [`fractional_sobolev::moment`].
+//! B, A, D are the moments of 1, x and e − x of functions that vanish outside (0, e), x the distance from the free
+//! end: [`fractional_sobolev::moment`].
 //!
-//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is least when E is as far from x as possible: at least ∫_n^1
-//! t^{−1−2ν} dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖²
-//! ≤ |σ|², and ‖σ‖_{L¹} ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over
-//! (s, 1) is that of (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each is log-convex in s, so is G, and G(e) G(1−e) is
-//! least at e = 1/2, where it is ((4^ν − 1)/ν)².
+//! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is smallest when E is as far from x as possible: it is at least ∫_n^1
+//! t^{−1−2ν} dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|²,
+//! and ‖σ‖_{L¹} ‖w‖_{L¹} ≤ √(en) ‖σ‖ ‖w‖ ≤ ½ (G(e) G(n))^{−1/2} |σ| |w|. The mean of t^{−1−2ν} over (s, 1) is that of
+//! (1−θ+θs)^{−1−2ν} over 0 < θ < 1; each of these is log-convex in s, hence so is G, and G(e) G(1−e) has its minimum
+//! ((4^ν − 1)/ν)² at e = 1/2.
 //!
-//! **K.** |·|_ν does not grow when |σ|, |w| are replaced by their monotone rearrangements, ‖·‖_{L¹} stays: E
-//! = (0, e), N = (e, 1) is the worst of all sets of measure e.
+//! **K.** |·|_ν does not increase when |σ|, |w| are replaced by their monotone rearrangements, and ‖·‖_{L¹} is
+//! preserved: E = (0, e), N = (e, 1) is the worst of all sets of measure e.
 //!
-//! **κ.** One gap (0, b): the nodal term is u(0) ∫ σ (1−x), u(0) = −∫ w, the midpoint term ∫_N u ∫ σ, ∫_N u =
-//! −∫ x w: each a product of two moments, A(1−b) B(b) and A(b) B(1−b). The same maximum.
+//! **κ.** For one non-contact interval (0, b) the nodal term is u(0) ∫ σ (1−x), u(0) = −∫ w, and the midpoint term
+//! ∫_N u ∫ σ, ∫_N u = −∫ x w: each is a product of two moments, A(1−b) B(b) and A(b) B(1−b), with the same maximum.
 //!
-//! **κ̄.** On a gap inside, ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the middle of the gap, or
-//! from the free end of a gap at an end. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n − s)_+, and rearranged ∫
-//! ρ |w| ≤ D(n) |w|.
+//! **κ̄.** On an interior non-contact interval ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the midpoint of
+//! the interval, or from the free end of an interval at an end of T. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n −
+//! s)_+, and by rearrangement ∫ ρ |w| ≤ D(n) |w|.
 //!
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
@@ -35,19 +35,19 @@ use crate::error::Result;
 use crate::numeric::search::golden_section;
 use fractional_sobolev::{Estimate, Given, Moment, MomentConstant, Order, Tolerance, Work, moment};
 
-/// A constant and the measure of the contact set at which it is reached.
+/// A constant, with the measure of the contact set at which it is attained.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SegmentConstant {
     /// The constant.
     pub value: Estimate,
-    /// |E|, to about 1e-6.
+    /// |E|, accurate to about 1e-6.
     pub contact: f64,
-    /// The moments of which it is the product: on E and on N.
+    /// The two moments whose product it is: on E and on N.
     pub moments: [MomentConstant; 2],
 }
 
 impl SegmentConstant {
-    /// Lower and upper bound, the product of those of both moments: an independent computation of the value at this
+    /// Lower and upper bounds, the products of those of both moments: an independent computation of the value at this
     /// contact set.
     ///
     /// ```
@@ -66,7 +66,7 @@ impl SegmentConstant {
         Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
     }
 
-    /// The larger relative distance of these bounds from the value, error included.
+    /// The larger relative distance of these bounds from the value, its error included.
     ///
     /// # Errors
     /// As for [`SegmentConstant::bounds`].
@@ -76,7 +76,7 @@ impl SegmentConstant {
     }
 }
 
-/// c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
+/// The constant c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
 ///
 /// ```
 /// use fractional_sobolev::Order;
@@ -89,7 +89,7 @@ pub fn product_bound(order: Order) -> f64 {
     0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
 }
 
-/// K(ν), the best constant in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions of disjoint supports.
+/// The best constant K(ν) in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions with disjoint supports.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -100,7 +100,7 @@ pub fn product_bound(order: Order) -> f64 {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet)(crate::Error::ToleranceNotMet) as for [`moment`].
+/// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet), as for [`moment`].
 pub fn product_constant(
     order: impl Given<Order>,
     tolerance: impl Given<Tolerance>,
@@ -108,10 +108,10 @@ pub fn product_constant(
     largest_product(order.given()?, Moment::Mass, Moment::Mass, tolerance.given()?)
 }
 
-/// κ(ν), the best constant of the consistency term of either cone over the contact sets with one gap, at an
-/// end.
+/// The best constant κ(ν) of the consistency term of either cone over the contact sets with one non-contact interval,
+/// at an end.
 ///
-/// κ(ν) = max_e A(e) B(1−e) ≤ K(ν) ≤ c(ν): by restricting the contact sets and by the potentials.
+/// κ(ν) = max_e A(e) B(1−e) ≤ K(ν) ≤ c(ν), by restriction of the contact sets and by potentials.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -131,9 +131,9 @@ pub fn consistency_constant(
     largest_product(order.given()?, Moment::FromFreeEnd, Moment::Mass, tolerance.given()?)
 }
 
-/// κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
+/// The constant κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
 ///
-/// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since one gap at an end is among the contact sets.
+/// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since sets with one non-contact interval at an end are included.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -150,8 +150,8 @@ pub fn midpoint_bound(order: impl Given<Order>, tolerance: impl Given<Tolerance>
     largest_product(order.given()?, Moment::Mass, Moment::FromZone, tolerance.given()?)
 }
 
-/// The best constant of the consistency term for one gap of the given length at an end: A(1−b) B(b) for the
-/// nodal cone, A(b) B(1−b) for the midpoint cone.
+/// The best constant of the consistency term for one non-contact interval of length b = `gap` at an end: A(1−b) B(b)
+/// for the nodal cone, A(b) B(1−b) for the midpoint cone.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -163,7 +163,7 @@ pub fn midpoint_bound(order: impl Given<Order>, tolerance: impl Given<Tolerance>
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)(crate::Error::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1e-300 ≤ gap ≤ 1 − 1e-15; as for
 /// [`product_constant`].
 pub fn one_gap_ratio(
     cone: Cone,
@@ -178,7 +178,7 @@ pub fn one_gap_ratio(
     }
 }
 
-/// The ratio of one set: moments of functions on both parts, of length `length` and 1 − `length`.
+/// The ratio for one contact set: moments of functions on both parts, of length `length` and 1 − `length`.
 fn product(order: Order, moments: (Moment, Moment), length: f64, tolerance: Tolerance) -> Result<Estimate> {
     product_of(&both(order, moments, length, tolerance)?)
 }
@@ -206,9 +206,8 @@ const RANGE: (f64, f64) = (0.1, 0.95);
 const COARSE_WIDTH: f64 = 0.004;
 const STEP: f64 = 0.01;
 
-/// The largest product over e: golden sections at low accuracy, then the maximum of the polynomial through
-/// five values of full accuracy. The maximum point is accurate to 1e-6 and the value, stationary there, to
-/// 1e-11.
+/// The largest product over e: golden-section search at low accuracy, then the maximum of the polynomial through five
+/// values of full accuracy. The maximiser is accurate to 1e-6 and the value, stationary there, to 1e-11.
 fn largest_product(
     order: Order,
     first: Moment,

@@ -1,23 +1,22 @@
-//! Theorems 3.1 and 4.1 for 3/2 < τ ≤ 2 with explicit constants, for comparison with the error of a problem
-//! with known solution.
+//! Theorems 3.1 and 4.1 for 3/2 < τ ≤ 2 with explicit constants, for comparison with the error of a problem with
+//! known solution.
 //!
 //! s = τ − 1, ν = τ − 3/2, right isosceles triangles with legs h, the Laplacian:
 //!
 //! |u − u_h|₁² ≤ C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + b²,
 //!
-//! C(s) of [`interpolation_constant`] on the triangle, value plus error; the sum over triangles of
-//! |∇u|²_{s,T} is at most that over a half disc that holds Ω. c(ν) = K(ν) of [`super::product_constant`] for
-//! the nodal cone and half of it for the midpoint cone, value plus error: for any contact set. b = 0 for the
-//! nodal cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ =
-//! coth π, P of [`projection_constant`], as in
-//! [`super::ExplicitBound`], steps 1 and 4. On a segment of length h the integrals ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scale
-//! like h^{1+2ν}
-//! |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; seminorms over all segments together are at most that of the edge.
+//! C(s) of [`interpolation_constant`] on the triangle, value plus error; the sum over triangles of |∇u|²_{s,T} is at
+//! most the square of the seminorm over a half disc that contains Ω. c(ν) = K(ν) of [`super::product_constant`] for
+//! the nodal cone and half of it for the midpoint cone, value plus error, for every contact set. b = 0 for the nodal
+//! cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ = coth π, P of
+//! [`projection_constant`], as in [`super::ExplicitBound`], steps 1 and 4. On a segment of length h the product
+//! ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scales like h^{1+2ν} |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; the sums of squared seminorms
+//! over the segments are at most those over the edge.
 //!
-//! At τ = 2: ‖D²u‖ for |∇u|_s, Kobayashi's bound for C, which the constant carries.
+//! At τ = 2, ‖D²u‖ replaces |∇u|_s, and C is Kobayashi's bound.
 //!
-//! Elasticity, one material, u given on all of ∂Ω \ Γ_C for the midpoint cone: |v|_a² ≤ M ‖∇v‖², M = 2μ + 2
-//! max(λ, 0), applied to u − I^h u component by component, and ‖∇z_N‖ ≤ B |z|_a, B of [`half_plane_korn`]:
+//! Elasticity, one material, u given on all of ∂Ω \ Γ_C for the midpoint cone: |v|_a² ≤ M ‖∇v‖², M = 2μ + 2 max(λ,
+//! 0), applied to each component of u − I^h u, and ‖∇z_N‖ ≤ B |z|_a, B of [`half_plane_korn`]:
 //!
 //! |u − u_h|_a² ≤ M C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + B² b².
 
@@ -31,17 +30,17 @@ use fractional_sobolev::{
 };
 use std::f64::consts::PI;
 
-/// Relative accuracy of constants and norms; all are rounded up by their errors.
+/// Relative accuracy of constants and norms; all are rounded up by their error estimates.
 const ACCURACY: f64 = 1e-5;
-/// Relative amount by which results are rounded up: more than the rounding of a few dozen operations.
+/// Relative amount by which results are rounded up: more than the rounding error of a few dozen operations.
 const ROUND_UP: f64 = 1.0 + 1e-13;
 
-/// The constants for one τ, all rounded up.
+/// The constants of Theorems 3.1 and 4.1 for one τ, all rounded up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TheoremConstants {
-    /// τ.
+    /// The regularity τ.
     pub tau: f64,
-    /// ν = τ − 3/2.
+    /// The order ν = τ − 3/2.
     pub order: Order,
     /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
@@ -56,10 +55,10 @@ fn up(estimate: Estimate) -> f64 {
 }
 
 impl TheoremConstants {
-    /// All constants for one τ, for the Laplacian.
+    /// The constants for one τ and the Laplacian.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; as the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; the errors of the constants.
     pub fn new(tau: f64) -> Result<Self> {
         let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(ACCURACY)?);
@@ -82,7 +81,7 @@ impl TheoremConstants {
         })
     }
 
-    /// These constants for elasticity.
+    /// The corresponding constants for elasticity.
     ///
     /// `interpolation` is multiplied by M^{1/2} = (2μ + 2 max(λ, 0))^{1/2}, `projection` by the constant B of
     /// [`half_plane_korn`]; K(ν) does not depend on the form.
@@ -93,12 +92,12 @@ impl TheoremConstants {
         Self { interpolation, projection: ROUND_UP * half_plane_korn(lame) * self.projection, ..self }
     }
 
-    /// The bound of |u − u_h|_a for a mesh size, given a bound of |u − I^h u|_a, Σ_T |σ_N|_{ν,T} |u_N'|_{ν,T}
-    /// or more, and
-    /// |σ_N|_ν.
+    /// The bound of |u − u_h|_a for a mesh size h, given upper bounds of |u − I^h u|_a, of Σ_T |σ_N|_{ν,T}
+    /// |u_N'|_{ν,T}, and of |σ_N|_ν.
     ///
     /// (x² + 2 c h^{2τ−2} p + b² h^{2τ−2} s²)^{1/2}, x = `interpolation`, p = `product`, s = `pressure`, c = K(ν) and b = 0
-    /// for the nodal cone, c = K(ν)/2 for the midpoint cone. All norms in the units of the data; the result is an energy norm.
+    /// for the nodal cone, c = K(ν)/2 for the midpoint cone. All norms are in the units of the data; the result is an
+    /// energy norm.
     pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
         let scale = h.powf(self.tau - 1.0);
         let (segment, projection) = match cone {

@@ -1,9 +1,9 @@
-//! The exponent that the choice θ = h^{2τ−3} gives.
+//! The exponent that results from the choice θ = h^{2τ−3}.
 
-/// 2τ² − 5τ + 4 below τ = 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 above: the exponent of h in the squared error
-/// that θ = h^{2τ−3} gives, (3.1)-(3.2), (4.2)-(4.4).
+/// The exponent of h in the squared error that results from θ = h^{2τ−3}, (3.1)-(3.2), (4.2)-(4.4): 2τ² − 5τ + 4 for
+/// τ < 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 for τ > 2.
 ///
-/// Twice the exponent of [`Bound::Paper`](crate::rates::Bound::Paper) for 3/2 < τ ≤ 2.
+/// It is twice the exponent of [`Bound::Paper`](crate::rates::Bound::Paper) for 3/2 < τ ≤ 2.
 ///
 /// ```
 /// use signorini::{proof::printed_exponent, rates::Bound};

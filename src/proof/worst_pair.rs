@@ -1,9 +1,8 @@
-//! The consistency term on one segment over all contact sets: a bound that does not depend on the contact
-//! set.
+//! The consistency term on one segment over all contact sets: a bound independent of the contact set.
 //!
-//! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost
-//! everywhere on E. The seminorm alone controls functions that vanish on a set: restricting the double
-//! integral to pairs with one point in the set, and |x − y| ≤ 1,
+//! T = (0, 1) after scaling, ν = τ − 3/2, E = {u_N = 0}, N its complement; σ_N = 0 on N, u_N' = 0 almost everywhere
+//! on E. The seminorm alone controls functions that vanish on a set: restricting the double integral to pairs with
+//! one point in the set, and using |x − y| ≤ 1,
 //!
 //! 2|N| ‖σ_N‖² ≤ |σ_N|²_ν,  2|E| ‖u_N'‖² ≤ |u_N'|²_ν.
 //!
@@ -12,37 +11,37 @@
 //!
 //! ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_{τ−3/2,T} |u_N'|_{τ−3/2,T},
 //!
-//! and the same for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, for every E and 3/2 < τ ≤ 2:
-//! the optimal rate without cases, θ or logarithm. (The idea of using both measures is that of Drouet and
-//! Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor separately, with a factor
-//! θ^{τ−2} for the first.
+//! and the same bound holds for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, for every E and 3/2 < τ ≤
+//! 2: the optimal rate without distinction of cases, without θ and without a logarithm. (The use of both measures is
+//! due to Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor separately, with a
+//! factor θ^{τ−2} for the first.
 //!
-//! Is ½ sharp? For the nodal cone I^h u is nonzero only by gaps at the ends of T; closing the others
-//! enlarges the space of σ_N and, as u_N ≤ 0, does not raise the norm of u_N': the worst set is the
-//! complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N come from two linear solves
-//! with Gram matrices of piecewise constants, graded to all ends; the value is a lower bound of the
-//! supremum, too small by some per cent because of the mesh. For one gap [`super::one_gap_ratio`] is
-//! accurate to rounding, and [`super::consistency_constant`] is the maximum. Cost: O(cells³) per set.
+//! Is ½ sharp? For the nodal cone I^h u is nonzero only because of non-contact intervals at the ends of T; closing
+//! the others enlarges the space of σ_N and, as u_N ≤ 0, does not increase the norm of u_N': the worst set is the
+//! complement of (0, a) and (1 − b, 1). For given a, b the best σ_N and u_N are obtained from two linear systems with
+//! Gram matrices of piecewise constants on meshes graded to all ends; the value is a lower bound of the supremum, too
+//! small by a few per cent because of the mesh. For one non-contact interval [`super::one_gap_ratio`] is accurate to
+//! rounding, and [`super::consistency_constant`] is the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{Estimate, Given, Gram, Mesh, Order, Tolerance, Work};
 use nalgebra::{Cholesky, DMatrix};
 
-/// Cells of each part of the segment on the coarsest mesh: 2 (layers + 1), ratio 1/4; the smallest is 4⁻⁹ of
-/// its part.
+/// Number of layers of cells of each part of the segment on the coarsest mesh: 2 (layers + 1) cells with ratio 1/4;
+/// the smallest has 4⁻⁹ of the length of its part.
 const LAYERS: usize = 9;
 const RATIO: f64 = 0.25;
 /// Largest number of bisections of every cell: 320 cells in each part.
 const HALVINGS: u32 = 4;
 
-/// sup term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with gaps (0, left) and (1 − right, 1), contact between; `left`
-/// may be 0. At most ½.
+/// The supremum of term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with non-contact intervals (0, left) and (1 − right, 1) and
+/// contact between them; `left` may be 0. It is at most ½.
 ///
-/// The value is that of conforming trial functions, a lower bound of the supremum; the error estimate is
-/// the change at the last bisection, which bounds the remaining error if the values converge at least
-/// linearly in the cell length (order 2 − 2ν > 1). For one gap of length b the nodal ratio of b is the
-/// midpoint ratio of 1 − b.
+/// The value is that of conforming trial functions, a lower bound of the supremum; the error estimate is the change
+/// at the last bisection, which bounds the remaining error if the values converge at least linearly in the cell
+/// length (order 2 − 2ν > 1). For one non-contact interval of length b the nodal ratio for b equals the midpoint
+/// ratio for 1 − b.
 ///
 /// ```
 /// use signorini::{cone::Cone, proof::worst_ratio};
@@ -55,8 +54,9 @@ const HALVINGS: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for gaps without contact between them or τ
-/// outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet).
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for intervals without contact between them or τ
+/// outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if the largest number of
+/// bisections does not suffice.
 pub fn worst_ratio(
     cone: Cone,
     tau: f64,
@@ -83,12 +83,12 @@ pub fn worst_ratio(
             return Ok(Estimate::new(value, change, work)?);
         }
     }
-    let why = "the maximum number of bisections is reached";
+    let why = "the maximum number of bisections was reached";
     let best = Estimate::new(before, change, work)?;
     Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
 }
 
-/// The ratio of the best piecewise constants on a graded mesh, with every cell bisected this many times.
+/// The ratio for the best piecewise constants on a graded mesh, with every cell bisected this many times.
 fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -> Result<f64> {
     let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
     let partition = halved(&Mesh::graded(&points, LAYERS, RATIO)?, halvings)?;
@@ -137,7 +137,7 @@ fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -
     }
 }
 
-/// Every cell cut into 2^halvings equal ones.
+/// The mesh with every cell divided into 2^halvings equal cells.
 fn halved(partition: &Mesh, halvings: u32) -> Result<Mesh> {
     let parts = 1usize << halvings;
     let cut = |&length: &f64| std::iter::repeat_n(length / parts as f64, parts);
