@@ -1,17 +1,17 @@
-//! Exponents as eigenvalues of a pencil on the arc 0 < θ < ω, by Legendre collocation.
+//! Exponents as eigenvalues of a matrix pencil on the arc 0 < θ < ω, by Legendre collocation.
 //!
 //! u = r^λ (U, V), σ = r^{λ−1} (..., S = σ_θθ, T = σ_rθ), shear modulus μ = 1, n = ν_P/(1 − ν_P):
 //!
 //! U' = T + (1 − λ) V,  V' = −U − nλU + (1 − n) S/2,  S' = −(1 + λ) T,  T' = S − λ n S − λ² 2U/(1 − ν_P).
 //!
-//! The first and second are the law of the material (1/(Λ + 2μ) = (1 − n)/2, Λ Lamé's first constant), the
-//! others the equilibrium; no coefficient grows as ν_P → 1/2. λ is quadratic in the last, so W = λU is a
-//! further unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold
-//! at the N Gauss points, two conditions at each end (one, scalar) close the system: (A − λB) y = 0.
-//! Unknowns are the Legendre coefficients of the slopes: A is the identity and an integral operator, and no
-//! digits are lost by differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A −
-//! sB)⁻¹B. The characteristic functions are not used: the computation is independent of the list. Simple
-//! eigenvalues converge exponentially in N; nearly double ones keep half the digits, their mean all. Cost:
+//! The first and second equations are the constitutive law (1/(Λ + 2μ) = (1 − n)/2, Λ Lamé's first constant), the
+//! others equilibrium; all coefficients are bounded as ν_P → 1/2. λ is quadratic in the last, so W = λU is an
+//! additional unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at the
+//! N Gauss points, and two conditions at each end (one in the scalar case) complete the system: (A − λB) y = 0. The
+//! unknowns are the Legendre coefficients of the derivatives: A is the sum of the identity and an integral operator,
+//! and no digits are lost by differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A −
+//! sB)⁻¹B. The characteristic functions are not used: the computation is independent of the list of zeros. Simple
+//! eigenvalues converge exponentially in N; nearly double ones have half the digits, their mean has all. Cost:
 //! O((5N)³).
 
 use super::wedge::{Medium, SideCondition, Wedge};
@@ -23,12 +23,12 @@ use faer::linalg::solvers::Solve;
 use faer::{Mat, Par, c64};
 use fractional_sobolev::gauss_legendre;
 
-/// Candidate shifts; the one with the smallest matrix is far from all exponents.
+/// Candidate shifts; the one with the smallest matrix (A − sB)⁻¹B is far from all exponents.
 const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
 /// Largest degree.
 const DEGREES: usize = 200;
 
-/// An eigenvalue of the arc.
+/// An eigenvalue λ of the problem on the arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArcExponent {
     /// Re λ.
@@ -38,8 +38,8 @@ pub struct ArcExponent {
 }
 
 impl Wedge {
-    /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ|
-    /// should stay below half of it. Ordered by increasing real part, repeated according to multiplicity,
+    /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ| should not
+    /// exceed half of the degree. They are ordered by increasing real part and repeated according to multiplicity,
     /// with both members of each conjugate pair.
     ///
     /// ```
@@ -53,8 +53,9 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ degree ≤ 200; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is
-    /// negative or not finite; [`Error::Solver`] when the eigenvalues do not converge.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ degree ≤ 200;
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is negative or not finite;
+    /// [`Error::Solver`] if the eigenvalue iteration does not converge.
     pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
         if !(2..=DEGREES).contains(&degree) {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -71,8 +72,9 @@ impl Wedge {
         });
         let smallest = inverses.into_iter().min_by(|x, y| x.0.total_cmp(&y.0));
         let Some((_, inverse, shift)) = smallest else { return Ok(Vec::new()) };
-        let values = general_eigenvalues(&inverse)
-            .ok_or(Error::Solver { reason: "eigenvalues on the arc did not converge".to_owned() })?;
+        let values = general_eigenvalues(&inverse).ok_or(Error::Solver {
+            reason: "the eigenvalue iteration on the arc did not converge".to_owned(),
+        })?;
         let mut found: Vec<ArcExponent> = values
             .into_iter()
             .filter(|m| m.norm() > 1.0 / (2.0 * (height + super::LARGEST)))
@@ -84,9 +86,9 @@ impl Wedge {
         Ok(found)
     }
 
-    /// A and B: the functions one after the other, each by its value at 0 and the Legendre coefficients of
-    /// its slope, then √w λU at the Gauss points; equations times √w, w the weights, so that slopes are an
-    /// orthogonal matrix.
+    /// A and B: the functions one after another, each by its value at 0 and the Legendre coefficients of its
+    /// derivative, then √w λU at the Gauss points; equations are multiplied by √w, w the weights, so that the map to
+    /// derivatives is an orthogonal matrix.
     fn pencil(&self, degree: usize) -> Result<(Mat<f64>, Mat<f64>)> {
         let rule = gauss_legendre(degree)?;
         let omega = self.angle();
@@ -163,7 +165,7 @@ impl Law {
         }
     }
 
-    /// The functions that are zero on a side.
+    /// The functions that vanish on a side.
     fn vanishing(&self, side: SideCondition) -> &'static [usize] {
         match (self.first.len(), side) {
             (2, SideCondition::Clamped | SideCondition::Closed) => &[0],
@@ -179,8 +181,8 @@ fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
     values.into_iter().map(|value| factor * value).collect()
 }
 
-/// Values and slopes at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on
-/// (0, 1).
+/// Values and derivatives at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on (0,
+/// 1).
 fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     let mut legendre = vec![0.0; count + 1];
     legendre::fill(&mut legendre, 2.0 * x - 1.0);
@@ -194,8 +196,8 @@ fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     (values, slopes)
 }
 
-/// All eigenvalues of a square matrix, in no particular order. `None` where the iteration does not converge.
-/// Cost O(n³).
+/// All eigenvalues of a square matrix, in no particular order; `None` if the iteration does not converge. Cost:
+/// O(n³).
 fn general_eigenvalues(a: &Mat<f64>) -> Option<Vec<c64>> {
     let size = a.nrows();
     let (mut real, mut imaginary) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, 1));

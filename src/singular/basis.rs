@@ -10,8 +10,8 @@
 //! | σ_θθ / (λ r^{λ−1}) | (λ+1) c | −(λ+1) s | C | −S |
 //! | σ_rθ / (λ r^{λ−1}) | (λ−1) s | (λ−1) c | S | C |
 //!
-//! The formulas hold for complex λ as they stand. Unlike Airy's function they contain the rigid rotation, a₂
-//! at λ = 1. a₁ and b₁ are even about θ = 0, a₂ and b₂ odd. μ = 1/2 below.
+//! The formulas hold for complex λ. Unlike Airy's function they contain the rigid rotation, a₂ at λ = 1. a₁ and b₁
+//! are even about θ = 0, a₂ and b₂ odd. In the code μ = 1/2.
 
 use super::wedge::SideCondition;
 use faer::c64;
@@ -40,7 +40,7 @@ pub(super) fn conditions(side: SideCondition, lambda: c64, kappa: f64, theta: f6
     }
 }
 
-/// The vector that a 2 × 2 matrix of rank one maps to zero, from its larger row.
+/// A vector in the kernel of a 2 × 2 matrix of rank one, computed from its larger row.
 pub(super) fn kernel(rows: [[c64; 2]; 2]) -> [c64; 2] {
     let size = |row: &[c64; 2]| row[0].norm_sqr() + row[1].norm_sqr();
     let [a, b] = if size(&rows[0]) >= size(&rows[1]) { rows[0] } else { rows[1] };

@@ -1,20 +1,19 @@
 //! The contact interval at an end on the Dirichlet boundary, in closed form.
 //!
-//! Half plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, closed without friction
-//! on (0, ℓ), free for x > ℓ, loaded by the far field only. With Muskhelishvili's potential, σ_yy − iσ_xy =
-//! Φ⁺ − Φ⁻ and 2μ(u' + iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real
-//! factor,
+//! Half-plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, in frictionless contact on (0, ℓ),
+//! free for x > ℓ, loaded only by the far field. With Muskhelishvili's potential, σ_yy − iσ_xy = Φ⁺ − Φ⁻ and 2μ(u' +
+//! iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real factor,
 //!
 //! Φ(z) = z^{−1/2} exp(2iε arcosh √(z/ℓ)),
 //!
-//! | where | what |
+//! | where | field |
 //! | --- | --- |
-//! | r < ℓ | −σ_N = 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)): presses, r^{−1/2} with the factor 2 sinh(πε) at the end |
+//! | r < ℓ | −σ_N = 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)): compressive, like 2 sinh(πε) r^{−1/2} at the end |
 //! | r > ℓ | −u_N = (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ) |
 //!
-//! Both sign conditions hold with the same sign of the factor. The gap closes again where tan 2εy = 2ε tanh
-//! y, near r/ℓ = e^{(π + arctan 2ε)/ε}/4. The page `section_1_clamped_end` derives it. Domain: −1 < ν < 1/2
-//! (ε = 0 at ν = 1/2).
+//! Both sign conditions hold for the same sign of the factor. The gap closes again where tan 2εy = 2ε tanh y, near
+//! r/ℓ = e^{(π + arctan 2ε)/ε}/4. This is derived on the page `section_1_clamped_end`. Domain: −1 < ν < 1/2 (ε = 0 at
+//! ν = 1/2).
 
 use crate::error::{Error, Result};
 use crate::numeric::search::sign_change;
@@ -38,28 +37,33 @@ pub struct ContactZone {
 }
 
 impl ContactZone {
-    /// The zone (0, `length`) of a body with Poisson's ratio `poisson`.
+    /// The field with contact on (0, `length`) for a body with Poisson's ratio `poisson`.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −1 < ν < 1/2 and the length is positive and finite.
     pub fn new(poisson: f64, length: f64) -> Result<Self> {
         Error::require("Poisson's ratio", poisson, "(-1, 1/2)", poisson > -1.0 && poisson < 0.5)?;
-        Error::require("length of the zone", length, "(0, inf)", length > 0.0 && length.is_finite())?;
+        Error::require(
+            "length of the contact interval",
+            length,
+            "(0, inf)",
+            length > 0.0 && length.is_finite(),
+        )?;
         let kappa = 3.0 - 4.0 * poisson;
-        // ln κ from κ − 1 = 2 (1 − 2ν), which keeps its digits near 1/2.
+        // ln κ from κ − 1 = 2 (1 − 2ν), which is accurate near ν = 1/2.
         let epsilon = (2.0 * (1.0 - 2.0 * poisson)).ln_1p() / (2.0 * PI);
         Ok(Self { kappa, epsilon, length })
     }
 
-    /// ε = ln κ/(2π): the leading exponents at a flat transition from clamped to free are 1/2 ± iε.
+    /// The constant ε = ln κ/(2π): the leading exponents at a flat transition from clamped to free are 1/2 ± iε.
     pub fn epsilon(&self) -> f64 {
         self.epsilon
     }
 
-    /// −σ_N at the distance r; 0 off the zone.
+    /// The contact pressure −σ_N at the distance r from the end; 0 outside the contact interval.
     ///
-    /// 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the Dirichlet end
-    /// and vanishes like (ℓ − r)^{1/2} at the transition.
+    /// It is 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the Dirichlet end and
+    /// vanishes like (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
             return 0.0;
@@ -67,9 +71,10 @@ impl ContactZone {
         2.0 * (2.0 * self.epsilon * (r / self.length).sqrt().acos()).sinh() / r.sqrt()
     }
 
-    /// −u_N at the distance r; 0 in the zone. Negative where the field would penetrate.
+    /// The opening −u_N at the distance r; 0 on the contact interval, negative where the field would penetrate.
     ///
-    /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it starts like (r − ℓ)^{3/2}.
+    /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it behaves like (r − ℓ)^{3/2}
+    /// near ℓ.
     pub fn opening(&self, r: f64) -> f64 {
         if r <= self.length {
             return 0.0;
@@ -80,9 +85,10 @@ impl ContactZone {
         (self.kappa + 1.0) * self.length.sqrt() * bracket / (1.0 + 4.0 * self.epsilon * self.epsilon)
     }
 
-    /// ln(r/ℓ) at which the gap would close again.
+    /// The value of ln(r/ℓ) at which the gap would close again.
     ///
-    /// (π + arctan 2ε)/ε − ln 4 up to exponentially small terms: the field of one zone is a solution up to this distance only.
+    /// It is (π + arctan 2ε)/ε − ln 4 up to exponentially small terms: the field with one contact interval is a
+    /// solution only up to this distance.
     pub fn reach(&self) -> f64 {
         // sin t − 2ε tanh(t/2ε) cos t, t = 2εy in (π, 3π/2), changes sign once.
         let rate = 2.0 * self.epsilon;

@@ -1,10 +1,9 @@
-//! The number of zeros in a rectangle, by the argument principle with steps that cannot miss a turn.
+//! The number of zeros in a rectangle, by the argument principle with steps that cannot miss a full turn.
 //!
-//! At a point of the path with |f| = a, |f′| = b and |f″| ≤ M along the rest of it, f stays within b t + M
-//! t²/2 of its value for a step of length t. Where that is at most 7a/10, the image does not surround zero
-//! and the argument turns by exactly that of the quotient of the two values: the count is proved, but for
-//! rounding. A path so close to a zero that rounding dominates, or that steps become too short, is
-//! rejected; the caller moves it.
+//! At a point of the path with |f| = a, |f′| = b and |f″| ≤ M along the rest of it, f changes by at most b t + M t²/2
+//! in a step of length t. If this is at most 7a/10, the image does not encircle zero and the argument changes by
+//! exactly that of the ratio of the two values: the count is rigorous up to rounding. A path so close to a zero that
+//! rounding dominates, or that steps become too short, is rejected; the caller then moves it.
 
 use super::factor::Factor;
 use faer::c64;
@@ -12,11 +11,11 @@ use std::f64::consts::TAU;
 
 /// Largest relative change of f in a step.
 const CHANGE: f64 = 0.7;
-/// Values below this many roundings of their terms are rejected.
+/// Values below this multiple of the rounding errors of their terms are rejected.
 const ROUNDINGS: f64 = 1e3;
-/// Steps of a side are at least this part of it; near a zero they shrink with its distance, a few per digit.
+/// Smallest step, relative to the side; near a zero the steps shrink with the distance from it, a few per digit.
 const SHORTEST: f64 = 1e-12;
-/// Turns less their nearest integer: sums of at most a million angles.
+/// Largest distance of the winding number from an integer: a sum of at most a million angles.
 const INTEGER: f64 = 1e-3;
 
 /// An upright rectangle of the λ-plane.
@@ -51,7 +50,7 @@ impl Rectangle {
     }
 }
 
-/// The zeros of f in a rectangle with their multiplicities; `None` if the path is too close to a zero.
+/// The number of zeros of f in a rectangle, with multiplicities; `None` if the path is too close to a zero.
 ///
 /// (1/2π) times the change of arg f around the rectangle, in steps so short that f changes by at most 0.7 |f| in each:
 /// |f''| is bounded on the rectangle, so no turn is missed.

@@ -1,34 +1,34 @@
-//! The entire functions whose zeros are the exponents: values, bounds, rounding.
+//! The entire functions whose zeros are the exponents: values, bounds, rounding errors.
 //!
 //! | factor | f(λ) | where |
 //! | --- | --- | --- |
-//! | sine | p sin((λ + s) w) + q λ | equal sides, split by symmetry; anything beside frictionless contact |
+//! | sine | p sin((λ + s) w) + q λ | equal sides, split by symmetry; one side in frictionless contact |
 //! | cosine | cos(λ w) | scalar, clamped/free |
 //! | mixed | 4κ cos²(λω) + (κ − 1)² − 4 λ² sin²ω | clamped/free |
 //!
-//! The mixed one is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form without cancellation as κ → 1. All
-//! are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which
-//! the argument of f is known to turn by less than a right angle.
+//! The mixed factor is sin²(λω) = ((κ + 1)² − 4 λ² sin²ω)/(4κ) in a form without cancellation as κ → 1. All factors
+//! are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which the argument
+//! of f changes by less than a right angle.
 
 use super::real::{Real, sine_cosine};
 use faer::c64;
 use qd::Quad;
 use realfft::num_complex::Complex;
 
-/// The fields of the zeros of a factor, in the basis of `basis`.
+/// The fields that belong to the zeros of a factor, in the basis of module `basis`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fields {
     /// Scalar: one function.
     Scalar,
     /// Even about the middle of the wedge.
     Even,
-    /// Odd about the middle.
+    /// Odd about the middle of the wedge.
     Odd,
     /// Even about the first side, which is in frictionless contact.
     Reflected,
-    /// Contact on both sides: z^λ, the terms of angle λ − 1.
+    /// Contact on both sides: z^λ, the terms with the angle (λ − 1) θ.
     Inner,
-    /// Contact on both sides: the terms of angle λ + 1.
+    /// Contact on both sides: the terms with the angle (λ + 1) θ.
     Outer,
     /// Clamped at the first side.
     Clamped,
@@ -61,7 +61,7 @@ impl Factor {
         Self { shape: Shape::Cosine, angle, fields: Fields::Scalar }
     }
 
-    /// Clamped/free; `excess` is κ − 1.
+    /// The factor for clamped/free; `excess` is κ − 1.
     pub(super) fn mixed(angle: Quad, excess: Quad) -> Self {
         let shape = Shape::Mixed { kappa: excess + Quad::ONE, excess, sine: angle.circular().0 };
         Self { shape, angle, fields: Fields::Clamped }
@@ -91,7 +91,7 @@ impl Factor {
         }
     }
 
-    /// An upper bound of |f″| where |λ| ≤ reach and |Im λ| ≤ height.
+    /// An upper bound of |f″| for |λ| ≤ reach and |Im λ| ≤ height.
     pub(super) fn bend(&self, reach: f64, height: f64) -> f64 {
         let w = self.angle.0;
         match self.shape {
@@ -103,7 +103,7 @@ impl Factor {
         }
     }
 
-    /// The sum of the absolute values of the terms of f at λ, the scale of its rounding error.
+    /// The sum of the absolute values of the terms of f at λ: the scale of its rounding error.
     pub(super) fn terms(&self, z: c64) -> f64 {
         let w = self.angle.0;
         match self.shape {
@@ -120,8 +120,8 @@ impl Factor {
         }
     }
 
-    /// A height above which f has no zero with |Re λ| ≤ reach: there and beyond the exponential exceeds
-    /// twice the linear part.
+    /// A height above which f has no zero with |Re λ| ≤ reach: at and above it the exponential exceeds twice the
+    /// linear part.
     pub(super) fn ceiling(&self, reach: f64) -> f64 {
         let w = self.angle.0;
         // grown sinh(w η) ≥ 3/2 (least + slope (reach + η)); both sides are convex and w grown ≥ slope.

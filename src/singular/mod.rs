@@ -1,21 +1,18 @@
 //! Singular exponents: r^λ at corners and transitions of plane problems, and the regularity they imply.
 //!
-//! Near a corner of opening ω the solution of an elliptic problem with smooth data is a sum of r^λ U(θ) and
-//! smoother functions; λ depends on ω, on the boundary conditions on the two sides, and for elasticity on
-//! Poisson's ratio. Two conditions that meet inside a side, such as contact and gap, form a corner of
-//! opening π.
+//! Near a corner of opening ω the solution of an elliptic problem with smooth data is a sum of terms r^λ U(θ) and a
+//! smoother function; λ depends on ω, on the boundary conditions on the two sides, and for elasticity on Poisson's
+//! ratio. Two conditions that meet within a side, such as contact and no contact, form a corner of opening π.
 //!
-//! | | what | where |
+//! | | content | module |
 //! | --- | --- | --- |
 //! | [`Wedge`] | opening, medium, sides; the characteristic equations | `wedge`, `factor` |
-//! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3, complete by counts of zeros | `spectrum`, `zeros`,
-//! `count` |
+//! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3, complete by counts of zeros | `spectrum`, `zeros`, `count` |
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
 //! | [`Wedge::exponents_on_arc`] | an independent computation: an eigenvalue problem on the arc | `arc` |
-//! | [`ContactZone`] | the contact interval at an end on the Dirichlet boundary, in closed form |
-//! `contact_zone` |
-//! | [`Wedge::sign_condition`], [`Wedge::regularity`] | signs of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
+//! | [`ContactZone`] | the contact interval at an end on the Dirichlet boundary, in closed form | `contact_zone` |
+//! | [`Wedge::sign_condition`], [`Wedge::regularity`] | sign conditions of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
 //! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,
 //! *Spectral Problems Associated with Corner Singularities* (2001).

@@ -1,4 +1,4 @@
-//! Angular functions: u = r^λ U(θ) and its traction r^{λ−1} Σ(θ) across the rays.
+//! Angular functions: u = r^λ U(θ) and the traction r^{λ−1} Σ(θ) on the rays.
 
 use super::basis::{conditions, fields, kernel};
 use super::factor::Fields;
@@ -6,15 +6,14 @@ use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result};
 use faer::c64;
 
-/// Rays on which a function is sampled for its size.
+/// Number of rays on which the size of a function is sampled.
 const RAYS: usize = 64;
 
-/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; real for real
-/// λ.
+/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; it is real for real λ.
 ///
 /// Elastic: displacement (u_r, u_θ), traction (σ_θθ, σ_rθ), shear modulus 1/2. Scalar: (u, 0) and (∂u/∂θ, 0).
 ///
-/// The Cartesian orientation is that of the polar basis (e_r, e_θ) at θ; σ_N = σ_θθ on either side of the wedge.
+/// Displacement and traction refer to the polar basis (e_r, e_θ) at θ; σ_N = σ_θθ on both sides of the wedge.
 ///
 /// ```
 /// use signorini::singular::{Medium, Wedge};
@@ -30,7 +29,7 @@ const RAYS: usize = 64;
 pub struct Mode {
     wedge: Wedge,
     lambda: c64,
-    /// a₁, a₂, b₁, b₂; scalar: of cos λϑ, sin λϑ.
+    /// a₁, a₂, b₁, b₂; scalar: coefficients of cos λϑ, sin λϑ.
     coefficients: [c64; 4],
     /// ϑ = θ − origin, or ω − θ − origin where the sides are exchanged.
     origin: f64,
@@ -76,12 +75,12 @@ impl Mode {
         let largest = sizes.fold(zero, |m, u| if u.norm() > m.norm() { u } else { m });
         // As a complex number, so that the largest displacement becomes real, too.
         let is_usable = largest.norm() > 0.0 && largest.norm().is_finite();
-        Error::require("angular function", largest.norm(), "(0, inf)", is_usable)?;
+        Error::require("norm of the angular function", largest.norm(), "(0, inf)", is_usable)?;
         mode.coefficients = mode.coefficients.map(|c| c / largest);
         Ok(mode)
     }
 
-    /// λ.
+    /// The exponent λ as (Re λ, Im λ).
     pub fn exponent(&self) -> (f64, f64) {
         (self.lambda.re, self.lambda.im)
     }
@@ -105,9 +104,10 @@ impl Mode {
         [radial, tangential * sign, normal * self.lambda, shear * self.lambda * sign]
     }
 
-    /// U(θ), 0 ≤ θ ≤ ω: radial and tangential component, each as real and imaginary part; scalar (u, 0).
+    /// The angular function U(θ), 0 ≤ θ ≤ ω: radial and tangential component, each as real and imaginary part; scalar
+    /// (u, 0).
     ///
-    /// The displacement of the term is Re (c r^λ U(θ)) with a complex coefficient c.
+    /// The displacement of the corresponding term is Re (c r^λ U(θ)) with a complex coefficient c.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -123,15 +123,14 @@ impl Mode {
         [a, b].map(|u| (u.re, u.im))
     }
 
-    /// Σ(θ): the traction across the ray θ, without its factor r^{λ−1}; normal and tangential component, each as
-    /// real and imaginary part.
+    /// The traction Σ(θ) on the ray θ, without its factor r^{λ−1}: normal and tangential component, each as real and
+    /// imaginary part.
     pub fn traction(&self, theta: f64) -> [(f64, f64); 2] {
         let [.., a, b] = self.rows(theta);
         [a, b].map(|t| (t.re, t.im))
     }
 
-    /// (u_N, σ_N) at a side, the first or the second: outward displacement and normal stress; scalar (u,
-    /// ∂u/∂n).
+    /// (u_N, σ_N) on the first or the second side: outward displacement and normal stress; scalar (u, ∂u/∂n).
     pub(super) fn contact(&self, is_second: bool) -> (c64, c64) {
         let theta = if is_second { self.wedge.angle() } else { 0.0 };
         let outward = if is_second { 1.0 } else { -1.0 };

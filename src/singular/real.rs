@@ -1,9 +1,8 @@
-//! sin and cos of complex numbers over binary64 and over double-double, for the accurate computation of close
-//! zeros.
+//! sin and cos of complex numbers in binary64 and in double-double, for the accurate computation of close zeros.
 //!
-//! sin(x + iy) = sin x cosh y + i cos x sinh y. In double-double: x less the nearest multiple of π/2, then
-//! Taylor series up to the power 31; hyperbolic functions by their series up to 1, by the exponential beyond.
-//! Absolute error a few 1e-32 of cosh y for |x| up to some hundred.
+//! sin(x + iy) = sin x cosh y + i cos x sinh y. In double-double the nearest multiple of π/2 is subtracted from x,
+//! and Taylor series up to the power 31 are used; hyperbolic functions are computed by their series up to 1, and by
+//! the exponential beyond. The absolute error is a few 1e-32 times cosh y for |x| up to some hundreds.
 
 use qd::Quad;
 use realfft::num_complex::Complex;

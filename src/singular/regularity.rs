@@ -1,41 +1,41 @@
 //! The exponents admitted by the sign conditions of contact, and the regularity of a solution at a corner.
 //!
-//! Near the corner u = Σ c r^λ U(θ) + smoother. Where a side is in contact σ_N ≤ 0 there; where it is an open
-//! part of the contact edge and the other side (clamped or closed) fixes the corner itself, u_N ≤ 0. The term
-//! that leads the sum must satisfy this for one sign of c. A complex exponent changes sign infinitely often
-//! and cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have u_N σ_N alternating
-//! in sign: r^{1/2} violates a sign condition with either sign, r^{3/2} satisfies both with one sign.
+//! Near the corner u = Σ c r^λ U(θ) + a smoother function. Where a side is in contact σ_N ≤ 0; where it is an open
+//! part of the contact edge and the other side (clamped or closed) fixes the corner itself, u_N ≤ 0. The leading term
+//! of the sum must satisfy this for one sign of c. A term with a complex exponent changes sign infinitely often and
+//! cannot lead. On the flat transition C-O the functions for λ = 1/2, 3/2, ... have u_N σ_N alternating in sign:
+//! r^{1/2} violates a sign condition with either sign, r^{3/2} satisfies both conditions with one sign.
 //!
-//! r^λ U(θ), not a polynomial, lies in H^s for s < 1 + Re λ. So u ∈ H^τ for τ < 1 + Re λ with the first
-//! exponent that is neither excluded nor polynomial; polynomials do not count. An exponent above one that
-//! leads with a strict sign is free of conditions. Data are assumed to be smooth; for whole exponents, and
-//! loads that meet one, r^k ln r may occur from k = 2 on, which limits τ to 3 at the earliest.
+//! r^λ U(θ), if it is not a polynomial, lies in H^s for s < 1 + Re λ. Hence u ∈ H^τ for τ < 1 + Re λ with the first
+//! exponent that is neither excluded nor polynomial. The terms that follow a leading exponent above one with a strict
+//! sign are not subject to the conditions. Data are assumed to be smooth; for integer exponents, and loads that
+//! coincide with one, r^k ln r may occur for k ≥ 2, which limits τ to at most 3.
 
 use super::mode::Mode;
 use super::spectrum::{Exponent, LARGEST};
 use super::wedge::{SideCondition, Wedge};
 use crate::error::Result;
 
-/// Values on a side below this, relative to a largest displacement of one, count as zero.
+/// Values on a side below this tolerance, relative to a largest displacement of one, count as zero.
 const ZERO: f64 = 1e-9;
 
 /// The sign conditions of contact for a leading term r^λ U(θ).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SignCondition {
-    /// No condition: stress and gap vanish on the contact edge.
+    /// No condition: stress and opening vanish on the contact edge.
     Neutral,
-    /// It may lead with one sign of its coefficient.
+    /// The term may lead with one sign of its coefficient.
     Signed,
-    /// It violates a condition with either sign.
+    /// The term violates a condition with either sign.
     Excluded,
 }
 
 /// The regularity of a solution at a corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerRegularity {
-    /// Supremum of the τ with u ∈ H^τ near the corner for all data; 4 where no exponent below 3 limits it.
+    /// Supremum of the τ with u ∈ H^τ near the corner for all data; 4 if no exponent below 3 limits it.
     pub tau: f64,
-    /// The exponent that limits it.
+    /// The exponent that limits τ.
     pub exponent: Option<Exponent>,
 }
 
@@ -68,8 +68,8 @@ impl Wedge {
         }
     }
 
-    /// The quantity that must not be positive on each side: σ_N in contact, u_N where it is open and the
-    /// other side fixes the corner.
+    /// The quantity that must be nonpositive on each side: σ_N in contact, u_N where the side is open and the other
+    /// side fixes the corner.
     fn signs(&self, mode: &Mode) -> [f64; 2] {
         let sides = [self.sides().0, self.sides().1];
         [0, 1].map(|k| {
@@ -86,8 +86,8 @@ impl Wedge {
 
     /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent responsible.
     ///
-    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. Where contact and gap meet on a straight side
-    /// the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
+    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. At a transition of contact on a
+    /// straight side the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -98,7 +98,7 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// As [`Wedge::exponents`].
+    /// As for [`Wedge::exponents`].
     pub fn regularity(&self) -> Result<CornerRegularity> {
         let mut is_decided = false;
         for exponent in self.exponents()?.exponents {

@@ -6,10 +6,10 @@ use super::zeros::{SAME, Zero, count_in_strip, zeros_in_strip};
 use crate::error::{Error, Result};
 use fractional_sobolev::{Estimate, Work};
 
-/// Exponents are sought below this.
+/// Upper limit of the real parts of the exponents computed.
 pub const LARGEST: f64 = 3.0;
 
-/// An exponent λ; of a pair of conjugates the one with Im λ > 0 stands for both.
+/// An exponent λ; a conjugate pair is represented by the member with Im λ > 0.
 ///
 /// r^λ U(θ) oscillates like r^{Re λ} cos(Im λ ln r) for complex λ. At a flat transition from clamped to free in plane
 /// strain λ = 1/2 ± iε, ε = ln(3 − 4ν)/(2π).
@@ -31,7 +31,7 @@ pub struct Exponent {
     pub im: Estimate,
     /// Multiplicity as a zero of the characteristic function.
     pub multiplicity: usize,
-    /// The angular functions, linearly independent; fewer than the multiplicity when r^λ ln r occurs.
+    /// The linearly independent angular functions; fewer than the multiplicity if r^λ ln r occurs.
     pub modes: Vec<Mode>,
 }
 
@@ -41,13 +41,13 @@ impl Exponent {
         self.im.value > 0.0
     }
 
-    /// The number of zeros of the characteristic function it represents: its multiplicity, doubled for a
+    /// The number of zeros of the characteristic function it represents: its multiplicity, doubled for a conjugate
     /// pair.
     pub fn zeros(&self) -> usize {
         self.multiplicity * if self.is_complex() { 2 } else { 1 }
     }
 
-    /// True if r^λ ln r occurs: fewer functions than the multiplicity.
+    /// True if r^λ ln r occurs, that is if there are fewer angular functions than the multiplicity.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -60,7 +60,7 @@ impl Exponent {
         self.modes.len() < self.multiplicity
     }
 
-    /// True if all its functions are polynomials in x and y: an integer exponent without logarithm.
+    /// True if all its functions r^λ U(θ) are polynomials in x and y: an integer exponent without logarithm.
     ///
     /// Harmonic functions of integer degree are polynomials, and so are κφ − z conj φ′ − conj ψ with φ, ψ
     /// powers z^k.
@@ -79,28 +79,28 @@ impl Exponent {
     }
 }
 
-/// The exponents of a wedge, by increasing real part. There is no tolerance: Newton's method converges to
-/// rounding, and the errors account for the lost digits of double zeros.
+/// The exponents of a wedge, ordered by increasing real part. There is no tolerance: Newton's method converges to
+/// rounding, and the error estimates account for the digits lost at double zeros.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// The exponents with 0 < Re λ < 3.
     pub exponents: Vec<Exponent>,
-    /// Points at which characteristic functions were evaluated for counts.
+    /// The number of points at which characteristic functions were evaluated to count zeros.
     pub work: Work,
 }
 
 impl Spectrum {
-    /// Zeros in the list, with their multiplicities.
+    /// The number of zeros in the list, with multiplicities.
     pub fn zeros(&self) -> usize {
         self.exponents.iter().map(Exponent::zeros).sum()
     }
 }
 
 impl Wedge {
-    /// All exponents with 0 < Re λ < 3. Those within 1e-12 of 0 or 3 are excluded; exponents that agree to a
-    /// relative distance of 1e-12 are identified. The error of each is the rounding of its characteristic
-    /// function, taken in double-double, and of the result; opening and Poisson's ratio are taken as exact.
-    /// Cost: a millisecond.
+    /// All exponents with 0 < Re λ < 3. Exponents within 1e-12 of 0 or 3 are excluded; exponents that agree to a
+    /// relative distance of 1e-12 are identified. The error of each accounts for the rounding of its characteristic
+    /// function, evaluated in double-double, and of the result; opening and Poisson's ratio are taken as exact. Cost:
+    /// about a millisecond.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -113,8 +113,8 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) when the count of zeros fails
-    /// on all paths tried, which can happen for three zeros within 1e-5 of each other.
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if the count of zeros fails on all
+    /// paths tried, which can happen for three zeros within 1e-5 of each other.
     pub fn exponents(&self) -> Result<Spectrum> {
         let mut work = Work::default();
         let mut found: Vec<(Zero, Mode)> = Vec::new();
@@ -148,7 +148,7 @@ impl Wedge {
         Ok(Spectrum { exponents, work })
     }
 
-    /// The first exponent whose function is not a polynomial, without the sign conditions of contact.
+    /// The first exponent whose function is not a polynomial, regardless of the sign conditions of contact.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -160,16 +160,17 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// As [`Wedge::exponents`].
+    /// As for [`Wedge::exponents`].
     pub fn first_singular(&self) -> Result<Option<Exponent>> {
         Ok(self.exponents()?.exponents.into_iter().find(|exponent| !exponent.is_polynomial()))
     }
 
-    /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the
-    /// argument principle on one rectangle per factor. The zero at 0 that belongs to translations, or to no
-    /// field, is counted.
+    /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the argument
+    /// principle on one rectangle per factor. The zero at 0, which belongs to translations or to no field, is
+    /// included.
     ///
-    /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function, and independent of the list.
+    /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function; it is independent of the list
+    /// of exponents.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -180,24 +181,24 @@ impl Wedge {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −3 ≤ left < right ≤ 4; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with a zero on one of
-    /// the lines.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −3 ≤ left < right ≤ 4;
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with a zero on one of the lines.
     pub fn count(&self, left: f64, right: f64) -> Result<usize> {
         Error::require("left end", left, "[-3, right end)", left >= -LARGEST && left < right)?;
         Error::require("right end", right, "(left end, 4]", right <= LARGEST + 1.0)?;
         let mut points = 0;
         let mut count = |factor| count_in_strip(factor, left, right, &mut points);
         let counts: Option<Vec<usize>> = self.factors().iter().map(&mut count).collect();
-        let why = "a zero lies on one of the lines";
-        let near = Error::out_of_reach("count between lines", SAME, 1.0, why);
+        let why = "a zero is too close to one of the lines";
+        let near = Error::out_of_reach("number of zeros between two lines", SAME, 1.0, why);
         Ok(counts.ok_or(near)?.into_iter().sum())
     }
 }
 
 impl Spectrum {
-    /// All zeros, repeated according to multiplicity, with both members of each conjugate pair.
+    /// All zeros as (Re λ, Im λ), repeated according to multiplicity, with both members of each conjugate pair.
     ///
-    /// As (Re λ, Im λ), as many as [`Spectrum::zeros`] counts.
+    /// There are as many as [`Spectrum::zeros`] counts.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};

@@ -13,13 +13,12 @@
 //! | C-D | κ sin 2λω − λ sin 2ω = 0 | the even half of D-D at 2ω |
 //! | C-C | sin (λ−1)ω sin (λ+1)ω = 0 | two |
 //!
-//! u_N = 0 and σ_T = 0 on the line θ = 0 mean that u is symmetric about it: hence the halves. The equations
-//! are those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the four
-//! conditions on the basis of `basis`, which the tests compute. λ = 0 of the even and odd parts is a
-//! translation or no field. λ = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes
-//! the constant pressure, with u → 0.
+//! u_N = 0 and σ_T = 0 on the line θ = 0 mean that u is symmetric about it, hence the even halves. The equations are
+//! those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the four conditions in the
+//! basis of module `basis`, as verified by the tests. λ = 0 of the even and odd parts is a translation or no field. λ
+//! = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes the constant pressure, with u → 0.
 //!
-//! Scalar (Laplace): contact closed is u = 0, as clamped; D-D and N-N sin λω = 0, D-N cos λω = 0.
+//! Scalar (Laplace): closed contact means u = 0, as for a clamped side; D-D and N-N sin λω = 0, D-N cos λω = 0.
 
 use super::factor::{Factor, Fields};
 use super::real::Real;
@@ -33,9 +32,9 @@ use std::str::FromStr;
 /// u_N = u·n with the outward normal, σ_N = n·σn, σ_T the shear stress; contact has u_N ≤ 0, σ_N ≤ 0, σ_N u_N = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum SideCondition {
-    /// u = 0.
+    /// Clamped: u = 0.
     Clamped,
-    /// No traction.
+    /// Free: no traction.
     Free,
     /// Frictionless contact, closed: u_N = 0, σ_T = 0, σ_N ≤ 0. Scalar: u = 0, ∂u/∂n ≤ 0.
     Closed,
@@ -44,7 +43,7 @@ pub enum SideCondition {
 }
 
 impl SideCondition {
-    /// D, N, C, or O for an open part of the contact edge.
+    /// The letter of the condition: D, N, C, or O for an open part of the contact edge.
     pub fn letter(self) -> char {
         match self {
             SideCondition::Clamped => 'D',
@@ -55,7 +54,7 @@ impl SideCondition {
     }
 }
 
-/// The two sides of a wedge, θ = 0 first.
+/// The conditions on the two sides of a wedge, θ = 0 first.
 ///
 /// ```
 /// use signorini::singular::{SideCondition, SideConditions};
@@ -108,7 +107,7 @@ impl FromStr for SideConditions {
 
 /// The material of the wedge.
 ///
-/// μ does not enter the exponents. Plane stress is plane strain with ν/(1 + ν) for ν_P.
+/// The exponents do not depend on μ. Plane stress is plane strain with ν_P replaced by ν/(1 + ν).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Medium {
     /// The Laplace equation.
@@ -119,8 +118,8 @@ pub enum Medium {
 
 /// A wedge {0 < θ < ω} with homogeneous conditions on both sides.
 ///
-/// The exponents depend on the opening, the unordered pair of sides and Poisson's ratio only; the mirrored wedge has the
-/// same.
+/// The exponents depend only on the opening, the unordered pair of sides and Poisson's ratio; a reflected wedge has
+/// the same exponents.
 ///
 /// ```
 /// use signorini::singular::{Medium, Wedge};
@@ -135,11 +134,11 @@ pub struct Wedge {
     medium: Medium,
 }
 
-/// Smallest opening: at 1e-5 the factor of N-N is ω³ times a number and keeps six digits on the paths.
+/// Smallest opening: at 1e-5 the factor of N-N is proportional to ω³ and has six correct digits on the paths.
 const SMALLEST: f64 = 1e-5;
 
 impl Wedge {
-    /// The wedge with the given opening in radians, in [1e-5, 2π], medium and sides.
+    /// The wedge with the given opening in radians, in [1e-5, 2π], medium and side conditions.
     ///
     /// ```
     /// use signorini::singular::{Medium, SideConditions, Wedge};
@@ -161,12 +160,12 @@ impl Wedge {
         Ok(Self { angle, sides, medium })
     }
 
-    /// ω.
+    /// The opening ω.
     pub fn angle(&self) -> f64 {
         self.angle
     }
 
-    /// The sides.
+    /// The conditions on the sides.
     pub fn sides(&self) -> SideConditions {
         self.sides
     }
@@ -184,7 +183,7 @@ impl Wedge {
         }
     }
 
-    /// The sides in the order C, D, N, and whether they were exchanged; the exponents do not change.
+    /// The sides in the order C, D, N, and whether they were exchanged; the exponents are the same.
     pub(super) fn ordered(&self) -> ([SideCondition; 2], bool) {
         let plain = |side| match (side, self.medium) {
             (SideCondition::Open, _) => SideCondition::Free,

@@ -1,11 +1,10 @@
-//! All zeros of a factor in a strip: counts on bisected rectangles, then iteration in double-double.
+//! All zeros of a factor in a strip: counts on bisected rectangles, then an iteration in double-double.
 //!
-//! A rectangle with one or two zeros is left to the iteration, which must end inside with as many different
-//! zeros as were counted; otherwise it is cut. A cut through a zero is moved. f is real on the real axis: a
-//! rectangle symmetric about it with one zero has a real one. Two zeros start from the parabola at the
-//! center; every step solves f + f′d + f″d²/2 = 0, which converges also for nearly double zeros. Two zeros
-//! may be as close as 1e-8 for binary64 data; double-double arithmetic then still gives them to sixteen
-//! digits.
+//! A rectangle with one or two zeros is passed to the iteration, which must converge inside it to as many different
+//! zeros as were counted; otherwise it is bisected. A cut through a zero is moved. f is real on the real axis: a
+//! rectangle symmetric about it with one zero has a real zero. The iteration for two zeros starts from the parabola
+//! at the centre; every step solves f + f′d + f″d²/2 = 0, which converges also for nearly double zeros. Two zeros may
+//! be as close as 1e-8 for binary64 data; double-double arithmetic then still determines them to sixteen digits.
 
 use super::count::{Rectangle, zeros};
 use super::factor::Factor;
@@ -19,9 +18,9 @@ type Wide = Complex<Quad>;
 
 /// Largest number of steps; the order of convergence is three.
 const STEPS: usize = 40;
-/// A step below this, relative, ends the iteration.
+/// Relative step below which the iteration ends.
 const SETTLED: f64 = 1e-24;
-/// Rounding of a value in double-double, relative to its terms.
+/// Rounding error of a value in double-double, relative to its terms.
 const ROUNDING: f64 = 1e-30;
 /// Relative distance below which two zeros are identified.
 pub(super) const SAME: f64 = 1e-12;
@@ -29,19 +28,19 @@ pub(super) const SAME: f64 = 1e-12;
 const CUTS: [f64; 7] = [0.5, 0.4427, 0.5719, 0.3819, 0.6283, 0.4781, 0.5347];
 /// Widths added to the strip, tried in turn.
 const MARGINS: [f64; 5] = [0.0618, 0.0472, 0.0831, 0.0293, 0.0127];
-/// Smallest rectangle that is cut, relative to one.
+/// Smallest rectangle that is bisected.
 const SMALLEST: f64 = 1e-10;
 
-/// A zero with its multiplicity; one of a pair of conjugates is the one above the axis.
+/// A zero with its multiplicity; a conjugate pair is represented by the member above the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Zero {
     pub(super) place: c64,
-    /// Bound of the rounding, absolute.
+    /// Bound of the absolute rounding error.
     pub(super) error: f64,
     pub(super) multiplicity: usize,
 }
 
-/// Number of zeros with left < Re λ < right. `None` where a zero is too near to one of the lines.
+/// Number of zeros with left < Re λ < right; `None` if a zero is too close to one of the lines.
 pub(super) fn count_in_strip(f: &Factor, left: f64, right: f64, points: &mut u64) -> Option<usize> {
     zeros(f, &strip(f, left, right), points)
 }
@@ -51,7 +50,7 @@ fn strip(f: &Factor, left: f64, right: f64) -> Rectangle {
     Rectangle { left, right, bottom: -top, top }
 }
 
-/// All zeros with 0 < Re λ < right, those within 1e-12 of the ends excepted.
+/// All zeros with 0 < Re λ < right, except those within 1e-12 of the ends.
 pub(super) fn zeros_in_strip(f: &Factor, right: f64, points: &mut u64) -> Result<Vec<Zero>> {
     let start = MARGINS.iter().find_map(|margin| {
         let area = strip(f, -margin, right + margin);
@@ -108,7 +107,7 @@ fn standing(area: Rectangle, cut: f64) -> [Rectangle; 2] {
     [Rectangle { right: middle, ..area }, Rectangle { left: middle, ..area }]
 }
 
-/// Lower and upper part; of a symmetric rectangle the middle and what lies above it.
+/// Lower and upper part; for a symmetric rectangle the middle part and the part above it.
 fn lying(area: Rectangle, cut: f64) -> [Rectangle; 2] {
     let Rectangle { bottom, top, .. } = area;
     if area.is_symmetric() {
@@ -168,7 +167,7 @@ fn parabola(f: &Factor, at: Wide) -> Option<[Wide; 2]> {
     Some([-(two * value) / larger, -larger / bend])
 }
 
-/// Steps to the nearer root of the parabola until they settle; `None` where that is outside.
+/// Steps to the nearer root of the parabola until convergence; `None` if the limit is outside.
 fn converge(f: &Factor, start: Wide, area: &Rectangle) -> Option<Wide> {
     let mut place = start;
     for _ in 0..STEPS {
@@ -194,8 +193,8 @@ fn converge(f: &Factor, start: Wide, area: &Rectangle) -> Option<Wide> {
     area.contains(narrow(place)).then_some(place)
 }
 
-/// The nearest binary64 numbers with the error of the zero: its rounding, and that of f over its slope, or
-/// the root of that over its second derivative.
+/// The nearest binary64 numbers, with the error of the zero: its rounding error, and that of f divided by its
+/// derivative, or the square root of that divided by the second derivative.
 fn zero(f: &Factor, place: Wide, multiplicity: usize) -> Zero {
     let [_, slope, bend] = f.values(place).map(|value| narrow(value).norm());
     let at = narrow(place);
