@@ -1,12 +1,12 @@
-//! A priori bounds for comparison with measured errors: earlier results, the paper, its proof with the
-//! sharp constant, the optimal bound.
+//! A priori bounds for comparison with measured errors: earlier results, the paper, its proof with the sharp
+//! constant, and the optimal bound.
 
 use crate::error::{Error, Result};
 
 /// An a priori bound of the H¹ error.
 ///
-/// Each bound is C times the given function of h, C independent of h. Optimal ≤ Sharpened ≤ Paper ≤ Earlier for small h
-/// and 3/2 < τ ≤ 2; at τ = 3/2 all are h^{1/2}.
+/// Each bound is C times the given function of h, C independent of h. For small h and 3/2 < τ ≤ 2, Optimal ≤
+/// Sharpened ≤ Paper ≤ Earlier; at τ = 3/2 all are h^{1/2}.
 ///
 /// ```
 /// use signorini::rates::Bound;
@@ -21,15 +21,15 @@ pub enum Bound {
     Earlier,
     /// h^{τ² − 5τ/2 + 2} (3.1), (4.2), at τ = 2 h |ln h|^{1/2} (3.2), (4.3).
     Paper,
-    /// The same proof with the sharp constant of Lemma 5.2 at ν = 1/2: as [`Bound::Paper`], at τ = 2 h |ln
-    /// h|^{1/4}.
+    /// The same proof with the sharp constant of Lemma 5.2 at ν = 1/2: as [`Bound::Paper`] for τ < 2, h |ln h|^{1/4}
+    /// at τ = 2.
     Sharpened,
-    /// h^{τ − 1}, shown by Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.
+    /// h^{τ − 1}, proved by Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.
     Optimal,
 }
 
 impl Bound {
-    /// The largest admissible τ, the regularity at a transition inside a straight edge.
+    /// The largest admissible τ: the regularity at a transition inside a straight edge.
     pub const SMOOTHEST: f64 = 2.5;
 
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
@@ -42,7 +42,7 @@ impl Bound {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside these ranges.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for arguments outside these ranges.
     pub fn value(self, h: f64, tau: f64) -> Result<f64> {
         Error::require("h", h, "(0, 1)", h > 0.0 && h < 1.0)?;
         Ok(h.powf(self.exponent(tau)?) * h.ln().abs().powf(self.logarithm(tau)))
@@ -51,7 +51,7 @@ impl Bound {
     /// The formula as text: `h^0.6875`, `h |ln h|^1/2`.
     ///
     /// # Errors
-    /// As [`Bound::exponent`].
+    /// As for [`Bound::exponent`].
     pub fn law(self, tau: f64) -> Result<String> {
         let exponent = self.exponent(tau)?;
         let power = if exponent == 1.0 { "h".to_owned() } else { format!("h^{exponent:.4}") };
@@ -59,7 +59,8 @@ impl Bound {
         Ok(if logarithm > 0.0 { format!("{power} |ln h|^1/{}", 1.0 / logarithm) } else { power })
     }
 
-    /// (h, C bound(h)) for the given h, C such that the bound passes through the given point (h₀, e₀).
+    /// The points (h, C bound(h)) for the given h, with C such that the bound passes through the given point (h₀,
+    /// e₀).
     ///
     /// ```
     /// use signorini::rates::Bound;
@@ -69,7 +70,7 @@ impl Bound {
     /// ```
     ///
     /// # Errors
-    /// As [`Bound::value`].
+    /// As for [`Bound::value`].
     pub fn through(
         self,
         (start, error): (f64, f64),
@@ -80,11 +81,11 @@ impl Bound {
         mesh_sizes.map(|h| Ok((h, constant * self.value(h, tau)?))).collect()
     }
 
-    /// The exponent of h, 1 < τ ≤ 5/2. Beyond τ = 2 every bound is h: (E4), (4.4); up to τ = 3/2 every bound
-    /// is h^{τ−1}: (E1).
+    /// The exponent of h, for 1 < τ ≤ 5/2. For τ > 2 it is 1 for every bound: (E4), (4.4); for τ ≤ 3/2 it is τ − 1
+    /// for every bound: (E1).
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) outside this range.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside this range.
     pub fn exponent(self, tau: f64) -> Result<f64> {
         Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= Self::SMOOTHEST)?;
         if tau > 2.0 {
@@ -100,7 +101,7 @@ impl Bound {
         })
     }
 
-    /// The exponent of |ln h|: nonzero at τ = 2 only.
+    /// The exponent of |ln h|: nonzero only at τ = 2.
     pub fn logarithm(self, tau: f64) -> f64 {
         match self {
             Bound::Paper if tau == 2.0 => 0.5,

@@ -1,6 +1,6 @@
 //! The regression line y = a + s x in doubly logarithmic coordinates.
 
-/// ln y = a + s ln x by least squares.
+/// The line ln y = a + s ln x, by least squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Line {
     /// s: the exponent of a power law.
@@ -10,7 +10,7 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// Through (ln x, ln y): all coordinates must be positive, at least two x different.
+    /// The line through the points (ln x, ln y): all coordinates must be positive, and at least two x different.
     pub(super) fn through_logarithms(points: &[(f64, f64)]) -> Self {
         let count = points.len() as f64;
         let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;

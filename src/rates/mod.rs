@@ -4,7 +4,7 @@
 //! | --- | --- |
 //! | h^{τ/2−1/4}, (3.1), (3.2), h^{τ−1} | [`Bound`] |
 //! | the order p of errors e ~ h^p, with its uncertainty | [`ConvergenceOrder`] |
-//! | the slope between two levels, without one | [`order_between`] |
+//! | the order between two levels, without uncertainty | [`order_between`] |
 
 mod bounds;
 mod line;

@@ -1,18 +1,18 @@
-//! The observed order of convergence with its uncertainty and range of levels.
+//! The observed order of convergence, with its uncertainty and the range of levels.
 //!
 //! # Definition of the uncertainty
 //!
-//! A pre-asymptotic series e = C h^p (1 + c h^q + ...) approaches its slope as slowly as h^q; near τ = 2,
-//! where e² = h² ∫_h r^{2τ−5} dr, as slowly as 1/|ln h|; and the errors of one transition depend on its
-//! position in its cell. The difference of the slopes on two windows of levels is therefore not a reliable
-//! error estimate. The likelihood of every order p is computed for models with *some* terms besides the
-//! leading one, none of which is much larger than the leading one on the coarsest level, and with *some*
-//! scatter ([`super::posterior`]). The order is the mean over all p, the uncertainty the distance from it
-//! within which 96 % of the probability lies: it is small only if no other order fits.
+//! The slope of a pre-asymptotic sequence e = C h^p (1 + c h^q + ...) approaches p as slowly as h^q; near τ = 2,
+//! where e² = h² ∫_h r^{2τ−5} dr, as slowly as 1/|ln h|; and the errors for one transition depend on its position
+//! within its cell. The difference of the slopes on two sets of levels is therefore not a reliable error estimate.
+//! Instead, the likelihood of every order p is computed for models with unknown terms in addition to the leading one,
+//! none of which is much larger than the leading one on the coarsest level, and with unknown scatter
+//! ([`super::posterior`]). The order is the posterior mean of p, the uncertainty the distance from it within which 96
+//! % of the probability lies: it is small only if no other order fits.
 //!
-//! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/beyond/orders.rs`): strips with one
-//! or more transitions or Cantor sets, 3/2 < τ ≤ 5/2, both cones, 5 to 10 levels, and corners. The true order lies within the
-//! uncertainty in at least 95 % of them.
+//! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/beyond/orders.rs`):
+//! strips with one or more transitions or Cantor sets, 3/2 < τ ≤ 5/2, both cones, 5 to 10 levels, and corners. The
+//! true order lies within the uncertainty in at least 95 % of the cases.
 
 use super::posterior::{ANY, ENERGY, ErrorModel, Posterior};
 use fractional_sobolev::Estimate;
@@ -21,10 +21,10 @@ use std::fmt;
 
 /// The order p of errors e ~ h^p with its uncertainty, and the mesh sizes from which it was determined.
 ///
-/// The uncertainty has one meaning: the order as h → 0 differs from p by at most this, for all lower-order
-/// terms that are consistent with the levels. It is not a bound: on strips and corners with known order, 5
-/// to 10 levels, it contains the true order in at least 95 of 100 cases. Few levels, scatter, or a slope
-/// that still changes make it large; compare it with what is to be decided. Cost: some milliseconds.
+/// The uncertainty means that the order as h → 0 differs from p by at most this amount, for all lower-order terms
+/// that are consistent with the levels. It is not a bound: on strips and corners with known order and 5 to 10 levels,
+/// the interval contains the true order in at least 95 of 100 cases. Few levels, scatter, or a slope that still
+/// changes make it large; compare it with the difference that is to be decided. Cost: a few milliseconds.
 ///
 /// ```
 /// use signorini::rates::ConvergenceOrder;
@@ -39,13 +39,13 @@ use std::fmt;
 #[doc(alias("rate of convergence", "EOC", "slope"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ConvergenceOrder {
-    /// p.
+    /// The order p.
     pub order: f64,
     /// The uncertainty of p.
     pub uncertainty: f64,
-    /// The most likely model of the terms beyond the leading one.
+    /// The most likely model of the terms in addition to the leading one.
     pub model: ErrorModel,
-    /// Coarsest and finest mesh size used.
+    /// The coarsest and the finest mesh size used.
     pub regime: (f64, f64),
 }
 
@@ -60,23 +60,24 @@ impl fmt::Display for ConvergenceOrder {
     }
 }
 
-/// Smallest number of levels; four do not determine three unknowns and the scatter.
+/// Smallest number of levels; four levels do not determine three unknowns and the scatter.
 const LEVELS: usize = 5;
-/// Share of the probability within the uncertainty: a little more than the 95 % that are claimed.
+/// Probability within the uncertainty: slightly more than the 95 % that are stated.
 const WITHIN: f64 = 0.96;
 /// The largest order of linear elements in the energy norm.
 const ONE: f64 = 1.0;
-/// Largest power tried for the leading singularity: a transition inside a straight edge has 3/2.
+/// Largest power considered for the leading singularity: a transition inside a straight edge has 3/2.
 const LARGEST: f64 = 1.5;
 /// Smallest number of levels for a single power of h.
 const FEWEST: usize = 3;
-/// An order whose own error falls by two ninths or more from one pair of meshes to the next is off by at most three and
-/// a half times its last change: beside the leading term one with another factor h^{1/2} and no larger a coefficient, or
-/// h^{3/4} and twice the coefficient, from eight elements on.
+/// An order whose own error falls by at least two ninths from one pair of meshes to the next is in error by at most
+/// three and a half times its last change: this covers an additional term with a further factor h^{1/2} and a
+/// coefficient no larger than that of the leading term, or with h^{3/4} and twice the coefficient, from eight
+/// elements on.
 const CHANGES: f64 = 3.5;
 impl ConvergenceOrder {
-    /// The order from errors (h, e) of linear elements in the energy norm, coarsest first; `None` for fewer
-    /// than five levels or an error that is not positive.
+    /// The order of errors (h, e) of linear elements in the energy norm, coarsest first; `None` for fewer than five
+    /// levels or an error that is not positive.
     ///
     /// The smooth part of the solution has order one: e² = A h^{2p} + B h² + C h² ln h + D h³, or more
     /// general terms if the levels require them. For p > 1 the order is one.
@@ -84,9 +85,10 @@ impl ConvergenceOrder {
         Self::against(points, None)
     }
 
-    /// As [`ConvergenceOrder::of`] for distances to a solution of mesh size `reference`.
+    /// The order as in [`ConvergenceOrder::of`], for distances to a discrete solution of mesh size `reference`.
     ///
-    /// With e(h)² − e(h_r)² as the measured square, h_r = `reference`, every term h^q of the model becomes h^q − h_r^q.
+    /// The measured square is e(h)² − e(h_r)², h_r = `reference`, so that every term h^q of the model becomes h^q −
+    /// h_r^q.
     ///
     /// ```
     /// use signorini::rates::ConvergenceOrder;
@@ -105,9 +107,8 @@ impl ConvergenceOrder {
         Some(Self::from_posterior(points, &found, ONE))
     }
 
-    /// The order of a general quantity (h, e) with e = C h^p (1 + o(1)) as h → 0, p of either sign: terms
-    /// of an estimate, quotients of errors and bounds. `None` for fewer than three levels or a value that
-    /// is not positive.
+    /// The order of a general quantity (h, e) with e = C h^p (1 + o(1)) as h → 0, p of either sign: terms of an
+    /// estimate, ratios of errors and bounds. `None` for fewer than three levels or a value that is not positive.
     ///
     /// ```
     /// use signorini::rates::ConvergenceOrder;
@@ -129,11 +130,11 @@ impl ConvergenceOrder {
         Self { order, uncertainty, model: found.model, regime: (points[0].0, points[points.len() - 1].0) }
     }
 
-    /// The order between the last two of the levels (h, e), coarsest first, for values with known errors.
+    /// The order between the last two of the levels (h, e), coarsest first, for values with error estimates.
     ///
-    /// Its uncertainty is 3.5 times its change from the previous pair plus the contribution of the errors
-    /// of the values; the uncertainty of the first order is the order itself. `None` for fewer than two
-    /// levels, mesh sizes that do not decrease and values that are not positive.
+    /// Its uncertainty is 3.5 times its change from the previous pair plus the contribution of the errors of the
+    /// values; with a single pair it is the order itself. `None` for fewer than two levels, mesh sizes that do not
+    /// decrease, or values that are not positive.
     ///
     /// ```
     /// use fractional_sobolev::{Estimate, Work};

@@ -1,14 +1,15 @@
-//! The posterior density of the order of a series under several models.
+//! The posterior density of the order of a sequence of errors under several models.
 //!
 //! With x = h/h₁ on the levels h₁ > h₂ > ... a model is
 //!
 //! e² = A (x^{2p} + κ Σ_j c_j g_j(x; p)) + σ e² ω,
 //!
-//! where the g_j are the terms beside the leading one (below), c_j and ω are independent standard normal numbers (A: of
-//! the size of the series, to a factor of two), κ is the size of the terms beside on the coarsest level, σ the scatter
-//! of e² about the model. All terms vanish at x = 1 but the leading one, and each is written so that it stays a different
-//! function when its exponent meets that of the leading one, ψ_q = (x^{2p} − x^{2p+q})/q → x^{2p} ln(1/x) as q → 0:
-//! a power near a logarithm and the logarithm itself are one family.
+//! where the g_j are the terms in addition to the leading one (below), c_j and ω are independent standard normal
+//! variables (A: of the size of the sequence, to a factor of two), κ is the size of the additional terms on the
+//! coarsest level, σ the scatter of e² about the model. All terms but the leading one vanish at x = 1, and each is
+//! written so that it remains linearly independent when its exponent approaches that of the leading one, ψ_q =
+//! (x^{2p} − x^{2p+q})/q → x^{2p} ln(1/x) as q → 0: powers close to a logarithm and the logarithm itself form one
+//! family.
 //!
 //! For given p, κ, σ the vector of 1 − A x^{2p}/e² is normal with a covariance of low rank plus σ² times
 //! the identity; the likelihood is exact by a singular value decomposition. Summed over models, κ and a
@@ -40,17 +41,17 @@ impl fmt::Display for ErrorModel {
     }
 }
 
-/// The terms beside x^{2p}.
+/// The terms in addition to x^{2p}.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Terms {
-    /// None.
+    /// No additional terms.
     None,
     /// ψ to h² and to h³: the remainder of the sum over the cells at distance r of a singularity, h² ∫_h
     /// r^{2p−3} dr, the smooth part and the term after it.
     Smooth,
-    /// In addition h² ln h: a jump of the slope of the data, or corners of another order.
+    /// In addition h² ln h: a jump in the slope of the data, or corners of another order.
     Logarithm,
-    /// ψ_q for q = 0, 1/4, ..., 3: no assumption.
+    /// ψ_q for q = 0, 1/4, ..., 3: no assumption on the exponents.
     Any,
 }
 
@@ -72,23 +73,23 @@ pub(super) const ENERGY: [Model; 8] = [
 pub(super) const ANY: [Model; 3] =
     [(Terms::None, 0.0, 0.1), (Terms::Any, 0.7, 0.45), (Terms::Any, 1.5, 0.45)];
 
-/// The q of [`Terms::Any`]: densest where terms are hard to distinguish from the leading one.
+/// The exponents q of [`Terms::Any`]: densest where terms are hard to distinguish from the leading one.
 const ANY_EXPONENTS: [f64; 8] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];
-/// Half of the interval of p about the slope of the regression line: no series of three levels is farther
-/// off.
+/// Half of the interval of p about the slope of the regression line; for no sequence of three levels is p farther
+/// away.
 const REACH: f64 = 0.8;
-/// Number of values of p in one pass, and the number of them that the density must cover; otherwise the
-/// range is narrowed.
+/// Number of values of p in one pass, and the number of them that the density must cover; otherwise the range is
+/// narrowed.
 const PLACES: usize = 41;
 const FILLED: usize = 14;
 /// Largest number of passes; each narrows the range to a third or less.
 const PASSES: usize = 30;
-/// Share of the largest density below which p is omitted.
+/// Fraction of the largest density below which p is omitted.
 const NEGLIGIBLE: f64 = 1e-4;
 /// The values of the scatter, from the resolution of the decompositions to uninformative errors, with ratio 1.8.
 const SCATTER: (f64, f64, usize) = (1e-7, 1.8, 28);
-/// A model must continue: at this distance below the finest level e² must be at least this share of the
-/// value extrapolated with its order. Otherwise its leading term is not the dominant one.
+/// A model must be dominated by its leading term: at this distance below the finest level e² must be at least this
+/// fraction of the value extrapolated with its order.
 const FAR: f64 = 1e-6;
 const CONTINUED: f64 = 0.1;
 /// Standard deviation of A about the regression line.
@@ -145,7 +146,7 @@ impl Posterior {
         Self { places, resolution, model: most_likely(models, &shares) }
     }
 
-    /// The mean of min(p, `cap`), and the distance from it within which the given share of the probability lies.
+    /// The mean of min(p, `cap`), and the distance from it within which the given probability lies.
     pub(super) fn interval(&self, share: f64, cap: f64) -> (f64, f64) {
         let capped = || self.places.iter().map(|&(p, w)| (p.min(cap), w));
         let mean: f64 = capped().map(|(p, w)| p * w).sum();
@@ -182,7 +183,7 @@ impl Density {
     }
 }
 
-/// The kind of terms whose models together have the largest share.
+/// The kind of terms whose models together have the largest probability.
 fn most_likely(models: &[Model], shares: &[f64]) -> ErrorModel {
     let kind = |terms: Terms| match terms {
         Terms::None | Terms::Any => ErrorModel::Power,
@@ -211,7 +212,7 @@ fn difference(x: f64, a: f64, b: f64) -> f64 {
     x.powf(a) * quotient
 }
 
-/// The terms beside the leading one at x, for a power p; each to be multiplied by κ.
+/// The terms in addition to the leading one at x, for a power p; each is to be multiplied by κ.
 fn beside(terms: Terms, x: f64, p: f64) -> Vec<f64> {
     let twice = 2.0 * p;
     let smooth = || {
