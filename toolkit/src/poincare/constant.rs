@@ -1,4 +1,4 @@
-//! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and extremal function.
+//! The constant γ_θ(ν) of Lemma 5.2 for every order, zone and condition, with bounds and an extremal function.
 
 use super::constraint::Constraint;
 use super::mesh::SHORTEST_RADIUS;
@@ -14,11 +14,10 @@ use crate::estimate::{Estimate, Tolerance};
 ///
 /// # Method
 ///
-/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of
-/// the pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is
-/// conforming, so every value is a lower bound up to rounding. The error estimate compares two spaces of
-/// different shape; their difference is mostly the error of the coarser one. Cost: a few hundred unknowns
-/// for every θ.
+/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
+/// pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
+/// that every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
+/// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns for every θ.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma};
@@ -30,8 +29,8 @@ use crate::estimate::{Estimate, Tolerance};
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for a condition at a point and ν ≤ 1/2, where point values are not defined;
-/// [`Error::ToleranceNotMet`] if rounding exceeds the tolerance (about 2e-13, up to 5e-11 for very short
-/// zones inside; for several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) for ν < 1/2), and
+/// [`Error::ToleranceNotMet`] if rounding exceeds the tolerance (about 2e-13, up to 5e-11 for very short zones
+/// in the interior; for several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) for ν < 1/2), and
 /// for a condition at a point if ν is so close to 1/2 that the constant depends on distances below 1e-290.
 #[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
 pub fn gamma(
@@ -44,7 +43,7 @@ pub fn gamma(
         Error::require("nu", order.value(), "(1/2, 1)", order.offset() > 0.0)?;
         let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
         if reached > tolerance.relative() {
-            let why = "so close to order 1/2 the constant depends on distances below the range of binary64";
+            let why = "the order is so close to 1/2 that the constant depends on distances below the range of binary64";
             return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
         }
     }
@@ -57,7 +56,7 @@ pub fn gamma(
 /// Returned by [`gamma`].
 #[derive(Debug, Clone)]
 pub struct Gamma {
-    /// γ.
+    /// The constant γ.
     pub constant: Estimate,
     order: Order,
     constraint: Constraint,
@@ -66,8 +65,8 @@ pub struct Gamma {
 }
 
 impl Gamma {
-    /// A function for which the constant is attained: in the space in which the value was computed or, where
-    /// the value is extrapolated from larger orders, extrapolated likewise.
+    /// A function that attains the constant: from the space in which the value was computed or, if the value is
+    /// extrapolated from larger orders, extrapolated in the same way.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Gamma, gamma};
@@ -81,12 +80,12 @@ impl Gamma {
         Extremal::on_interval(self.found.function.clone())
     }
 
-    /// Two-sided bounds that do not use the eigenvalue (short proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²)
-    /// |u|_ν², m the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of
-    /// [`gamma`], which a `Gamma` holds (about a megabyte).
+    /// Two-sided bounds that do not use the eigenvalue (proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m
+    /// the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of [`gamma`],
+    /// which a `Gamma` stores (about a megabyte).
     ///
-    /// The upper bound is the smaller of √(γ₁² + N²) and the bound by a 2 × 2 matrix that follows from it
-    /// when the representer of m is split off. It is a bound up to the errors of γ₁ and N.
+    /// The upper bound is the smaller of √(γ₁² + N²) and a bound from a 2 × 2 matrix, in which the representer
+    /// of m is treated separately. It is a bound up to the errors of γ₁ and N.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, gamma};
@@ -97,7 +96,7 @@ impl Gamma {
     /// ```
     ///
     /// # Errors
-    /// As for [`gamma`]; [`Error::OutOfRange`] for a condition at a point, which has no such bound.
+    /// As [`gamma`]; [`Error::OutOfRange`] for a condition at a point, for which there is no such bound.
     pub fn bounds(&self) -> Result<GammaBounds> {
         let order = self.order.value();
         Error::require("nu", order, "bounds of a zone, not of a point", !self.constraint.is_point())?;

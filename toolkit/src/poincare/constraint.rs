@@ -1,9 +1,9 @@
-//! Constraints on a function: mean zero or zero, on a zone.
+//! Constraints on a function: mean zero on a zone, or zero there.
 
 use super::zones::Zones;
 use crate::error::{Error, Given, Result};
 
-/// The condition on u on the zone.
+/// The condition on u on a zone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Condition {
     /// ∫_E u = 0.
@@ -14,8 +14,8 @@ pub(crate) enum Condition {
 
 /// A constraint on u: mean zero on a zone, zero on a zone, or zero at a point.
 ///
-/// A zone is a range `a..b` between its two ends, an array of such ranges, or, for tiny lengths, [`Zones`]
-/// by start and length. An invalid zone is reported by the function that takes the constraint.
+/// A zone is a range `a..b` given by its two ends, an array of such ranges, or, for very small lengths,
+/// [`Zones`] given by start and length. An invalid zone is reported by the function that takes the constraint.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};
@@ -29,16 +29,15 @@ pub(crate) enum Condition {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Constraint {
-    /// Lengths of consecutive parts that make up (0,1). Every length is positive, except that of a single
-    /// point.
+    /// The lengths of the consecutive parts of (0,1). Every length is positive, except that of a single point.
     pub(crate) parts: Vec<f64>,
-    /// The parts on which the condition holds, in order; no two are neighbours.
+    /// The indices of the parts on which the condition holds, in order; no two are neighbours.
     pub(crate) zones: Vec<usize>,
     pub(crate) condition: Condition,
 }
 
 impl Constraint {
-    /// The constraint of mean zero over (0,1).
+    /// The constraint that the mean over (0,1) is zero.
     ///
     /// ```
     /// use fractional_sobolev::{Constraint, Order, gamma};
@@ -51,7 +50,7 @@ impl Constraint {
         Self { parts: vec![1.0], zones: vec![0], condition: Condition::MeanZero }
     }
 
-    /// The constraint ∫_E u = 0, mean zero over the union E of the zones.
+    /// The constraint ∫_E u = 0, where E is the union of the zones.
     ///
     /// # Errors
     /// Those of the zone, as for [`Zones::from_start_and_length`] and [`Zones::union`].
@@ -62,12 +61,12 @@ impl Constraint {
     /// The constraint u = 0 on the zones.
     ///
     /// # Errors
-    /// Those of the zone; [`Error::OutOfRange`] for the whole interval, which leaves only u = 0.
+    /// Those of the zone; [`Error::OutOfRange`] for the whole interval, on which only u = 0 remains.
     pub fn vanishing_on(zones: impl Given<Zones>) -> Result<Self> {
         let zones = zones.given()?;
         let found = Self::on_zones(&zones, Condition::Vanishing);
         let leaves = !found.is_whole();
-        Error::require("theta", zones.length(), "(0, 1) for a vanishing function", leaves)?;
+        Error::require("theta", zones.length(), "(0, 1) for the constraint u = 0", leaves)?;
         Ok(found)
     }
 
@@ -108,7 +107,7 @@ impl Constraint {
         Self { parts, zones, condition }
     }
 
-    /// u(a) = 0.
+    /// The constraint u(a) = 0.
     pub(crate) fn at_point(a: f64) -> Self {
         let before = usize::from(a > 0.0);
         let mut parts = vec![a, 0.0, 1.0 - a];

@@ -1,29 +1,29 @@
-//! γ for orders so small that ν|u|_ν², a difference of terms of order one, loses all digits, from larger
-//! orders.
+//! Extrapolation of γ from larger orders to orders so small that ν|u|_ν², a difference of terms of order one,
+//! loses all digits.
 //!
-//! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where 1/|x−y| takes the
-//! place of the kernel), so ln γ is interpolated by a polynomial in Chebyshev points ν_k ∈ [h/40, h] and
-//! evaluated at ν < h/40; the dual norm and the extremal function likewise. On that interval ln γ varies like
-//! e^{−2ν ln(1/θ)} at most: h = 0.04, or 0.9 / ln(1/θ) for short lengths, where truncation and rounding weigh
-//! alike. The error estimate adds those of the points, each times the modulus of its Lagrange polynomial, to
-//! the change when a point is left out.
+//! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where the kernel is
+//! 1/|x−y|), so ln γ is interpolated by a polynomial at Chebyshev points ν_k ∈ [h/40, h] and evaluated at ν <
+//! h/40, and the dual norm and the extremal function likewise. On that interval ln γ varies at most like e^{−2ν
+//! ln(1/θ)}: h = 0.04, or 0.9 / ln(1/θ) for short lengths, for which truncation and rounding errors are of the
+//! same size. The error estimate is the sum of the errors of the points, each multiplied by the modulus of its
+//! Lagrange polynomial, and of the change when one point is omitted.
 
 use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
 
-/// Largest order that is continued.
+/// Largest order to which values are extrapolated.
 const SMALL: f64 = 1e-3;
-/// Largest order used, and the share of it that is left out below.
+/// Largest order used for the extrapolation, and the fraction of it that is the smallest one.
 const LARGEST: f64 = 0.04;
 const LEAST_SHARE: f64 = 1.0 / 40.0;
-/// The points contribute about ten times their errors together: the share of the tolerance for each, and
-/// the tolerance that rounding permits.
+/// The errors of the points together contribute about ten times the error of one point: the share of the
+/// tolerance for each point, and the smallest tolerance that rounding permits.
 const SHARE_OF_POINT: f64 = 0.05;
 const SHARPEST: f64 = 1e-11;
 
-/// The points from which quantities are continued to one order.
+/// The points from which quantities are extrapolated to one order.
 #[derive(Debug, Clone)]
 pub(crate) struct Continuation {
     order: f64,
@@ -32,7 +32,7 @@ pub(crate) struct Continuation {
 }
 
 impl Continuation {
-    /// The continuation for zones and gaps of length at least `shortest`; `None` for orders that are not
+    /// The extrapolation for zones and gaps of length at least `shortest`; `None` for orders that are not
     /// small.
     pub(crate) fn to(order: Order, shortest: f64, tolerance: Tolerance) -> Option<Self> {
         let order = order.value();
@@ -49,8 +49,8 @@ impl Continuation {
         Some(Self { order, nodes: (0..count).map(node).collect(), tolerance })
     }
 
-    /// The results of `solve` at the points, to a smaller tolerance, or to the given one where rounding
-    /// does not permit that.
+    /// The results of `solve` at the points, to a smaller tolerance, or to the given one if rounding does not
+    /// permit that.
     pub(crate) fn at_points<T: Send>(
         &self,
         solve: impl Fn(Order, Tolerance) -> Result<T> + Sync,
@@ -66,7 +66,7 @@ impl Continuation {
         parallel::over(&self.nodes, at).into_iter().collect()
     }
 
-    /// The positive quantity at the order, from its values at the points.
+    /// The value of a positive quantity at the order, from its values at the points.
     pub(crate) fn value(&self, points: &[Estimate]) -> Result<Estimate> {
         let logarithm = |count: usize| -> (f64, f64) {
             self.weights(count).iter().zip(points).fold((0.0, 0.0), |(sum, error), (weight, point)| {
@@ -78,18 +78,18 @@ impl Continuation {
         let work = points.iter().fold(Work::default(), |sum, point| sum + point.work);
         let found = Estimate::new(all.exp(), reached * all.exp(), work)?;
         if reached > asked {
-            let why = "rounding of the constants at larger orders, from which the value is extrapolated";
+            let why = "rounding of the constants at larger orders, from which the value is extrapolated, limits the accuracy";
             return Err(Error::not_met("Poincare constant", asked, found, why));
         }
         Ok(found)
     }
 
-    /// Weights of all points, for functions that depend on the order.
+    /// The weights of all points, for functions that depend on the order.
     pub(crate) fn all_weights(&self) -> Vec<f64> {
         self.weights(self.nodes.len())
     }
 
-    /// The Lagrange polynomials of the first `count` points at the order.
+    /// The values at the order of the Lagrange polynomials of the first `count` points.
     fn weights(&self, count: usize) -> Vec<f64> {
         let nodes = &self.nodes[..count];
         let factor = |k: usize, j: usize| (self.order - nodes[j]) / (nodes[k] - nodes[j]);

@@ -1,8 +1,8 @@
 //! The constrained problem on one slope space.
 //!
-//! The interval is a sequence of parts; the condition holds on one of them or on several together, a part of
-//! length zero being a point. Lengths are divided by the root of the shortest one, so that all of them lie
-//! between 1e-150 and 1e150.
+//! The interval is a sequence of parts; the condition holds on one or several of them, where a part of length
+//! zero is a point. Lengths are divided by the square root of the shortest one, so that all of them lie between
+//! 1e-150 and 1e150.
 //!
 //! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
 //! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
@@ -21,26 +21,27 @@ use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Space, matrices and factorization.
+/// The space, its matrices and their factorization.
 #[derive(Debug, Clone)]
 pub(crate) struct Discrete {
     pub(crate) space: SlopeSpace,
-    /// The group of cells with another basis, for a short zone inside.
+    /// The group of cells with a different basis, for a short zone in the interior.
     local: Option<Local>,
-    /// u returns to zero between two intervals on which it vanishes.
+    /// The conditions that u returns to zero between two intervals on which it vanishes.
     links: Links,
-    /// Basis functions that satisfy the condition.
+    /// The basis functions that satisfy the condition.
     pub(crate) primitives: Primitives,
-    /// Unit of length.
+    /// The unit of length.
     pub(crate) unit: f64,
-    /// Factor from quotients in the scaled problem to quotients on (0,1).
+    /// The factor from quotients of the scaled problem to quotients on (0,1).
     pub(crate) factor: f64,
     pub(crate) factored: Factored,
     points: usize,
     pub(crate) work: Work,
 }
 
-/// The dual norm N of the mean value on the constrained space, and what sharpens the bound γ² ≤ γ₁² + N².
+/// The dual norm N of the mean value on the constrained space, and the data that sharpen the bound γ² ≤ γ₁² +
+/// N².
 ///
 /// In the inner product of |·|_ν, let T be the operator of ‖u − mean u‖₀² and e the unit vector along the
 /// representer of the mean: γ² is the largest eigenvalue of T + N² e⊗e. All entries are in the units of the
@@ -75,7 +76,7 @@ impl Discrete {
         Ok(Self { space, local, links, primitives, unit, factor, factored, points, work })
     }
 
-    /// γ and the coefficients of the extremal function.
+    /// The constant γ and the coefficients of the extremal function.
     pub(crate) fn largest_quotient(&mut self) -> Result<(f64, Vec<f64>)> {
         let mass = self.mass(&self.primitives);
         let (square, vector) = self.factored.largest_eigenvalue(&mass)?;
@@ -97,7 +98,7 @@ impl Discrete {
         })
     }
 
-    /// The dual norm of u ↦ mean of u over the whole interval.
+    /// The dual norm of the functional that maps u to its mean over the whole interval.
     pub(crate) fn dual_norm(&self) -> Result<DualNorm> {
         let mut mean = self.primitives.means(&self.space);
         if let Some(local) = &self.local {
@@ -123,8 +124,8 @@ impl Discrete {
 }
 
 impl DualNorm {
-    /// Upper bound of γ², given γ₁² in the same units: the smaller of γ₁² + N² and the largest eigenvalue of
-    /// (N² + ⟨Te,e⟩, σ; σ, γ₁²), σ² = ‖Te‖² − ⟨Te,e⟩², because T ≤ γ₁² on the complement of e.
+    /// An upper bound of γ², given γ₁² in the same units: the smaller of γ₁² + N² and the largest eigenvalue of
+    /// the matrix (N² + ⟨Te,e⟩, σ; σ, γ₁²), σ² = ‖Te‖² − ⟨Te,e⟩², because T ≤ γ₁² on the complement of e.
     pub(crate) fn upper_bound(&self, whole_square: f64) -> f64 {
         let first = self.square + self.rayleigh;
         let coupling = (self.image - self.rayleigh * self.rayleigh).max(0.0);

@@ -1,16 +1,16 @@
-//! The function for which the Poincaré constant of (5.4) is attained, by its slopes.
+//! The function that attains the Poincaré constant of (5.4), given by its slopes.
 
 use super::discrete::Discrete;
 use super::slopes::space::{SlopeSpace, legendre_primitives};
 use crate::constant::OnInterval;
 
-/// A function u with ‖u‖₀ = 1 on (0,1), positive where it is largest in absolute value.
+/// A function u with ‖u‖₀ = 1 on (0,1) that is positive where |u| is largest.
 #[derive(Debug, Clone)]
 pub(super) struct SlopeSum {
-    /// One function of a slope space; several with their weights where the order is continued from larger
-    /// ones.
+    /// One function of a slope space, or several with their weights if they are extrapolated from larger
+    /// orders.
     terms: Vec<(f64, SlopeFunction)>,
-    /// The terms are functions of 1 − x.
+    /// True if the terms are functions of 1 − x.
     is_mirrored: bool,
 }
 
@@ -19,12 +19,12 @@ impl SlopeSum {
         Self { terms: vec![(1.0, SlopeFunction::new(discrete, coefficients))], is_mirrored: false }
     }
 
-    /// u(1 − x).
+    /// The function u(1 − x).
     pub(super) fn mirrored(self) -> Self {
         Self { is_mirrored: !self.is_mirrored, ..self }
     }
 
-    /// Σ w_k u_k for functions of orders close to each other, their signs made to agree.
+    /// Σ w_k u_k for functions of nearby orders, after their signs are made to agree.
     pub(super) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
         let first = functions.first().map_or(Vec::new(), |u| u.profile(1));
         let agrees = |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
@@ -71,7 +71,7 @@ struct SlopeFunction {
     space: SlopeSpace,
     unit: f64,
     coefficients: Vec<f64>,
-    /// Values at the left ends of the cells, and at 1.
+    /// The values at the left ends of the cells, and at 1.
     nodes: Vec<f64>,
 }
 

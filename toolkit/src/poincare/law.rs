@@ -1,4 +1,4 @@
-//! The law of γ_θ(ν) as θ → 0 at fixed ν, where one is known.
+//! The asymptotic law of γ_θ(ν) as θ → 0 for fixed ν, where one is known.
 
 use super::bracket::bracket;
 use super::constant::gamma;
@@ -10,24 +10,24 @@ use crate::Order;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 
-/// Distance below 1/2 within which the law through 1/2 is used, since the power law would hold for
-/// extremely short lengths only.
+/// Distance below 1/2 within which the law through 1/2 is used, since the power law would hold only for
+/// extremely short lengths.
 const NEAR_HALF: f64 = 0.01;
 
-/// The law of γ_θ(ν) as θ → 0 at fixed ν, for functions with mean zero on zones that shrink to the point
-/// `place` of \[0, 1\]; for ν > 1/2 also for those that vanish there. Not uniform in ν.
+/// The asymptotic law of γ_θ(ν) as θ → 0 for fixed ν, for functions with mean zero on zones that shrink to the
+/// point `place` of \[0, 1\]; for ν > 1/2 also for functions that vanish there. It is not uniform in ν.
 ///
 /// # Method
 ///
-/// | ν | printed in Lemma 5.2 | true, zone at an end | true, zone inside |
+/// | ν | printed in Lemma 5.2 | correct, zone at an end | correct, zone in the interior |
 /// | --- | --- | --- | --- |
 /// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, B by a Mellin transform | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
 /// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/γ² + e/γ⁴ + O(L⁻³) | γ² ~ L/(2π²) |
 /// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
-/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2 c, d, e come from the dual norm N of u ↦ mean_E u − mean u: with r
-/// its representer, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on mean-free
-/// functions). Within 0.01 below 1/2, and above 1/2 if γ₀ cannot be computed in binary64, the same
+/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u:
+/// with its representer r, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
+/// functions of mean zero). Within 0.01 below 1/2, and above 1/2 if γ₀ cannot be computed in binary64, the same
 /// expansion holds with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
 ///
 /// ```
@@ -40,8 +40,8 @@ const NEAR_HALF: f64 = 0.01;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a point outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or
-/// the dual norms do not reach the tolerance.
+/// [`Error::OutOfRange`] for a point outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or the
+/// dual norms do not meet the tolerance.
 #[doc(alias("asymptotics", "limit law"))]
 pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
@@ -76,7 +76,7 @@ pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance
 /// Returned by [`law`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {
-    /// The power of θ: ν − 1/2, at least where that is negative; 0 for ν ≥ 1/2.
+    /// The power of θ: ν − 1/2 if that is negative, 0 for ν ≥ 1/2.
     pub exponent: f64,
     /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, for a zone at an end and ν at or near 1/2.
     pub expansion: Option<[Estimate; 4]>,
@@ -88,13 +88,13 @@ pub struct Law {
 
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
-    /// B θ^{ν−1/2}, ν < 1/2.
+    /// The law B θ^{ν−1/2} for ν < 1/2.
     Power(Estimate),
-    /// γ₀, the constant of the point.
+    /// The constant γ₀ of the point.
     Constant(Estimate),
     /// The law through ν = 1/2.
     Uniform(Box<UniformLaw>),
-    /// A zone inside, ν at or near 1/2: no expansion is known.
+    /// A zone in the interior and ν at or near 1/2: no expansion is known.
     Unknown,
 }
 
@@ -109,8 +109,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for θ near 1, where the law through 1/2 does not hold, and for a zone inside
-    /// (0,1) with ν = 1/2 (or just above), where only γ² ~ L/(2π²) is known.
+    /// [`Error::OutOfRange`] for θ near 1, where the law through 1/2 does not hold, and for a zone in the
+    /// interior of (0,1) with ν = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known.
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) => {
@@ -119,16 +119,18 @@ impl Law {
             }
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
-            Form::Unknown => Err(self.no_formula("orders other than 1/2 for a zone inside (0,1)")),
+            Form::Unknown => {
+                Err(self.no_formula("the orders other than 1/2, for a zone in the interior of (0, 1)"))
+            }
         }
     }
 
-    /// lim θ^{−exponent} γ_θ: B for ν < 1/2, γ₀ for ν > 1/2.
+    /// The limit lim θ^{−exponent} γ_θ: B for ν < 1/2, γ₀ for ν > 1/2.
     ///
     /// # Method
     ///
-    /// At an end B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ), C the symbol of the seminorm on (0,∞); inside
-    /// B² = tan(πν) / (2π(1+2ν)).
+    /// At an end B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ), C the symbol of the seminorm on (0,∞); in the
+    /// interior B² = tan(πν) / (2π(1+2ν)).
     ///
     /// ```
     /// use fractional_sobolev::{Order, law};
@@ -140,21 +142,24 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists; [`Error::ToleranceNotMet`] when the
-    /// rounding of 1 − 2ν, 9e-16/(1 − 2ν) relative, exceeds the tolerance.
+    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists; [`Error::ToleranceNotMet`] if the
+    /// rounding error of 1 − 2ν, in relative terms 9e-16/(1 − 2ν), exceeds the tolerance.
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
             _ if self.order.is_below_half() => end_limit(self.order, self.tolerance),
-            _ => Err(self.no_formula("(0, 1/2), or so far above 1/2 that a point has a constant")),
+            _ => Err(self.no_formula(
+                "(0, 1/2), or orders so far above 1/2 that the constant of a point is computable",
+            )),
         }
     }
 
-    /// Lower and upper bound of γ_θ(1/2)² for the zone (0,θ) with ln(1/θ) = `log`, all constants explicit;
-    /// L may exceed ln of the largest binary64 number.
+    /// Lower and upper bound of γ_θ(1/2)², with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`,
+    /// which may exceed ln of the largest binary64 number.
     ///
-    /// The lower bound is the quotient of a ramp in ln x, the upper γ₁² + N² with N bounded by Cauchy-Schwarz
-    /// along chains of equal steps in ln x. Cost: some thousand evaluations per bisection step.
+    /// The lower bound is the square of the quotient of a ramp in ln x, the upper bound is γ₁² + N², where N is
+    /// bounded by the Cauchy-Schwarz inequality along chains of equal steps in ln x. Cost: some thousand
+    /// evaluations per bisection step.
     ///
     /// ```
     /// use fractional_sobolev::law;
@@ -169,7 +174,7 @@ impl Law {
     /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, ν = 1/2 and the place is an end; those of [`gamma`].
     pub fn bracket(&self, log: f64) -> Result<[f64; 2]> {
         if self.order.offset() != 0.0 || !self.at_end {
-            return Err(self.no_formula("1/2, for a zone at an end"));
+            return Err(self.no_formula("{1/2}, for a zone at an end"));
         }
         bracket(log)
     }

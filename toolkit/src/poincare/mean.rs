@@ -9,9 +9,9 @@ use crate::Order;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. For mean zero on E it is the dual
-/// norm of the functional 1_E/|E| − 1 with respect to the seminorm; dual norms to (1.1) are in
-/// [`crate::dual`].
+/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. If the mean over E is zero, it is the
+/// dual norm of the functional 1_E/|E| − 1 with respect to the seminorm; for dual norms with respect to (1.1)
+/// see [`crate::dual`].
 pub(super) fn largest_mean(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Estimate> {
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -24,8 +24,8 @@ pub(super) fn largest_mean(order: Order, constraint: &Constraint, tolerance: Tol
     })
 }
 
-/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), r the mean-free representer of the dual norm, T the operator of
-/// ‖·‖₀².
+/// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), where r is the representer, with mean zero, of the dual norm and T
+/// the operator of ‖·‖₀².
 pub(crate) struct DualMoments {
     pub(crate) square: Estimate,
     pub(crate) representer: Estimate,

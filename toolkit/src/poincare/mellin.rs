@@ -1,29 +1,31 @@
-//! B(ν) = lim θ^{1/2−ν} γ_θ(ν), ν < 1/2, zone at an end: the Mellin transform of the problem on a half line.
+//! B(ν) = lim θ^{1/2−ν} γ_θ(ν), ν < 1/2, for a zone at an end: the Mellin transform of the problem on a half
+//! line.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::{HalfLineSymbol, Order};
 use std::f64::consts::PI;
 
-/// Steps of the rule, each half of the one before, until two agree to the tolerance.
+/// Successive steps of the rule, each half of the previous one, until two values agree to the tolerance.
 const STEPS: [f64; 6] = [1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0, 1.0 / 64.0, 1.0 / 128.0, 1.0 / 256.0];
 
-/// Rounding of the sum, relative.
+/// Relative rounding error of the sum.
 const ROUNDING: f64 = 1e-14;
 
-/// B(ν) for ν < 1/2.
+/// The limit B(ν) for ν < 1/2.
 ///
 /// # Method
 ///
 /// B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ),
 /// C(t) = (1/ν) [ 2 Γ(1−2ν) Re( Γ(1/2+ν+it) / Γ(1/2−ν+it) ) − 1 ],
 ///
-/// C the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term by
-/// term, so that nothing cancels as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of C.
+/// C is the symbol of the seminorm on (0,∞). Differences of ln Γ over the distance p = 1 − 2ν are formed term
+/// by term, so that there is no cancellation as ν → 1/2, where B² ≈ 3/(2π²(1−2ν)). Cost: 130 to 1000 values of
+/// C.
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`]
-/// when the rounding of p = 1 − 2ν, 9e-16/p relative, exceeds the tolerance.
+/// [`Error::OutOfRange`] for ν ≥ 1/2, where γ does not grow like a power of θ; [`Error::ToleranceNotMet`] if
+/// the rounding error of p = 1 − 2ν, in relative terms 9e-16/p, exceeds the tolerance.
 pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     let (limit, asked) = (reached(order, tolerance)?, tolerance.relative());
     if limit.relative_error() > asked {
@@ -33,7 +35,7 @@ pub(super) fn end_limit(order: Order, tolerance: Tolerance) -> Result<Estimate> 
     Ok(limit)
 }
 
-/// B(ν) with its error, even above the tolerance.
+/// B(ν) with its error, which may exceed the tolerance.
 pub(super) fn reached(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     let (nu, p) = (order.value(), order.one_minus_twice());
@@ -53,7 +55,7 @@ pub(super) fn reached(order: Order, tolerance: Tolerance) -> Result<Estimate> {
     Estimate::new(square, apart + rounding * square, Work { points, ..Work::default() })?.sqrt()
 }
 
-/// ∫₀^∞ f by the double exponential rule t = exp(π/2 sinh x) with step h; f bounded at 0, O(t^−2) at
+/// ∫₀^∞ f by the double exponential rule t = exp(π/2 sinh x) with step h, for f bounded at 0 and O(t^−2) at
 /// infinity.
 fn half_line(f: &dyn Fn(f64) -> f64, h: f64) -> (f64, u64) {
     // t from 1e-20 to 1e20

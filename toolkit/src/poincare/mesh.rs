@@ -1,11 +1,11 @@
 //! Graded cells for the extremal function of a zone.
 //!
-//! The extremal function is analytic except at 0, 1 and the ends of the zone's intervals, where it behaves
-//! like powers of the distance r. Each of the intervals between these points is halved and each half graded
-//! to its point: an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the
-//! function is a sum of exponentials that have scales of order one near the *features* (r equal to the
-//! distance of another singular point, or to the half length) and is slow elsewhere: cells grow geometrically
-//! with their distance from the features, so θ = 1e-300 costs few cells more than θ = 1e-3.
+//! The extremal function is analytic except at 0, 1 and the ends of the zone's intervals, where it behaves like
+//! powers of the distance r. Each interval between these points is divided into halves, and each half is graded
+//! towards its point: an affine cell next to it, then cells on which u is a polynomial in ln r. In ln r the
+//! function is a sum of exponentials that vary on scales of order one near the *features* (r equal to the
+//! distance of another singular point, or to half the length) and slowly elsewhere: cells grow geometrically
+//! with their distance from the features, so that θ = 1e-300 requires only a few more cells than θ = 1e-3.
 
 use super::slopes::cell::Cell;
 use crate::Order;
@@ -16,7 +16,7 @@ use std::ops::Range;
 pub(crate) struct MeshModel {
     /// Extent in ln r of the cells at a feature.
     finest: f64,
-    /// Factor from one cell to the next, away from features.
+    /// Ratio of one cell to the previous one, away from features.
     growth: f64,
     /// Radius of the innermost cells relative to the nearest feature.
     innermost: f64,
@@ -24,19 +24,19 @@ pub(crate) struct MeshModel {
     innermost_at_zero: f64,
     /// The same next to a single point at which u vanishes.
     innermost_at_point: f64,
-    /// Rate in ln r at which energy falls off away from the features that carry it: |1−2ν|.
+    /// Rate in ln r at which the energy decays away from the features at which it is concentrated: |1−2ν|.
     decay: f64,
-    /// Slope functions per cell.
+    /// Number of slope functions per cell.
     functions: usize,
 }
 
-/// Largest fall of the energy across a cell, as an exponent: beyond, slopes on it would be linearly dependent
-/// in f64.
+/// Largest decrease of the energy across a cell, as an exponent: beyond it, slopes on the cell would be
+/// linearly dependent in f64.
 const LARGEST_FALL: f64 = 8.0;
-/// Decay e^−28 of the energy from which on a coarse slope is sufficient.
+/// Exponent 28 of the decay e^−28 of the energy from which a coarse slope is sufficient.
 const NEGLIGIBLE_FALL: f64 = 28.0;
 
-/// Innermost cells are not shorter than this, relative to the nearest feature.
+/// Smallest length of the innermost cells, relative to the nearest feature.
 pub(crate) const SHORTEST_RADIUS: f64 = 1e-290;
 
 /// Smallest ratio of two features that are treated as distinct.
@@ -48,10 +48,10 @@ pub(crate) const PANEL_SPREAD: f64 = 2.0;
 impl MeshModel {
     /// A model for a relative error of about `error` in γ.
     ///
-    /// Measured: `functions` = 4 ... 12 give worst errors 1e-5, 6e-7, 2e-7, 1e-8, 6e-11, 3e-12, ... over all
-    /// orders and zones. Cutting r^{2ν} off at r = δ costs the fraction δ^{1+2ν} of the energy; cutting off
-    /// r^ν, the behaviour beside a zone on which u vanishes, δ; cutting off r^{2ν−1}, the behaviour at a
-    /// single such point, δ^{2ν−1}.
+    /// In experiments, `functions` = 4 ... 12 give worst errors 1e-5, 6e-7, 2e-7, 1e-8, 6e-11, 3e-12, ... over
+    /// all orders and zones. Truncating r^{2ν} at r = δ costs the fraction δ^{1+2ν} of the energy; truncating
+    /// r^ν, the behaviour next to a zone on which u vanishes, the fraction δ; truncating r^{2ν−1}, the
+    /// behaviour at a single such point, δ^{2ν−1}.
     pub(crate) fn new(order: Order, error: f64) -> Self {
         let digits = -error.log10();
         Self {
@@ -78,12 +78,13 @@ impl MeshModel {
         }
     }
 
-    /// Gauss points per panel of [`PANEL_SPREAD`] that keep quadrature errors below the errors of the space.
+    /// The number of Gauss points per panel of [`PANEL_SPREAD`] that keeps quadrature errors below the errors
+    /// of the space.
     pub(crate) fn points(&self) -> usize {
         self.functions + 4
     }
 
-    /// Cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A
+    /// The cells for consecutive parts of the given lengths, in order, and the range of cells of each part. A
     /// part of length zero has no cells and marks a point at which u vanishes; each of the parts `frozen` is
     /// one cell on which u is constant.
     pub(crate) fn cells(&self, parts: &[f64], frozen: &[usize]) -> (Vec<Cell>, Vec<Range<usize>>) {

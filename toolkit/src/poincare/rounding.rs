@@ -4,22 +4,23 @@ use super::constraint::Constraint;
 use super::slopes::local::{SHORT, negligible_for_jumps};
 use crate::Order;
 
-/// Relative error of assembly, factorization and quotient: the largest observed for an exact space is 1.3e-13.
+/// Relative error of assembly, factorization and quotient: the largest error observed for an exact space is
+/// 1.3e-13.
 pub(super) const ROUNDING: f64 = 2e-13;
 
-/// The same for a short zone inside, where energies at all distances add up: two independent bases differ
-/// by 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the
+/// The same for a short zone in the interior, where energies at all distances are added: two independent bases
+/// differ by 4e-14 at θ = 1e-20, 4e-12 at 1e-100 and 5e-11 at 1e-300, in proportion to the square of the
 /// logarithm.
 const ROUNDING_INSIDE: f64 = 5e-11;
 
-/// Relative error as ν → 0, times 1/ν, because ν|u|_ν² is computed as a difference of terms of order one.
+/// Relative error as ν → 0, multiplied by ν, because ν|u|_ν² is computed as a difference of terms of order one.
 const ROUNDING_OF_DIFFERENCES: f64 = 4e-16;
 
-/// The same for a zone of several intervals: each costs θ^{1−2ν}, the difference of numbers of the size of
-/// ℓ^{1−2ν}, ℓ the extent of a short zone and else one.
+/// The same for a zone of several intervals: each contributes θ^{1−2ν}, the difference of numbers of the size
+/// of ℓ^{1−2ν}, where ℓ is the extent of a short zone and 1 otherwise.
 const ROUNDING_OF_DIPS: f64 = 4e-15;
 
-/// Relative error of γ that no refinement of the space removes.
+/// The relative error of γ that no refinement of the space reduces.
 pub(super) fn rounding(order: Order, constraint: &Constraint) -> f64 {
     let neighbour = |part: Option<usize>| part.and_then(|k| constraint.parts.get(k)).copied();
     let (first, last) = (constraint.zones[0], constraint.zones[constraint.zones.len() - 1]);

@@ -1,5 +1,5 @@
-//! Suprema over conforming spaces: two spaces of different shape are refined until they agree to the
-//! tolerance; for small orders, where all digits cancel, the result is continued from larger ones.
+//! Suprema over conforming spaces: two spaces of different shape are refined until they agree to the tolerance;
+//! for small orders, where all digits cancel, the result is extrapolated from larger ones.
 
 use super::constraint::Constraint;
 use super::continuation::Continuation;
@@ -19,16 +19,16 @@ const REFINEMENTS: usize = 3;
 const FINER: f64 = 0.02;
 const COARSER: f64 = 4.0;
 
-/// γ, a function for which it is attained, and the two spaces on which it was found.
+/// The constant γ, a function that attains it, and the two spaces on which it was computed.
 #[derive(Debug, Clone)]
 pub(super) struct Attained {
     pub(super) constant: Estimate,
     pub(super) function: SlopeSum,
-    /// `None` if γ is continued from larger orders.
+    /// `None` if γ is extrapolated from larger orders.
     pub(super) spaces: Option<Arc<[Discrete; 2]>>,
 }
 
-/// γ with a function for which it is attained.
+/// The constant γ with a function that attains it.
 pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
     let direct = |order, tolerance| on_two_spaces(order, constraint, tolerance);
     let larger = Continuation::to(order, constraint.shortest(), tolerance);
@@ -49,7 +49,7 @@ pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Toleran
     }
 }
 
-/// The result of `direct`; for small orders, where all digits cancel, its continuation from larger ones.
+/// The result of `direct`; for small orders, where all digits cancel, its extrapolation from larger ones.
 pub(super) fn continued(
     order: Order,
     constraint: &Constraint,
@@ -66,7 +66,7 @@ pub(super) fn continued(
     }
 }
 
-/// γ and its function from the same one of the two spaces that are compared.
+/// The constant γ and its function, both from the same one of the two spaces that are compared.
 fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
     let rounding = rounding(order, constraint);
     let solve = |model: &MeshModel| -> Result<(f64, SlopeSum, Discrete)> {
@@ -100,7 +100,7 @@ pub(crate) fn refine_until(
     refine(order, rounding, tolerance, solve, join, |found| *found)
 }
 
-/// Solves on two spaces and joins the results, until their relative error meets the tolerance.
+/// The combined result from two spaces, refined until its relative error meets the tolerance.
 fn refine<T: Send, R>(
     order: Order,
     rounding: f64,
@@ -137,6 +137,7 @@ fn refine<T: Send, R>(
             (Err(error), _) | (_, Err(error)) => return Err(error),
         }
     }
-    let why = "rounding of the Gram matrices, which grows for short zones and small orders";
+    let why =
+        "rounding of the Gram matrices, which grows for short zones and small orders, limits the accuracy";
     Err(Error::best_of("Poincare constant", asked, best, why))
 }

@@ -23,20 +23,20 @@ use crate::estimate::{Estimate, Tolerance};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GammaBounds {
-    /// γ with its error.
+    /// The constant γ with its error.
     pub gamma: Estimate,
-    /// A conforming lower bound: the quotient of a function of the space, less its rounding. For orders so
-    /// small that γ is continued from larger ones, γ less its error.
+    /// A conforming lower bound: the quotient of a function of the space, less its rounding error. For orders
+    /// so small that γ is extrapolated from larger ones, γ less its error.
     pub lower: f64,
-    /// An upper bound from γ₁ and the dual norm N, sharpened; raised by the estimated errors of γ₁ and N.
+    /// An upper bound from γ₁ and the dual norm N, sharpened and raised by the estimated errors of γ₁ and N.
     pub upper: f64,
-    /// γ₁(ν), the constant of the whole interval.
+    /// The constant γ₁(ν) of the whole interval.
     pub whole: Estimate,
-    /// N, the dual norm of the mean value: max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the mean-zero condition.
+    /// The dual norm N of the mean value: max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the mean-zero condition.
     pub dual_norm: Estimate,
 }
 
-/// The bounds from the results on two spaces: the dual norm on each of them.
+/// The bounds from the results on two spaces, with the dual norm on each of them.
 pub(super) fn two_sided(
     order: Order,
     constraint: &Constraint,
@@ -62,8 +62,8 @@ pub(super) fn two_sided(
 }
 
 impl GammaBounds {
-    /// The bounds for orders at which all digits of the quotient cancel: γ less its error, and √(γ₁² + N²)
-    /// with their errors.
+    /// The bounds for orders at which all digits of the quotient cancel: γ less its error, and √(γ₁² + N²) plus
+    /// the errors of γ₁ and N.
     fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {
         let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
         let upper = upper.max(gamma.value + gamma.error);

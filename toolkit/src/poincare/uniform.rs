@@ -1,4 +1,4 @@
-//! One formula for γ_θ(ν), zone (0,θ), that holds uniformly through ν = 1/2.
+//! A formula for γ_θ(ν) with the zone (0,θ) that holds uniformly through ν = 1/2.
 
 use super::constant::gamma;
 use super::constraint::Constraint;
@@ -10,46 +10,46 @@ use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// Lengths at which the constants are determined: remainders below 1e-12 relative, and N² still of order
+/// Lengths at which the constants are determined: relative remainders are below 1e-12, and N² is still of order
 /// one.
 const SHORT: f64 = 1e-22;
 const SHORTER: f64 = 1e-44;
 
-/// Length at which the law is compared with the constant: the remainder is well above the other errors there.
+/// Length at which the law is compared with the constant: there the remainder is well above the other errors.
 const COMPARED: f64 = 1e-3;
 
-/// Largest number of Newton steps; convergence is quadratic.
+/// Largest number of Newton steps; the convergence is quadratic.
 const NEWTON: usize = 20;
 
-/// 1 − 2ν from which the limit B(ν) has more digits than the quotient of two values of N².
+/// Value of 1 − 2ν from which the limit B(ν) is more accurate than the quotient of two values of N².
 const NEAR_HALF: f64 = 1e-6;
 
-/// γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
+/// The law γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
 ///
 /// # Method
 ///
-/// With N the dual norm of u ↦ mean_E u − mean u and r its representer, γ² = λ solves
-/// λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator
-/// of ‖·‖₀² on mean-free functions). As θ → 0, with p = 1 − 2ν,
+/// With the dual norm N of u ↦ mean_E u − mean u and its representer r, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r,
+/// r⟩/λ² + ... (expand the resolvent of the rank-one perturbation; T is the operator of ‖·‖₀² on functions of
+/// mean zero). As θ → 0, with p = 1 − 2ν,
 ///
 /// N² = A (θ^{−p} − 1)/p + c + o(1),  ‖r‖₀² → d,  ⟨T²r, r⟩ → e,  hence
 /// λ = s + d/λ + e/λ²,  s = A (θ^{−p} − 1)/p + c.
 ///
-/// A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2 A is the
-/// analytic continuation, here (and just below 1/2) from two values of N. The remainders of N² and ‖r‖₀²
+/// A = p B(ν)² for ν < 1/2, A = 3/(2π²) and (θ^{−p} − 1)/p = ln(1/θ) at ν = 1/2; for ν > 1/2, A is the analytic
+/// continuation, computed there (and slightly below 1/2) from two values of N. The remainders of N² and ‖r‖₀²
 /// are of order θ^{1−|p|} up to logarithms and θ^{4ν−1}: the law is available for |ν − 1/2| ≤ 0.1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct UniformLaw {
     order: Order,
-    /// A: the slope of γ² against ln(1/θ) at ν = 1/2.
+    /// The slope A of γ² with respect to ln(1/θ) at ν = 1/2.
     pub(super) slope: Estimate,
-    /// c.
+    /// The constant c.
     pub(super) constant: Estimate,
-    /// d.
+    /// The constant d.
     pub(super) correction: Estimate,
-    /// e.
+    /// The constant e.
     pub(super) second_correction: Estimate,
-    /// γ₁², the norm of T: the terms of the resolvent fall at least by this over λ.
+    /// The norm γ₁² of T: the terms of the resolvent decrease at least by the factor γ₁²/λ.
     whole_square: f64,
     /// |λ − γ²| at the length [`COMPARED`].
     remainder: f64,
@@ -97,8 +97,8 @@ impl UniformLaw {
         Ok(law)
     }
 
-    /// γ_θ by the law. Its error adds those of the constants, the terms of the resolvent beyond the second,
-    /// and the remainder observed at θ = 1e-3, scaled by its order.
+    /// The value of γ_θ by the law. Its error is the sum of the errors of the constants, of the terms of the
+    /// resolvent beyond the second, and of the remainder observed at θ = 1e-3, scaled by its order.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0 < θ ≤ 1/2 and λ > γ₁².
@@ -106,7 +106,7 @@ impl UniformLaw {
         Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
         let lambda = self.square(theta)?;
         let above = lambda > self.whole_square;
-        Error::require("theta", theta, "short enough for the law", above)?;
+        Error::require("theta", theta, "lengths so small that the law holds", above)?;
         let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
         let known = self.slope.error * growth
             + self.constant.error
@@ -122,7 +122,7 @@ impl UniformLaw {
         Estimate::new(lambda, known + neglected + remainder, work)?.sqrt()
     }
 
-    /// The root λ, by Newton's method from λ = s + d/s: the corrections are a few hundredths.
+    /// The root λ, by Newton's method starting from λ = s + d/s: the corrections are a few hundredths.
     fn square(&self, theta: f64) -> Result<f64> {
         let s =
             self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
@@ -132,7 +132,7 @@ impl UniformLaw {
             let residual = lambda - s - d / lambda - e / (lambda * lambda);
             lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
         }
-        Error::require("theta", theta, "short enough for the law to be positive", lambda > 0.0 && s > 0.0)?;
+        Error::require("theta", theta, "lengths so small that the law is positive", lambda > 0.0 && s > 0.0)?;
         Ok(lambda)
     }
 }

@@ -5,11 +5,11 @@ use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use std::fmt;
 use std::ops::Range;
 
-/// Smallest admissible length; below it f64 loses digits.
+/// Smallest admissible length; f64 loses digits below it.
 const SHORTEST: f64 = 1e-300;
 /// Largest number of intervals; each adds some hundred unknowns.
 const MOST: usize = 32;
-/// Relative length up to which a gap between given positions counts as rounding.
+/// Relative length up to which a gap between given positions is attributed to rounding.
 const TOUCHING: f64 = 4.0 * f64::EPSILON;
 
 /// A zone E ⊂ (0,1): an interval, or a union of disjoint intervals with gaps between them.
@@ -64,10 +64,10 @@ impl<const N: usize> Given<Zones> for [Range<f64>; N] {
 }
 
 impl Zones {
-    /// The interval (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, a + θ ≤ 1 up to rounding.
+    /// The interval (a, a+θ) with a = 0 or a ≥ 1e-300, 1e-300 ≤ θ ≤ 1, and a + θ ≤ 1 up to rounding.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] otherwise.
+    /// [`Error::OutOfRange`] for all other values.
     pub fn from_start_and_length(start: f64, length: f64) -> Result<Self> {
         Error::require("theta", length, "[1e-300, 1]", (SHORTEST..=1.0).contains(&length))?;
         require_start(start)?;
@@ -78,7 +78,7 @@ impl Zones {
         Ok(Self { lengths: vec![start, length, rest] })
     }
 
-    /// (a, b), 0 ≤ a < b ≤ 1, as the range `a..b`.
+    /// The interval (a, b), 0 ≤ a < b ≤ 1, given by the range `a..b`.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] as for [`Zones::from_start_and_length`], and for b outside (a, 1].
@@ -120,7 +120,7 @@ impl Zones {
                     "start of interval",
                     k,
                     start,
-                    "above the end of the previous interval",
+                    "the numbers above the end of the previous interval",
                     apart,
                 )?;
             }
@@ -130,8 +130,8 @@ impl Zones {
         Self::closed(lengths, 1.0 - before)
     }
 
-    /// The zone with the lengths gap, interval, gap, interval, ..., interval from the left end; the rest up
-    /// to 1 is the last gap.
+    /// The zone with the lengths gap, interval, gap, interval, ..., interval from the left end; the remaining
+    /// length up to 1 is the last gap.
     ///
     /// ```
     /// use fractional_sobolev::Zones;
@@ -142,7 +142,7 @@ impl Zones {
     /// ```
     ///
     /// # Errors
-    /// As for [`Zones::union`]; [`Error::LengthMismatch`] for an odd number of lengths.
+    /// As [`Zones::union`]; [`Error::LengthMismatch`] for an odd number of lengths.
     pub fn from_lengths(lengths: &[f64]) -> Result<Self> {
         require_count(lengths.len() / 2)?;
         if lengths.len() % 2 == 1 {
@@ -153,7 +153,7 @@ impl Zones {
         Self::closed(lengths.to_vec(), 1.0 - lengths.iter().sum::<f64>())
     }
 
-    /// Checks the lengths and adds the last gap.
+    /// The zone with these lengths, after they are checked and the last gap is added.
     fn closed(mut lengths: Vec<f64>, rest: f64) -> Result<Self> {
         for (k, &length) in lengths.iter().enumerate() {
             let name = if k % 2 == 0 { "gap" } else { "interval" };
@@ -170,12 +170,12 @@ impl Zones {
         self.lengths.iter().skip(1).step_by(2).sum()
     }
 
-    /// Number of intervals.
+    /// The number of intervals.
     pub fn count(&self) -> usize {
         self.lengths.len() / 2
     }
 
-    /// The intervals as pairs (a, ℓ); positions are rounded.
+    /// The intervals as pairs (a, ℓ); the positions are rounded.
     fn intervals(&self) -> Vec<(f64, f64)> {
         let pairs = self.lengths.chunks_exact(2);
         let located = pairs.scan(0.0, |end, pair| {
@@ -186,8 +186,8 @@ impl Zones {
         located.collect()
     }
 
-    /// The length of a single interval that touches exactly one end of (0,1), the length of its complement,
-    /// and whether that end is 1.
+    /// The length of a single interval that touches exactly one end of (0,1), the length of its complement, and
+    /// whether that end is 1; `None` for other zones.
     pub(super) fn at_one_end(&self) -> Option<(f64, f64, bool)> {
         match self.lengths[..] {
             [0.0, length, rest] if rest > 0.0 => Some((length, rest, false)),
@@ -243,7 +243,7 @@ mod tests {
     use nalgebra::DMatrix;
 
     impl Condition {
-        /// The condition on a zone.
+        /// The constraint of this condition on a zone.
         pub(crate) fn on(self, zones: impl Given<Zones>) -> Result<Constraint> {
             match self {
                 Self::MeanZero => Constraint::mean_zero_on(zones),

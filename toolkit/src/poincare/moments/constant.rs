@@ -20,17 +20,17 @@ use crate::quadrature::Rule;
 /// The moment M = sup ∫ m w / |w|_ν over the functions w that vanish on a zone at one end of (0,1).
 ///
 /// x is the distance from the free end, e the length of the complement of the zone, and m is 1, x or e − x
-/// ([`Moment`]). The zone is a range at either end: `e..1.0` represents a short e to full relative accuracy,
-/// `0.0..z` a short zone.
+/// ([`Moment`]). The zone is a range at either end: `e..1.0` represents a short length e to full relative
+/// accuracy, `0.0..z` a short zone.
 ///
 /// # Method
 ///
-/// M² = ∫ m w for the w with (w, v)_ν = ∫ m v for all such v, one linear solve on the slope space of
-/// `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and its error is
+/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, by one linear solve on the slope space
+/// of `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and its error is
 /// the square of the approximation error in |w|_ν; the error estimate compares two spaces, as for `gamma`.
 ///
-/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of one length
-/// the zone at an end has the largest moment for m = 1 (rearrangement). Cost: one factorization of a few
+/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of a given length
+/// the zone at an end has the largest moment for m = 1 (by rearrangement). Cost: one factorization for a few
 /// hundred unknowns.
 ///
 /// ```
@@ -44,8 +44,8 @@ use crate::quadrature::Rule;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless the zone touches one end and the lengths of the zone and of its complement
-/// lie in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for [`gamma`](crate::gamma).
+/// [`Error::OutOfRange`] unless the zone touches one end and the lengths of the zone and of its complement lie
+/// in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for [`gamma`](crate::gamma).
 pub fn moment(
     order: impl Given<Order>,
     zone: impl Given<Zones>,
@@ -54,7 +54,7 @@ pub fn moment(
 ) -> Result<MomentConstant> {
     let (order, zone, tolerance) = (order.given()?, zone.given()?, tolerance.given()?);
     let Some((zone, length, at_right)) = zone.at_one_end() else {
-        let range = "an interval from 0 or up to 1, shorter than (0,1)";
+        let range = "lengths in (0, 1) of an interval that touches 0 or 1";
         return Err(Error::OutOfRange { name: "zone", value: zone.length(), range });
     };
     // The end from which the other length is known is given exactly.
@@ -66,7 +66,7 @@ pub fn moment(
     Ok(MomentConstant { constant, order, place, moment, tolerance })
 }
 
-/// A moment with the function for which it is attained and two independent computations.
+/// A moment with the function that attains it and two independent computations.
 ///
 /// Returned by [`moment`].
 ///
@@ -84,7 +84,7 @@ pub fn moment(
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MomentConstant {
-    /// M.
+    /// The moment M.
     pub constant: Estimate,
     order: Order,
     place: Place,
@@ -101,14 +101,14 @@ struct Place {
 }
 
 impl Place {
-    /// Zero on (0, `zone`), the zone at the left end.
+    /// The constraint that functions vanish on (0, `zone`), with the zone at the left end.
     fn constraint(&self) -> Constraint {
         Constraint { parts: vec![self.zone, self.length], zones: vec![0], condition: Condition::Vanishing }
     }
 }
 
 impl MomentConstant {
-    /// The function w with |w|_ν = 1 for which the moment is attained, to the requested tolerance.
+    /// The function w with |w|_ν = 1 that attains the moment, to the requested tolerance.
     ///
     /// ```
     /// use fractional_sobolev::{Moment, moment};
@@ -118,7 +118,7 @@ impl MomentConstant {
     /// ```
     ///
     /// # Errors
-    /// As for [`moment`].
+    /// As [`moment`].
     pub fn extremal(&self) -> Result<Extremal> {
         let model = MeshModel::new(self.order, self.tolerance.relative());
         let discrete = Discrete::new(self.order, &self.place.constraint(), &model)?;
@@ -127,15 +127,15 @@ impl MomentConstant {
         Ok(Extremal::on_interval(if self.place.at_right { found.mirrored() } else { found }))
     }
 
-    /// A lower and an upper bound by the strong form of the equation, computed independently of the Gram
+    /// A lower and an upper bound from the strong form of the equation, computed independently of the Gram
     /// matrices.
     ///
     /// # Method
     ///
-    /// On the zone's complement scaled to (0, 1) the seminorm is (v, Av) with A an integral operator and k
-    /// the potential of the zone; for every v, with the residual r = m − A v,
-    /// ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. Measured gap: 1e-15 to 3e-9 of M. Cost: a million
-    /// evaluations of basis functions for each ν; those of the last ν are cached.
+    /// On the complement of the zone, scaled to (0, 1), the seminorm is (v, Av) with an integral operator A, and k is
+    /// the potential of the zone; for every v, with the residual r = m − A v, ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫
+    /// r²/k. v is the least squares solution of r = 0. The gap between the bounds is 1e-15 to 3e-9 of M in
+    /// experiments. Cost: a million evaluations of basis functions for each ν; those for the last ν are cached.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the length of the complement lies
@@ -144,12 +144,12 @@ impl MomentConstant {
         strong_bounds(self.order, self.place.length, self.moment)
     }
 
-    /// M at ν = 1/2 by Wiener and Hopf's method, to about 1e-14.
+    /// M at ν = 1/2 by the Wiener-Hopf method, to about 1e-14.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for other orders, and unless the length of the complement lies in [1e-6, 0.7].
     pub fn closed_form(&self) -> Result<Estimate> {
-        Error::require("nu", self.order.value(), "1/2", self.order.offset() == 0.0)?;
+        Error::require("nu", self.order.value(), "{1/2}", self.order.offset() == 0.0)?;
         half_order_moment(self.place.length, self.moment)
     }
 }
@@ -168,11 +168,11 @@ fn on(order: Order, constraint: &Constraint, moment: Moment, tolerance: Toleranc
     }
 }
 
-/// Lengths represented to full relative accuracy, with a complement of positive length.
+/// Lengths that are represented to full relative accuracy, with a complement of positive length.
 const SHORTEST: f64 = 1e-300;
 const LONGEST: f64 = 1.0 - 1e-15;
 
-/// M and the coefficients of its function, |w|_ν = 1.
+/// M and the coefficients of its function with |w|_ν = 1.
 fn solve(discrete: &Discrete, moment: Moment, model: &MeshModel) -> Result<(f64, Vec<f64>)> {
     let load = load(&discrete.space, moment, model.points() + 4)?;
     let solution = discrete.factored.solve(&load);
@@ -183,8 +183,8 @@ fn solve(discrete: &Discrete, moment: Moment, model: &MeshModel) -> Result<(f64,
     Ok((norm * discrete.factor * lengths, coefficients))
 }
 
-/// ∫ m φ for every function of a space whose first cell is the zone: φ is 0 left of its cell, and right of it
-/// 1 for the step of the cell, 0 for the others.
+/// ∫ m φ for every function of a space whose first cell is the zone: φ is 0 to the left of its cell; to the
+/// right of it, the step of the cell is 1 and the other functions are 0.
 fn load(space: &SlopeSpace, moment: Moment, points: usize) -> Result<Vec<f64>> {
     let rule = Rule::gauss_legendre(points)?;
     let length: f64 = space.cells[1..].iter().map(|cell| cell.length).sum();

@@ -1,4 +1,4 @@
-//! The moments of `moment` at ν = 1/2 in closed form, by Wiener and Hopf's method.
+//! The moments of `moment` at ν = 1/2 in closed form, by the Wiener-Hopf method.
 
 use super::weight::Moment;
 use crate::error::{Error, Result};
@@ -8,19 +8,19 @@ use crate::quadrature::Rule;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Roots of tan z = z in the product; the rest by an integral, to 2e-15.
+/// Number of roots of tan z = z in the product; the remainder is computed by an integral, to 2e-15.
 const ROOTS: usize = 4000;
-/// Powers of w; for w ≤ 0.3 rounding dominates the remainder earlier.
+/// Largest number of powers of w; for w ≤ 0.3 rounding dominates the remainder earlier.
 const POWERS: usize = 30;
-/// Points of the integral over s.
+/// Number of points of the integral over s.
 const POINTS: usize = 40;
-/// Largest length; beyond it the loss of digits is significant.
+/// Largest length; beyond it too many digits are lost.
 const LONGEST: f64 = 0.7;
-/// Roundings, in units of ε, of f_k/g_k and of a term of c_m; m of the product and the binomial coefficient
-/// are added.
+/// Rounding errors, in units of ε, of f_k/g_k and of a term of c_m; m for the product and for the binomial
+/// coefficient are added.
 const ROUNDINGS: f64 = 20.0;
 
-/// M(e) at ν = 1/2 as `moment` defines it.
+/// The moment M(e) at ν = 1/2, as `moment` defines it.
 ///
 /// # Method
 ///
@@ -36,12 +36,12 @@ const ROUNDINGS: f64 = 20.0;
 ///
 /// M(e)² = ∫₀ᵉ h² ds/(s(1−s)),  s = q/(1+q).
 ///
-/// h has its only singularities on q ≤ −1, and w = (√(1+q) − 1)/(√(1+q) + 1) takes the plane without them to
-/// the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1,
-/// which is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m =
-/// 1, so that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms
-/// as large as (3 + 2√2)^m, whose rounding is carried along; w ≤ 0.3 for s ≤ 0.7, where Euler's
-/// transformation (powers of s, terms up to 2^m) loses more. Cost: 4000 roots, 120 000 logarithms, once.
+/// The only singularities of h lie on q ≤ −1, and w = (√(1+q) − 1)/(√(1+q) + 1) maps the plane without them to
+/// the unit disc: h = Σ c_m w^m with c_m = Σ_k 4^k C(m+k−1, m−k) f_k/g_k, since q = 4w/(1−w)². At w = −1, which
+/// is q = −1, h grows like (1+w)^{−5} for m = x (f_k/g_k is like k^{3/2}) and like (1+w)^{−3} for m = 1, so
+/// that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms as large
+/// as (3 + 2√2)^m, whose rounding errors are computed along with them; w ≤ 0.3 for s ≤ 0.7, where Euler's
+/// transformation (powers of s, terms up to 2^m) loses more digits. Cost: 4000 roots, 120 000 logarithms, once.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 1e-6 ≤ e ≤ 0.7.
@@ -78,13 +78,13 @@ pub(super) fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate>
 /// The series of h for m = 1 and m = x.
 static SERIES: OnceLock<[Series; 2]> = OnceLock::new();
 
-/// d_1, d_2, ... and the rounding of each.
+/// The coefficients d_1, d_2, ... and the rounding error of each.
 struct Series {
     coefficients: Vec<(f64, f64)>,
 }
 
 impl Series {
-    /// The series from k/g_k and factor(k) = ±f_k/k without its alternating sign.
+    /// The series from k/g_k and factor(k) = ±f_k/k, without its alternating sign.
     fn new(ratios: &[f64], factor: impl Fn(f64) -> f64) -> Self {
         let coefficient = |m: usize| {
             // 4^k C(m+k−1, m−k) downwards from k = m.
@@ -106,10 +106,11 @@ impl Series {
         Self { coefficients: (0..POWERS).map(times).collect() }
     }
 
-    /// h at w and its error, with the number of terms that minimises the sum of rounding and remainder.
+    /// The value of h at w and its error, with the number of terms that minimises the sum of rounding error and
+    /// remainder.
     ///
-    /// The larger of two neighbours of the d_m decreases from m = 2 on (observed up to m = 40, not proved):
-    /// the remainder after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
+    /// The larger of two consecutive |d_m| decreases from m = 2 on (observed up to m = 40, not proved): the
+    /// remainder after M terms is then at most max(|d_{M−1}|, |d_M|) w^{M+1}/(1 − w).
     fn at(&self, w: f64) -> (f64, f64) {
         let (mut value, mut rounding, mut power) = (0.0, 0.0, 1.0);
         let mut best = (0.0, f64::INFINITY);
@@ -150,8 +151,8 @@ impl Root {
     }
 }
 
-/// k/g_k = (3/2)^{1/2}/π Π_n (1 + k/n)/(1 + πk/z_n), against
-/// Π (1 + k/n)/(1 + k/(n+1/2)) = Π_{j≤k} (1 + 1/(2j)).
+/// k/g_k = (3/2)^{1/2}/π Π_n (1 + k/n)/(1 + πk/z_n), relative to Π (1 + k/n)/(1 + k/(n+1/2)) = Π_{j≤k} (1 +
+/// 1/(2j)).
 fn ratio(k: usize, roots: &[Root]) -> f64 {
     let half: f64 = (1..=k).map(|j| 1.0 + 0.5 / j as f64).product();
     let k = k as f64;

@@ -1,4 +1,5 @@
-//! Moments of functions that vanish on a zone at one end: by a dual problem, in closed form, by the strong form.
+//! Moments of functions that vanish on a zone at one end: by a dual problem, in closed form, and by the strong
+//! form.
 
 mod constant;
 mod half_order;

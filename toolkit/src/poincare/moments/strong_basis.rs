@@ -1,15 +1,15 @@
 //! The basis of the trial functions of [`super::strong_form`], and the operator A on it.
 //!
-//! On s ∈ (0, 1), s from the free end, with the zone from 1 on:
+//! On s ∈ (0, 1), s the distance from the free end, with the zone from 1 on:
 //!
-//! * (1−s)^ν (1 + ν s + ... + (ν)_12 s¹²/12!), flat at 0: 1 less the rest of a Taylor series;
+//! * (1−s)^ν (1 + ν s + ... + (ν)_12 s¹²/12!), flat at 0: 1 minus the remainder of a Taylor series;
 //! * (1−s)^ν s^β P_i(2s−1), β ∈ (1, 2) the first exponent at a free end, A s^β = 0 on the half line;
 //! * (1−s)^{ν+j} ((1−s)^{j(2ν−1)} − 1)/(2ν−1) s⁴ P_i(2s−1), the singular response of the zone; at ν = 1/2
 //!   the quotient is j ln(1−s).
 //!
-//! In y = ln(s/(1−s)) the pairs y ± d are taken together: their sum is d^{1−2ν} times an analytic function,
+//! In y = ln(s/(1−s)) the pairs y ± d are combined: their sum is d^{1−2ν} times an analytic function,
 //! integrated by a rule for that power on (0, 1) and Gauss rules beyond. Differences near the free end are
-//! those of the rest of the series, without 1. Cost: two thousand values of the basis per point.
+//! computed from the remainder of the series, without the 1. Cost: two thousand values of the basis per point.
 
 use crate::error::Result;
 use crate::numeric::parallel;
@@ -23,20 +23,21 @@ const SMOOTH: usize = 14;
 const RETURNED: usize = 4;
 const POWERS: usize = 2;
 pub(super) const BASIS: usize = 1 + SMOOTH + POWERS * RETURNED;
-/// Terms of the Taylor series of (1−s)^{−ν}, and of its tail for s < 1/2.
+/// Number of terms of the Taylor series of (1−s)^{−ν}, and of its tail for s < 1/2.
 const TAYLOR: usize = 12;
 const TAIL: usize = 48;
-/// y runs over panels of length 1 from −LEFT to RIGHT; beyond, s or 1 − s is below 3e-9.
+/// y runs over panels of length 1 from −LEFT to RIGHT; outside, s or 1 − s is below 3e-9.
 pub(super) const LEFT: i32 = 20;
 const RIGHT: i32 = 24;
-/// Points per panel, outside and inside; inner integrals end where e^{−d} is negligible.
+/// Number of points per panel of the outer and the inner integrals; inner integrals end where e^{−d} is
+/// negligible.
 const OUTER: usize = 10;
 const INNER: usize = 12;
 const REACH: f64 = 38.0;
 
 pub(super) type Row = [f64; BASIS];
 
-/// A point of the outer rule: v and A v without the part of the zone's end, per basis function.
+/// A point of the outer rule: v and A v, without the part from the end of the zone, for every basis function.
 pub(super) struct Collocation {
     pub(super) s: f64,
     pub(super) complement: f64,
@@ -69,7 +70,7 @@ fn place(y: f64) -> (f64, f64) {
 }
 
 impl Basis {
-    /// The basis at (s, 1−s), the first function less 1.
+    /// The values of the basis at (s, 1−s), with 1 subtracted from the first function.
     fn values(&self, s: f64, c: f64) -> Row {
         let mut row = [0.0; BASIS];
         let at_zone = c.powf(self.nu);
@@ -89,7 +90,7 @@ impl Basis {
         row
     }
 
-    /// (1−s)^ν Σ_{k ≤ TAYLOR} (ν)_k s^k/k! − 1 = −(1−s)^ν times the rest of the series.
+    /// (1−s)^ν Σ_{k ≤ TAYLOR} (ν)_k s^k/k! − 1, which is −(1−s)^ν times the remainder of the series.
     fn flat(&self, s: f64, at_zone: f64) -> f64 {
         let (mut term, mut sum) = (1.0, 1.0);
         for k in 1..=TAYLOR {
@@ -107,7 +108,7 @@ impl Basis {
         -at_zone * rest
     }
 
-    /// Values and images at y; the weight is that of ds.
+    /// The values and images of the basis at y; the weight is that of ds.
     fn collocate(&self, y: f64, weight: f64, inner: &[(f64, f64)]) -> Collocation {
         let (s, c) = place(y);
         let mut values = self.values(s, c);
@@ -147,11 +148,11 @@ fn inner_rule(nu: f64) -> Result<Vec<(f64, f64)>> {
     Ok(rule)
 }
 
-/// Distance from ν = 1/2 beyond which the formula of the exponent is accurate; it need not be exact.
+/// Distance from ν = 1/2 beyond which the formula for the exponent is accurate; it need not be exact.
 const CANCELLED: f64 = 1e-6;
 
-/// The β in (max(1, 2ν), min(2, 1+2ν)) with A s^β = 0 on the half line,
-/// 1/(2ν) + Γ(−2ν) Γ(1+β)/Γ(1+β−2ν) (1 − sin πβ / sin π(2ν−β)) = 0.
+/// The exponent β in (max(1, 2ν), min(2, 1+2ν)) with A s^β = 0 on the half line, the root of 1/(2ν) + Γ(−2ν)
+/// Γ(1+β)/Γ(1+β−2ν) (1 − sin πβ / sin π(2ν−β)) = 0.
 fn free_exponent(nu: f64) -> f64 {
     let nu = if (nu - 0.5).abs() < CANCELLED { 0.5 + CANCELLED } else { nu };
     let symbol = |beta: f64| {

@@ -1,5 +1,5 @@
-//! Moments of functions that vanish on a zone, between two bounds, by the strong form of their equation,
-//! independently of the Gram matrices of `moment`.
+//! Lower and upper bounds for moments of functions that vanish on a zone, from the strong form of their
+//! equation, independently of the Gram matrices of `moment`.
 
 use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
 use super::weight::Moment;
@@ -8,16 +8,18 @@ use crate::error::{Error, Result};
 use crate::poincare::slopes::kernel::exp_quotient;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Columns that shrink to less when made orthogonal are combinations of those before; v keeps nine digits
-/// then, and the bounds, stationary in v, all that the rules have.
+/// Columns whose norm falls below this fraction when they are orthogonalised count as combinations of the
+/// previous ones; then v has nine correct digits, and the bounds, which are stationary in v, have the full
+/// accuracy of the rules.
 const DEPENDENT: f64 = 1e-7;
-/// Error of the integrals, relative to M²: rules with two more points change 2e-12 at most.
+/// Error of the integrals, relative to M²: rules with two more points change them by at most 2e-12.
 const QUADRATURE: f64 = 1e-10;
 
 /// Cache of the last strong form.
 static LAST: Mutex<Option<(Order, Arc<StrongForm>)>> = Mutex::new(None);
 
-/// [lower, upper] of sup ∫ m w / |w|_ν over the w that vanish beyond the distance `length` from the free end.
+/// Lower and upper bound of sup ∫ m w / |w|_ν over the functions w that vanish beyond the distance `length`
+/// from the free end.
 pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result<[f64; 2]> {
     let kept = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
     let last = kept().as_ref().filter(|(of, _)| *of == order).map(|(_, form)| Arc::clone(form));
@@ -34,8 +36,8 @@ pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result
 ///
 /// # Method
 ///
-/// On the zone's complement scaled to (0, 1), s from the free end, the zone beginning at 1 and ending at 1/e,
-/// the seminorm is (v, Av) with
+/// On the complement of the zone, scaled to (0, 1), with s the distance from the free end and the zone from 1
+/// to 1/e, the seminorm is (v, Av) with
 ///
 /// A v(s) = 2 [ PV ∫₀¹ (v(s) − v(t)) |s−t|^{−1−2ν} dt + k(s) v(s) ],
 /// k(s) = ((1−s)^{−2ν} − (1/e−s)^{−2ν}) / (2ν).
@@ -47,16 +49,16 @@ pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result
 ///
 /// v is the least squares solution of r = 0 in that weight over the functions of `strong_basis`.
 ///
-/// The bounds hold up to the rounding and the quadrature of these integrals, by which they are widened.
-/// Measured gap: 1e-15 to 3e-9 of M (ν = 0.001, where the basis is nearly dependent). Cost: a million
-/// evaluations of basis functions for each ν, for all e together.
+/// The bounds hold up to the rounding and quadrature errors of these integrals, by which they are widened. The
+/// gap between them is 1e-15 to 3e-9 of M in experiments (the latter at ν = 0.001, where the basis is nearly
+/// dependent). Cost: a million evaluations of basis functions for each ν, for all e together.
 struct StrongForm {
     nu: f64,
     points: Vec<Collocation>,
 }
 
 impl StrongForm {
-    /// The strong form for one order: values of A on the basis.
+    /// The strong form for one order, with the values of A on the basis.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3].
@@ -67,7 +69,8 @@ impl StrongForm {
         Ok(Self { nu, points: collocate(nu, 2.0 * order.offset())? })
     }
 
-    /// Bounds of sup ∫ m w / |w|_ν over the w that vanish beyond the distance `length` from the free end.
+    /// Bounds of sup ∫ m w / |w|_ν over the functions w that vanish beyond the distance `length` from the free
+    /// end.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless 0.01 ≤ length ≤ 0.99.
@@ -137,7 +140,7 @@ fn subtract(a: &mut [f64], factor: f64, b: &[f64]) {
 }
 
 impl Columns {
-    /// Gram and Schmidt, twice.
+    /// Adds a column, orthogonalised twice by the Gram-Schmidt method.
     fn push(&mut self, mut image: Vec<f64>, mut value: Vec<f64>, mut at_zero: f64) {
         let size = dot(&image, &image).sqrt();
         for _ in 0..2 {

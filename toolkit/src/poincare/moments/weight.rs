@@ -12,7 +12,7 @@ pub enum Moment {
 }
 
 impl Moment {
-    /// m for a distance from the free end and one from the zone.
+    /// The weight m at the given distances from the free end and from the zone.
     pub(super) fn weight(self, from_free_end: f64, from_zone: f64) -> f64 {
         match self {
             Moment::Mass => 1.0,
@@ -21,7 +21,7 @@ impl Moment {
         }
     }
 
-    /// Power of a length in m.
+    /// The power of a length in m.
     pub(super) fn degree(self) -> i32 {
         i32::from(self != Moment::Mass)
     }

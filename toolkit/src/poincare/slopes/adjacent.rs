@@ -1,13 +1,13 @@
-//! Pairs of panels on which the kernel is singular: a panel with itself and with its neighbour.
+//! Pairs of panels on which the kernel is singular: a panel with itself or with its neighbour.
 //!
-//! There ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of
-//! the further point from the near end of the interval, e and y the distances of the nearer point from the
-//! near and the far end, h the size of the pair. Only d carries a singularity; in suitable coordinates d/h =
-//! ρ g with g analytic, and (1 − (ρg)^p)/p = (1 − ρ^p)/p − ρ^p (g^p − 1)/p is integrated with the two Gauss
-//! rules of [`super::rules`], which stay valid through ν = 1/2.
+//! There ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of the
+//! farther point from the near end of the interval, e and y the distances of the nearer point from the near and
+//! the far end, h the size of the pair. Only d is singular; in suitable coordinates d/h = ρ g with g analytic,
+//! and (1 − (ρg)^p)/p = (1 − ρ^p)/p − ρ^p (g^p − 1)/p is integrated with the two Gauss rules of
+//! [`super::rules`], which remain valid through ν = 1/2.
 //!
 //! All panels use the Legendre polynomials of their own coordinate, so that the values of the basis and the
-//! integrals that do not depend on the shape are computed once; the caller changes to the basis of the cell.
+//! integrals that do not depend on the shape are computed once; the caller transforms to the basis of the cell.
 
 use super::cell::Panel;
 use super::kernel::exp_quotient;
@@ -15,14 +15,14 @@ use super::rules::{Pairs, Rules};
 use super::space::{MOST_FUNCTIONS, Values, legendre};
 use crate::error::Result;
 
-/// ∬ over one pair of panels of two basis functions times the kernel.
+/// The integrals over one pair of panels of products of two basis functions with the kernel.
 pub(crate) type Block = [[f64; MOST_FUNCTIONS]; MOST_FUNCTIONS];
 
-/// No integrals yet.
+/// A block of zeros.
 pub(crate) const EMPTY: Block = [[0.0; MOST_FUNCTIONS]; MOST_FUNCTIONS];
 
-/// A quadrature point of a pair: the size ρ of its distance, two coordinates, its weight, and the basis in s
-/// and in t.
+/// A quadrature point of a pair: the factor ρ of its distance, two coordinates, its weight, and the basis at s
+/// and at t.
 struct Sample {
     rho: f64,
     place: (f64, f64),
@@ -31,7 +31,8 @@ struct Sample {
     t: Values,
 }
 
-/// A quadrature point ξ for a term of one of s and t, with the basis in s and t, integrated over the other.
+/// A quadrature point ξ for a term that depends on only one of s and t, with the basis at s and t, integrated
+/// over the other.
 struct Term {
     xi: f64,
     weight: f64,
@@ -50,20 +51,20 @@ struct Singular {
     of_further: Vec<Term>,
 }
 
-/// Rules for adjacent panels that carry up to `functions` functions.
+/// Rules for adjacent panels with up to `functions` slope functions.
 pub(crate) struct Adjacent {
     functions: usize,
     p: f64,
     same: Singular,
     touching: Singular,
-    /// Integrals with (1 − z^p)/p, z the distance of the further point from the left end of the panel, or of
+    /// Integrals with (1 − z^p)/p, z the distance of the farther point from the left end of the panel, or of
     /// the nearer one from the right end: the terms of one point on a panel at the end of the interval.
     at_left_end: Block,
     at_right_end: Block,
 }
 
 impl Adjacent {
-    /// n-point rules on a panel, `close`-point rules on two.
+    /// The data for n-point rules on a panel and `close`-point rules on two panels.
     pub(crate) fn new(functions: usize, p: f64, n: usize, close: usize) -> Result<Self> {
         let rules = Rules::new(n, p)?;
         let end = &rules.logarithm[1];
@@ -82,14 +83,14 @@ impl Adjacent {
         })
     }
 
-    /// Number of kernel values on a panel, and on two.
+    /// The number of kernel values on one panel and on two.
     pub(crate) fn points(&self) -> (u64, u64) {
         (self.same.power.len() as u64, self.touching.power.len() as u64)
     }
 
-    /// The triangle s < t of a panel, given the terms of s alone and of t alone; `None` for t on a panel at
-    /// the left end of the interval, where the term is h^p ((z)^p − 1)/p with the singularity inside, and for
-    /// s at the right end.
+    /// The integrals over the triangle s < t of a panel, given the terms of s alone and of t alone. The term of
+    /// t is `None` on a panel at the left end of the interval, where it is h^p ((z)^p − 1)/p with the
+    /// singularity inside; likewise that of s at the right end.
     pub(crate) fn same(
         &self,
         panel: &Panel,
@@ -110,7 +111,7 @@ impl Adjacent {
         block
     }
 
-    /// Neighbouring panels s < t.
+    /// The integrals over neighbouring panels, s < t.
     pub(crate) fn touching(
         &self,
         (s, t): (&Panel, &Panel),
@@ -171,7 +172,7 @@ impl Singular {
     }
 
     /// Two panels. Corner coordinates: distances ρ, ρσ (in ξ) from the common point, in both orders; `place`
-    /// holds both.
+    /// stores both.
     fn touching(functions: usize, rules: &Rules) -> Self {
         let samples = |outer: &Pairs| -> Vec<Sample> {
             let at = |(rho, w): (f64, f64), (a, b): (f64, f64), v: f64| {
@@ -203,8 +204,8 @@ impl Singular {
     }
 }
 
-/// Terms of t at z on the triangle s < t of a panel, s = zζ; `power` = 1 if the weight z of dζ is not in the
-/// outer rule.
+/// The terms of t at z on the triangle s < t of a panel, s = zζ; `power` = 1 if the outer rule does not contain
+/// the weight z of dζ.
 fn further_terms(functions: usize, outer: &Pairs, power: i32, inner: &Pairs) -> Vec<Term> {
     let term = |&(z, w): &(f64, f64)| {
         let s = averaged(functions, inner, |zeta| z * zeta);
@@ -213,7 +214,7 @@ fn further_terms(functions: usize, outer: &Pairs, power: i32, inner: &Pairs) -> 
     outer.iter().map(term).collect()
 }
 
-/// Terms of s at 1 − c, t = 1 − cζ.
+/// The terms of s at 1 − c, t = 1 − cζ.
 fn nearer_terms(functions: usize, outer: &Pairs, power: i32, inner: &Pairs) -> Vec<Term> {
     let term = |&(c, w): &(f64, f64)| {
         let t = averaged(functions, inner, |zeta| 1.0 - c * zeta);
@@ -222,7 +223,7 @@ fn nearer_terms(functions: usize, outer: &Pairs, power: i32, inner: &Pairs) -> V
     outer.iter().map(term).collect()
 }
 
-/// Averages of the basis over the points that `place` makes of a rule.
+/// Averages of the basis over the points to which `place` maps those of a rule.
 fn averaged(functions: usize, rule: &Pairs, place: impl Fn(f64) -> f64) -> Values {
     let mut sums = [0.0; MOST_FUNCTIONS + 1];
     for &(zeta, v) in rule {
@@ -239,7 +240,7 @@ fn integrals(functions: usize, samples: &[Sample]) -> Block {
     block
 }
 
-/// Adds value · s tᵀ.
+/// Adds the product value · s tᵀ.
 fn add_product(block: &mut Block, functions: usize, value: f64, s: &Values, t: &Values) {
     for (row, of_s) in block.iter_mut().zip(s).take(functions) {
         let factor = value * of_s;

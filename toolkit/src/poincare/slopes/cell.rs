@@ -1,9 +1,8 @@
-//! Cells of the slope space and the panels they are cut into for quadrature.
+//! Cells of the slope space and the panels into which they are divided for quadrature.
 //!
-//! A cell is an interval of positive length with a map ξ ∈ (0,1) ↦ x: affine, or exponential away from a
-//! point at which the function is singular (r = r₀ (r₁/r₀)^ξ, r the distance from that point). Positions are
-//! never stored: every distance is a sum of lengths, so that it keeps its relative accuracy however small it
-//! is.
+//! A cell is an interval of positive length with a map ξ ∈ (0,1) ↦ x: affine, or exponential away from a point
+//! at which the function is singular (r = r₀ (r₁/r₀)^ξ, r the distance from that point). Positions are never
+//! stored: every distance is a sum of lengths, so that it keeps its relative accuracy, however small it is.
 
 /// The parametrization of a cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +34,7 @@ impl Grading {
         }
     }
 
-    /// Distance of the point ξ from the left end.
+    /// The distance of the point ξ from the left end.
     fn left_distance(self, length: f64, xi: f64) -> f64 {
         match self {
             Grading::Uniform => length * xi,
@@ -50,8 +49,8 @@ impl Grading {
 pub(crate) struct Cell {
     pub(crate) length: f64,
     pub(crate) grading: Grading,
-    /// Number of slope functions: Legendre polynomials of degree 0, ..., `functions` − 1; zero freezes u to a
-    /// constant.
+    /// Number of slope functions: Legendre polynomials of degree 0, ..., `functions` − 1; zero if u is constant
+    /// on the cell.
     pub(crate) functions: usize,
 }
 
@@ -60,7 +59,7 @@ impl Cell {
         Self { length, grading: Grading::Uniform, functions }
     }
 
-    /// The cell between the distances `inner` and `inner` e^`spread` right of a point.
+    /// The cell between the distances `inner` and `inner` e^`spread` to the right of a point.
     pub(crate) fn from_left(inner: f64, spread: f64, functions: usize) -> Self {
         Self { length: inner * spread.exp_m1(), grading: Grading::FromLeft { inner, spread }, functions }
     }
@@ -70,12 +69,12 @@ impl Cell {
         Self { grading: self.grading.mirrored(), ..self }
     }
 
-    /// Distance of the point ξ from the left end.
+    /// The distance of the point ξ from the left end.
     pub(crate) fn left_distance(&self, xi: f64) -> f64 {
         self.grading.left_distance(self.length, xi)
     }
 
-    /// ξ of the point at the given distance from the left end.
+    /// The coordinate ξ of the point at the given distance from the left end.
     pub(crate) fn coordinate(&self, distance: f64) -> f64 {
         match self.grading {
             Grading::Uniform => distance / self.length,
@@ -84,7 +83,7 @@ impl Cell {
         }
     }
 
-    /// Cuts the cell at equal steps of ξ into panels of spread at most `largest`.
+    /// The panels into which the cell is divided at equal steps of ξ, each with a spread of at most `largest`.
     pub(crate) fn panels(&self, cell: usize, largest: f64) -> Vec<Panel> {
         let pieces = match self.grading {
             Grading::Uniform => 1,
@@ -113,16 +112,17 @@ impl Cell {
     }
 }
 
-/// Distance, in lengths of the panel, beyond which singularities have no effect.
+/// Distance, in units of the length of the panel, beyond which singularities have no effect.
 const FAR: f64 = 20.0;
-/// A point this near to the one to which the panel is graded, relative to the distance of the panel, is that
-/// point.
+/// Distance, relative to that of the panel, below which a point is identified with the one to which the panel
+/// is graded.
 const AT_ORIGIN: f64 = 1e-9;
 
-/// A piece of a cell, short enough for Gauss rules. Its own coordinate ξ runs over (0,1) from left to right.
+/// A piece of a cell, short enough for Gauss rules. Its own coordinate ξ runs from 0 at the left end to 1 at
+/// the right end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Panel {
-    /// The cell it belongs to.
+    /// The cell to which it belongs.
     pub(crate) cell: usize,
     /// Its start in the coordinate of the cell.
     pub(crate) start: f64,
@@ -133,17 +133,17 @@ pub(crate) struct Panel {
 }
 
 impl Panel {
-    /// Distance of the point ξ from the left end.
+    /// The distance of the point ξ from the left end.
     pub(crate) fn left_distance(&self, xi: f64) -> f64 {
         self.grading.left_distance(self.length, xi)
     }
 
-    /// Distance of the point ξ = 1 − `eta` from the right end.
+    /// The distance of the point ξ = 1 − `eta` from the right end.
     pub(crate) fn right_distance(&self, eta: f64) -> f64 {
         self.grading.mirrored().left_distance(self.length, eta)
     }
 
-    /// Distance between the points ξ and ξ + `step` of the panel.
+    /// The distance between the points ξ and ξ + `step` of the panel.
     pub(crate) fn between(&self, xi: f64, step: f64) -> f64 {
         match self.grading {
             Grading::Uniform => self.length * step,
@@ -154,9 +154,9 @@ impl Panel {
         }
     }
 
-    /// The distance from the panel, in ξ, of the point at distance `gap` from one of its ends; [`FAR`] at
-    /// most. Beyond the point to which the panel is graded the preimage is complex, at least π/spread off:
-    /// as far as 1 for a spread up to 2.
+    /// The distance from the panel, in ξ, of the point at distance `gap` from one of its ends; at most [`FAR`].
+    /// Beyond the point to which the panel is graded the preimage is complex, at a distance of at least
+    /// π/spread: this counts as 1 for a spread up to 2.
     pub(crate) fn outside(&self, gap: f64, on_the_left: bool) -> f64 {
         let grading = if on_the_left { self.grading } else { self.grading.mirrored() };
         let xi = match grading {
@@ -169,7 +169,7 @@ impl Panel {
         xi.min(FAR)
     }
 
-    /// dx/dξ at ξ.
+    /// The derivative dx/dξ at ξ.
     pub(crate) fn stretch(&self, xi: f64) -> f64 {
         match self.grading {
             Grading::Uniform => self.length,

@@ -1,10 +1,10 @@
 //! The Gram matrix of the squared seminorm |u|_ν² in the slope basis.
 //!
-//! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into two classes: those with a
-//! gap between them ([`super::separated`]; pairs whose kernel is below 1e-18 of the geometric mean of their
-//! self energies are skipped), and a panel with itself or its neighbour ([`super::adjacent`]). Cost: O(P²)
-//! kernel values for P panels, with a factor that falls from some hundred to ten with the distance; O(P) once
-//! the skipped pairs dominate.
+//! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into two classes: those with a gap
+//! between them ([`super::separated`]; pairs whose kernel is below 1e-18 of the geometric mean of their self
+//! energies are skipped), and those of a panel with itself or its neighbour ([`super::adjacent`]). Cost: O(P²)
+//! kernel values for P panels, with a factor that decreases from some hundred to ten with the distance; O(P)
+//! once the skipped pairs dominate.
 
 use super::adjacent::{Adjacent, Block, EMPTY};
 use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};
@@ -18,17 +18,17 @@ use crate::numeric::parallel;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 
-/// Panels that touch, or nearly do, get up to 3/2 as many points.
+/// Panels that touch, or nearly touch, have up to 3/2 times as many points.
 const CLOSE_POINTS: (usize, usize) = (3, 2);
-/// Slopes of lower degree than the space has elsewhere stand where the energy is negligible (see the mesh):
-/// points for them ...
+/// Slopes of lower degree than elsewhere in the space are used where the energy is negligible (see the mesh):
+/// the number of points for them ...
 const COARSE_POINTS: usize = 6;
-/// ... their number of functions, at most, and the digits their energy is wanted to.
+/// ... their largest number of functions, and the number of digits required for their energy.
 const COARSE_FUNCTIONS: usize = 2;
 const COARSE_DIGITS: f64 = 6.0;
 
-/// Gram matrix of |u|_ν² with n-point rules, and the work it took; in the basis with hat functions where
-/// there is a `local` group.
+/// The Gram matrix of |u|_ν² with n-point rules, and its work; in the basis with hat functions if there is a
+/// `local` group.
 pub(crate) fn seminorm_gram(
     space: &SlopeSpace,
     local: Option<&Local>,
@@ -65,7 +65,7 @@ pub(crate) fn seminorm_gram(
     Ok((DMatrix::from_fn(size, size, |i, j| gram[(i, j)] / nu), work))
 }
 
-/// The data of the blocks.
+/// The data for the computation of the blocks.
 pub(super) struct Assembly<'a> {
     pub(super) space: &'a SlopeSpace,
     pub(super) local: Option<&'a Local>,
@@ -74,13 +74,13 @@ pub(super) struct Assembly<'a> {
     pub(super) nodes: Nodes,
     fine: Adjacent,
     coarse: Adjacent,
-    /// Digits wanted of the integrals of a fine panel.
+    /// Number of digits required for the integrals of a fine panel.
     digits: f64,
     /// Legendre coefficients of the basis of the cell on each panel, times the width of the panel.
     restrictions: Vec<Block>,
-    /// Per panel of the local group: integrals of the basis, without and with the shifted kernel from P.
+    /// For each panel of the local group: integrals of the basis, without and with the shifted kernel from P.
     pub(super) from_origin: Vec<(Values, Values)>,
-    /// Self energy of a step across each panel, roughly.
+    /// Rough self energy of a step across each panel.
     pub(super) scale: Vec<f64>,
 }
 
@@ -118,12 +118,12 @@ impl<'a> Assembly<'a> {
         self.space.functions(i) <= COARSE_FUNCTIONS && !self.classes(i, i).0
     }
 
-    /// Digits wanted of integrals over panel i.
+    /// The number of digits required for integrals over panel i.
     pub(super) fn digits(&self, i: usize) -> f64 {
         if self.is_coarse(i) { COARSE_DIGITS.min(self.digits) } else { self.digits }
     }
 
-    /// Adds the pairs (i, j), j ≥ i, each once: the caller symmetrizes.
+    /// Adds the pairs (i, j), j ≥ i, each once; the caller symmetrizes the matrix.
     fn add_row(&self, i: usize, gram: &mut DMatrix<f64>, work: &mut Work) {
         let space = self.space;
         if space.functions(i) == 0 {
@@ -157,7 +157,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// Panels i and i + 1.
+    /// The block of panels i and i + 1.
     fn touching(&self, i: usize, work: &mut Work) -> Block {
         let space = self.space;
         let (s, t) = (&space.panels[i], &space.panels[i + 1]);
@@ -169,7 +169,7 @@ impl<'a> Assembly<'a> {
         self.in_cells(i, i + 1, &rules.touching((s, t), nearer, further))
     }
 
-    /// The triangle s < t of panel i with itself.
+    /// The block of the triangle s < t of panel i with itself.
     fn same(&self, i: usize, work: &mut Work) -> Block {
         let space = self.space;
         let size = space.panels[i].length;
@@ -213,8 +213,8 @@ impl<'a> Assembly<'a> {
         (inside(i), inside(j))
     }
 
-    /// The part of ν K on panels i ≤ j of joint size h that depends on the nearer (left) point s only, at ξ
-    /// of panel i.
+    /// The part of ν K on panels i ≤ j of joint size h that depends only on the nearer (left) point s, at ξ of
+    /// panel i.
     fn of_nearer(&self, i: usize, j: usize, size: f64, xi: f64) -> f64 {
         let space = self.space;
         let left = space.panel_left[i] + space.panels[i].left_distance(xi);
@@ -227,7 +227,7 @@ impl<'a> Assembly<'a> {
         }
     }
 
-    /// The part that depends on the further (right) point t only, at ξ of panel j.
+    /// The part that depends only on the farther (right) point t, at ξ of panel j.
     fn of_further(&self, i: usize, j: usize, size: f64, xi: f64) -> f64 {
         let space = self.space;
         let left = space.panel_left[j] + space.panels[j].left_distance(xi);

@@ -1,5 +1,5 @@
-//! The basis of the group around a short zone: hat functions in place of steps, and what the matrix of the
-//! seminorm assembled with the shifted kernel of [`super::local`] still lacks in this basis.
+//! The basis of the group around a short zone: hat functions in place of steps, and the terms that the matrix
+//! of the seminorm, assembled with the shifted kernel of [`super::local`], still lacks in this basis.
 
 use super::kernel::{kernel, power_increment};
 use super::local::Local;
@@ -7,12 +7,12 @@ use super::space::SlopeSpace;
 use nalgebra::DMatrix;
 
 impl Local {
-    /// Cells of G whose steps are joined to hat functions, in order.
+    /// The cells of G whose steps are combined into hat functions, in order.
     pub(super) fn steps(&self, space: &SlopeSpace) -> Vec<usize> {
         self.cells.clone().filter(|&c| self.has_hats && space.cells[c].functions > 0).collect()
     }
 
-    /// Tᵀ M T: the matrix of a form in the basis with hat functions.
+    /// The product Tᵀ M T, the matrix of a form in the basis with hat functions.
     pub(crate) fn transformed(&self, space: &SlopeSpace, mut matrix: DMatrix<f64>) -> DMatrix<f64> {
         let size = matrix.nrows();
         for pair in self.steps(space).windows(2) {
@@ -30,7 +30,7 @@ impl Local {
         matrix
     }
 
-    /// Tᵀ b.
+    /// The product Tᵀ b.
     pub(crate) fn transformed_vector(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
         for pair in self.steps(space).windows(2) {
             vector[space.first[pair[0]]] -= vector[space.first[pair[1]]];
@@ -38,7 +38,7 @@ impl Local {
         vector
     }
 
-    /// T y: coefficients of steps from coefficients of hat functions.
+    /// The product T y: coefficients of steps from coefficients of hat functions.
     pub(crate) fn restored(&self, space: &SlopeSpace, mut vector: Vec<f64>) -> Vec<f64> {
         for pair in self.steps(space).windows(2).rev() {
             vector[space.first[pair[1]]] -= vector[space.first[pair[0]]];
@@ -46,8 +46,8 @@ impl Local {
         vector
     }
 
-    /// Finishes ν times the Gram matrix assembled with the shifted kernel: hat functions, negligible
-    /// entries, and what the last step lost.
+    /// Completes ν times the Gram matrix assembled with the shifted kernel: transformation to hat functions,
+    /// negligible entries, and the terms that the last step lacks.
     pub(crate) fn finish(&self, space: &SlopeSpace, gram: DMatrix<f64>, rule: &[(f64, f64)]) -> DMatrix<f64> {
         if !self.has_hats {
             return gram;

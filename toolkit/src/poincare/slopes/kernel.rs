@@ -9,20 +9,20 @@
 //!
 //! ν K = [ (α+γ)^p + (β+γ)^p − γ^p − (α+β+γ)^p ] / p,   at ν = 1/2:  ln(1 + αβ/(γℓ)).
 //!
-//! K is positive; it is computed here with small relative error for all lengths and through p = 0.
+//! K is positive; it is computed with a small relative error for all lengths and through p = 0.
 
-/// (e^{p x} − 1)/p, x at p = 0.
+/// (e^{p x} − 1)/p; x at p = 0.
 pub(crate) fn exp_quotient(p: f64, x: f64) -> f64 {
     if p == 0.0 { x } else { (p * x).exp_m1() / p }
 }
 
-/// ln(a/b), also where the quotient leaves the range of f64.
+/// ln(a/b), also if the quotient exceeds the range of f64.
 pub(crate) fn ln_ratio(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio.is_normal() { ratio.ln() } else { a.ln() - b.ln() }
 }
 
-/// ln(1 + a/b), likewise.
+/// ln(1 + a/b), also if the quotient exceeds the range of f64.
 pub(crate) fn ln_one_plus_ratio(a: f64, b: f64) -> f64 {
     let ratio = a / b;
     if ratio.is_finite() { ratio.ln_1p() } else { a.ln() - b.ln() }

@@ -1,24 +1,23 @@
-//! Functions that vanish on several intervals: between two of them u has to return to zero.
+//! Functions that vanish on several intervals: u must return to zero between two of them.
 //!
-//! With frozen cells in place of the intervals, u is constant on each; that all constants agree is one
-//! condition for every gap between two of them, Σ x = 0 over the steps of the gap. In the basis of steps
-//! the one of the longest cell is expressed by the others; in the basis with hat functions of
-//! [`super::local`], where a coefficient is the value of u behind its cell, all gaps end with the value
-//! before the first.
+//! Each interval is represented by a cell on which u is constant; that all constants agree is one condition for
+//! every gap between two intervals, Σ x = 0 over the steps of the gap. In the basis of steps, the step of the
+//! longest cell is expressed by the others; in the basis with hat functions of [`super::local`], where a
+//! coefficient is the value of u behind its cell, all gaps end with the value before the first one.
 
 use super::local::Local;
 use super::space::SlopeSpace;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Unknowns that others determine, each with its terms: x_k = Σ c x_j.
+/// Unknowns that are determined by others, each with its terms: x_k = Σ c x_j.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Links {
     links: Vec<(usize, Vec<(usize, f64)>)>,
 }
 
 impl Links {
-    /// u has the same value on all cells of `zones`, ranges in order.
+    /// The conditions that u has the same value on all cells of `zones`, ranges in order.
     pub(crate) fn new(space: &SlopeSpace, local: Option<&Local>, zones: &[Range<usize>]) -> Self {
         let step = |cell: usize| space.first[cell];
         let link = |pair: &[Range<usize>]| -> Option<(usize, Vec<(usize, f64)>)> {
@@ -39,7 +38,7 @@ impl Links {
         Self { links: zones.windows(2).filter_map(link).collect() }
     }
 
-    /// The matrix of a form on the unknowns that are left.
+    /// The matrix of a form on the remaining unknowns.
     pub(crate) fn reduced(&self, mut matrix: DMatrix<f64>) -> DMatrix<f64> {
         if self.links.is_empty() {
             return matrix;
@@ -61,7 +60,7 @@ impl Links {
         DMatrix::from_fn(kept.len(), kept.len(), |i, j| matrix[(kept[i], kept[j])])
     }
 
-    /// The vector of a functional on the unknowns that are left.
+    /// The vector of a functional on the remaining unknowns.
     pub(crate) fn reduced_vector(&self, mut vector: Vec<f64>) -> Vec<f64> {
         for (from, terms) in &self.links {
             for &(to, factor) in terms {
@@ -71,7 +70,7 @@ impl Links {
         self.kept(vector.len()).into_iter().map(|k| vector[k]).collect()
     }
 
-    /// All unknowns from those that are left.
+    /// All unknowns, from the remaining ones.
     pub(crate) fn expanded(&self, vector: Vec<f64>) -> Vec<f64> {
         if self.links.is_empty() {
             return vector;

@@ -1,20 +1,18 @@
-//! A short zone deep inside the interval: local coordinates for the kernel; those for the basis are in
-//! [`super::hats`].
+//! A short zone in the interior: local coordinates for the kernel; those for the basis are in [`super::hats`].
 //!
-//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone.
-//! For p > 0 a jump of u costs finite energy, the extremal function jumps down and up again, and in the step
-//! basis its energy θ^p would be a difference of numbers of order one. Within a group G of cells around the
-//! zone
+//! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For
+//! p > 0 a jump of u has finite energy, the extremal function jumps down and up again, and in the step basis
+//! its energy θ^p would be a difference of numbers of order one. Within a group G of cells around the zone
 //!
 //! * neighbouring steps are replaced by their differences, continuous hat functions; the last step of G
-//!   stays (the net increment),
+//!   is kept (the net increment),
 //! * the kernel is taken relative to the point P at the left end of the zone: K(s,t) − κ for s, t ∈ G and
-//!   K(s,t) − K(P,t) for s ∈ G, t outside. Hats and the functions of degree ≥ 1 have zero increment and are
-//!   not affected by the subtraction; for the last step it is added back.
+//!   K(s,t) − K(P,t) for s ∈ G, t outside. The hat functions and the functions of degree ≥ 1 have zero
+//!   increment and are not affected by the subtraction; for the last step it is added back.
 //!
-//! All entries then have the size of their scale, uniformly in θ. For p well below 0 steps are the good
-//! basis (a wide plateau of many short hat functions would have next to no energy compared with theirs);
-//! there the group only serves to replace near points by P in distant interactions.
+//! All entries then have the size of their scale, uniformly in θ. For p well below 0 the basis of steps is
+//! preferable (a wide plateau of many short hat functions would have a negligible energy compared with theirs);
+//! there the group serves only to replace near points by P in distant interactions.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;
@@ -22,23 +20,23 @@ use std::ops::{Range, RangeInclusive};
 
 /// The group is used for zones shorter than this fraction of their distance from the ends ...
 pub(crate) const SHORT: f64 = 0.05;
-/// ... and reaches this far, in the same unit.
+/// ... and extends to this distance, in the same unit.
 const REACH: f64 = 0.3;
-/// Hats whose distances from P have a smaller ratio do not interact: their share of the energy is this ratio
-/// times a logarithm.
+/// Ratio of distances from P below which two hat functions do not interact: their share of the energy is this
+/// ratio times a logarithm.
 const NEGLIGIBLE: f64 = 1e-16;
 /// The same for p > 0.1 at the zone, where the entries of hat functions are differences of larger entries
 /// and have larger rounding errors. The energy of the extremal function decays like (θ/r)^p, and the ratio
 /// increases accordingly up to the second number.
 const NEGLIGIBLE_FOR_JUMPS: (f64, f64) = (1e-13, 1e-6);
-/// Below this order the entries round to 1e-16/ν, and more has to be left out.
+/// Order below which the rounding error of the entries is 1e-16/ν, and more interactions must be neglected.
 const SMALL_ORDER: f64 = 0.2;
 
-/// The ratio for p > 0.1 at the zone: the share of the energy that is left out.
+/// The ratio for p > 0.1 at the zone, which is the share of the energy that is neglected.
 pub(crate) fn negligible_for_jumps(p: f64) -> f64 {
     NEGLIGIBLE_FOR_JUMPS.0 * (2.0 * SMALL_ORDER / (1.0 - p)).max(1.0)
 }
-/// Least energy of a plateau of hat functions, relative to theirs, for which f64 has digits to spare.
+/// Smallest energy of a plateau of hat functions, relative to theirs, for which the precision of f64 suffices.
 const WELL_CONDITIONED: f64 = 1e-4;
 /// Ratio of distances from P below which the nearer point is replaced by P.
 const INDISTINCT: f64 = 1e-15;
@@ -48,9 +46,9 @@ const INDISTINCT: f64 = 1e-15;
 pub(crate) struct Local {
     pub(super) p: f64,
     pub(super) cells: Range<usize>,
-    /// Hats instead of steps.
+    /// True if hat functions are used instead of steps.
     pub(super) has_hats: bool,
-    /// First cell right of P.
+    /// The first cell to the right of P.
     origin: usize,
     /// Distances of P from the two ends, and the length at which d^p is subtracted.
     pub(super) left: f64,
@@ -62,7 +60,7 @@ pub(crate) struct Local {
     cell_offsets: Vec<f64>,
 }
 
-/// Distances from the boundary before entry `origin` to the nearer end of each entry.
+/// Distances from the boundary in front of entry `origin` to the nearer end of each entry.
 fn offsets(lengths: &[f64], origin: usize) -> Vec<f64> {
     let mut distances = vec![0.0; lengths.len()];
     for i in origin + 1..lengths.len() {
@@ -75,8 +73,8 @@ fn offsets(lengths: &[f64], origin: usize) -> Vec<f64> {
 }
 
 impl Local {
-    /// The group around the cells of `zone`, from the first to the last of a zone of several intervals, if
-    /// there is need for one.
+    /// The group around the cells of `zone` (for a zone of several intervals, from the first to the last);
+    /// `None` if it is not needed.
     pub(crate) fn new(space: &SlopeSpace, zone: &Range<usize>, p: f64) -> Option<Self> {
         let lengths: Vec<f64> = space.cells.iter().map(|cell| cell.length).collect();
         let length: f64 = lengths[zone.clone()].iter().sum();
@@ -121,12 +119,12 @@ impl Local {
         self.has_hats && self.contains(cell)
     }
 
-    /// The distance at which the shifted kernel vanishes, up to terms of one point alone.
+    /// The distance at which the shifted kernel vanishes, up to terms that depend on one point alone.
     pub(crate) fn unit(&self) -> f64 {
         self.unit
     }
 
-    /// Signed distance from P of the point ξ of a panel.
+    /// The signed distance from P of the point ξ of a panel.
     pub(crate) fn position(&self, space: &SlopeSpace, panel: usize, xi: f64) -> f64 {
         let (offset, shape) = (self.panel_offsets[panel], &space.panels[panel]);
         if shape.cell >= self.origin {
@@ -166,15 +164,15 @@ impl Local {
         alone + self.inside(position.abs())
     }
 
-    /// `Some(true)` if the distance of the first panel from P is below rounding at the second,
-    /// `Some(false)` if that of the second is at the first.
+    /// `Some(true)` if the distance of the first panel from P is below the rounding error at the second one,
+    /// `Some(false)` in the opposite case, `None` otherwise.
     pub(crate) fn is_nearer(&self, space: &SlopeSpace, i: usize, j: usize) -> Option<bool> {
         let reach = |panel: usize| self.panel_offsets[panel] + space.panels[panel].length;
         let is_nearer = |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
         if is_nearer(i, j) { Some(true) } else { is_nearer(j, i).then_some(false) }
     }
 
-    /// Largest and smallest distance from P over cells of G next to `cell`, `width` on either side.
+    /// The largest and the smallest distance from P over cells of G next to `cell`, `width` on either side.
     pub(super) fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
         cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
             let offset = self.cell_offsets[c];
@@ -204,8 +202,8 @@ impl Local {
     }
 
     /// True if the ranges of distances (low, high) are so far apart that hat functions do not interact. The
-    /// last step of G has an increment and interacts with everything that is larger, and so has a function
-    /// outside G.
+    /// last step of G has an increment and interacts with all larger functions, and so does a function outside
+    /// G.
     fn are_apart(
         &self,
         first: (f64, f64),
@@ -220,7 +218,7 @@ impl Local {
             || (is_local(&cells.1) && self.is_apart(second.1, first.0))
     }
 
-    /// The cell whose step stays.
+    /// The cell whose step is kept.
     pub(super) fn last(&self) -> usize {
         self.cells.end - 1
     }

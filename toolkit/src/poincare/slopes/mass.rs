@@ -1,9 +1,9 @@
-//! The Gram matrix of ‖u‖₀² in the slope basis, the constant being fixed by a condition on a range of cells.
+//! The Gram matrix of ‖u‖₀² in the slope basis, where a condition on a range of cells determines the constant.
 //!
-//! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis
-//! function is a constant left of its cell, a constant right of it, and a primitive of its slope inside;
-//! the two constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E|
-//! between two ranges, e_l and e_r what lies of E on either side, so that no large numbers are subtracted.
+//! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis function is
+//! a constant to the left of its cell, a constant to the right of it, and a primitive of its slope inside; the
+//! two constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E| between
+//! two ranges, e_l and e_r the lengths of E on either side, so that no large numbers are subtracted.
 
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;
@@ -11,20 +11,20 @@ use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
-/// Basis functions on their own cell, and the constants beside it.
+/// The basis functions on their own cells, and the constants next to them.
 #[derive(Debug, Clone)]
 pub(crate) struct Primitives {
-    /// Constant to the left and to the right of the cell, per unknown.
+    /// The constants to the left and to the right of the cell, for each unknown.
     pub(crate) beside: Vec<(f64, f64)>,
-    /// ∫ of the function over its own cell, per unknown.
+    /// The integral of the function over its own cell, for each unknown.
     pub(crate) integral: Vec<f64>,
-    /// ∫ of products over the cell, per cell.
+    /// The integrals of products over the cell, for each cell.
     products: Vec<Vec<Vec<f64>>>,
 }
 
 impl Primitives {
-    /// Mean zero over the cells of all ranges of `zones`, in order; u = 0 at the node before its start where
-    /// the only range is empty.
+    /// The basis with mean zero over the cells of all ranges of `zones`, in order; if the only range is empty,
+    /// with u = 0 at the node at its start.
     pub(crate) fn new(space: &SlopeSpace, zones: &[Range<usize>], n: usize) -> Result<Self> {
         let rule = Rule::gauss_legendre(n)?;
         let mut beside = Vec::with_capacity(space.dimension());
@@ -63,7 +63,7 @@ impl Primitives {
         Ok(Self { beside, integral, products })
     }
 
-    /// Mean of each basis function over the whole interval.
+    /// The mean of each basis function over the whole interval.
     pub(crate) fn means(&self, space: &SlopeSpace) -> Vec<f64> {
         let total: f64 = space.cells.iter().map(|cell| cell.length).sum();
         let cell_of = |c: usize| (space.first[c]..space.first[c + 1]).map(move |i| (c, i));
@@ -85,8 +85,8 @@ struct Point {
 }
 
 impl Point {
-    /// Values of the basis functions: the step from the left to the right constant, and the primitives above
-    /// it.
+    /// The values of the basis functions: the step from the left to the right constant, and the primitives
+    /// added to it.
     fn values(&self, functions: usize, beside: &[(f64, f64)]) -> Values {
         let mut values = legendre_primitives(functions, self.xi);
         values[0] = beside[0].0 * self.complement + beside[0].1 * self.xi;
@@ -119,7 +119,7 @@ fn first_pair(left: f64, right: f64) -> [(f64, f64); MOST_FUNCTIONS] {
     pairs
 }
 
-/// Constants that make the mean over the zone vanish, for the functions of a cell inside it.
+/// The constants for which the mean over the zone vanishes, for the functions of a cell inside it.
 fn mean_free(
     points: &[Point],
     functions: usize,
@@ -144,7 +144,7 @@ fn mean_free(
     constants
 }
 
-/// ‖u‖₀² divided by the length of the interval, so that its entries stay of order one.
+/// The Gram matrix of ‖u‖₀² divided by the length of the interval, so that its entries are of order one.
 pub(crate) fn mass_gram(space: &SlopeSpace, primitives: &Primitives) -> DMatrix<f64> {
     let size = space.dimension();
     let total: f64 = space.cells.iter().map(|cell| cell.length).sum();

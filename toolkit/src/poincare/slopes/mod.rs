@@ -1,9 +1,9 @@
 //! The hp space in which the constants of the appendices are computed: slopes on graded cells.
 //!
-//! Unknowns are the slopes of u, so that constants, the kernel of the seminorm, do not appear at all and no
-//! position is ever subtracted from another. See [`cell`] for the parametrizations, [`gram`] for |u|_ν²,
-//! [`mass`] for ‖u‖₀² under a condition that fixes the constant, [`local`] and [`hats`] for short zones
-//! inside, [`links`] for functions that vanish on several intervals.
+//! The unknowns are the slopes of u, so that constants, on which the seminorm vanishes, do not occur and
+//! positions are never subtracted. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for
+//! ‖u‖₀² under a condition that determines the constant, [`local`] and [`hats`] for short zones in the
+//! interior, [`links`] for functions that vanish on several intervals.
 
 mod adjacent;
 pub(crate) mod cell;

@@ -1,10 +1,10 @@
-//! Gauss rules on the panels, with the terms of the kernel that depend on one point only.
+//! Gauss rules on the panels, with the terms of the kernel that depend on only one point.
 //!
-//! The number of points follows from the digits wanted, from the degree of the slopes on the panel (a
-//! polynomial on a long cell has few degrees on each of its panels) and from the nearest singularity of the
-//! kernel: an n-point rule is exact to degree 2n − 1, and the Chebyshev coefficients of the kernel fall off
-//! like ϱ^{−k} on the Bernstein ellipse of the singularity, and at least like those of eˣ because the panels
-//! are exponential.
+//! The number of points follows from the required digits, from the degree of the slopes on the panel (a
+//! polynomial on a long cell has a low degree on each of its panels) and from the nearest singularity of the
+//! kernel: an n-point rule is exact up to degree 2n − 1, and the Chebyshev coefficients of the kernel decrease
+//! like ϱ^{−k} on the Bernstein ellipse of the singularity, and at most as fast as those of eˣ because the
+//! panels are exponential.
 
 use super::kernel::power_increment;
 use super::local::Local;
@@ -15,7 +15,7 @@ use crate::quadrature::Rule;
 use std::f64::consts::LN_10;
 use std::sync::OnceLock;
 
-/// Numbers of points to choose from.
+/// Available numbers of points.
 const SIZES: [usize; 14] = [3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 18, 21, 24, 27];
 
 /// One point of a panel.
@@ -31,28 +31,28 @@ pub(crate) struct Node {
     /// (ℓ^p − x^p)/p and (ℓ^p − y^p)/p, ℓ = x + y.
     pub(crate) beyond_x: f64,
     pub(crate) beyond_y: f64,
-    /// Signed distance from the point P of the local group, the power of its modulus, and the shifted
-    /// kernel's terms of one point.
+    /// Signed distance from the point P of the local group, the power of its modulus, and the terms of the
+    /// shifted kernel that depend on one point.
     pub(crate) position: f64,
     pub(crate) position_power: f64,
     pub(crate) nearer: f64,
     pub(crate) further: f64,
-    /// The basis of the cell times the weight.
+    /// The values of the basis of the cell times the weight.
     pub(crate) weighted: Values,
 }
 
-/// Rules of all sizes on all panels, computed at first use.
+/// Rules of all sizes on all panels, computed at their first use.
 pub(crate) struct Nodes {
     rules: Vec<Pairs>,
     panels: Vec<Vec<OnceLock<Vec<Node>>>>,
-    /// Degree of the slopes, and distance of the nearest end of the interval in units of the panel, per
-    /// panel.
+    /// For each panel, the degree of the slopes and the distance of the nearest end of the interval in units of
+    /// the panel.
     degrees: Vec<usize>,
     isolation: Vec<f64>,
 }
 
 impl Nodes {
-    /// Up to `most` points; slopes are resolved to `digits` digits.
+    /// The rules with up to `most` points; slopes are resolved to `digits` digits.
     pub(crate) fn new(space: &SlopeSpace, most: usize, digits: f64) -> Result<Self> {
         let sizes = SIZES.iter().copied().filter(|&n| n < most).chain([most]);
         let rules =
@@ -71,8 +71,8 @@ impl Nodes {
         Ok(Self { rules, panels, degrees, isolation })
     }
 
-    /// The rule for `digits` digits over panel i, whose distance from the nearest singular point is
-    /// `outside` times its length.
+    /// The index of the rule for `digits` digits over panel i, whose distance from the nearest singular point
+    /// is `outside` times its length.
     pub(crate) fn choose(&self, i: usize, outside: f64, digits: f64) -> usize {
         let beside = 1.0 + 2.0 * outside.min(self.isolation[i]);
         let ellipse = beside + (beside * beside - 1.0).sqrt();
@@ -120,7 +120,8 @@ fn node(space: &SlopeSpace, local: Option<&Local>, p: f64, i: usize, (xi, w): (f
     }
 }
 
-/// Degree of eˣ on (−1, 1) to the given number of digits: its Chebyshev coefficients are about 2^{1−k}/k!.
+/// The degree that approximates eˣ on (−1, 1) to the given number of digits: its Chebyshev coefficients are
+/// about 2^{1−k}/k!.
 fn exponential_degree(digits: f64) -> f64 {
     let (mut degree, mut logarithm) = (0.0, 0.0);
     while logarithm < digits && degree < 30.0 {
@@ -130,7 +131,7 @@ fn exponential_degree(digits: f64) -> f64 {
     degree
 }
 
-/// Degree of the slopes of a cell on one of its panels, as far as their Legendre coefficients reach
+/// The degree of the slopes of a cell on one of its panels, up to which their Legendre coefficients exceed
 /// 10^−`digits`.
 fn degree_on_panel(space: &SlopeSpace, i: usize, rule: &Pairs, digits: f64) -> usize {
     let functions = space.functions(i);

@@ -1,9 +1,9 @@
-//! Gauss rules for the weights from the diagonal of the kernel: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
+//! Gauss rules for the weights that arise at the diagonal of the kernel: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
 //!
 //! The second weight is positive for either sign of p and becomes −t^k ln t at p = 0. Because (1 − t^p)/p =
 //! ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: a product of a Gauss-Jacobi and a
-//! Gauss-Legendre rule, exact for polynomials. The n-point rule is obtained from that product rule by
-//! Stieltjes' procedure.
+//! Gauss-Legendre rule is exact for polynomials. The n-point rule is obtained from that product rule by the
+//! Stieltjes procedure.
 
 use crate::error::{Error, Result};
 use crate::numeric::dense::symmetric_eigen;
@@ -25,7 +25,7 @@ pub(crate) struct Rules {
 }
 
 impl Rules {
-    /// n-point rules for the exponent p = 1 − 2ν > −1.
+    /// The n-point rules for the exponent p = 1 − 2ν > −1.
     pub(crate) fn new(n: usize, p: f64) -> Result<Self> {
         let power = |k: f64| -> Result<Pairs> { Ok(Rule::gauss_jacobi(n, 0.0, p + k)?.iter().collect()) };
         Ok(Self {
@@ -78,7 +78,7 @@ fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Result<Pairs> {
 mod tests {
     use super::*;
 
-    /// Rounding of the Stieltjes procedure and the eigenvectors, n <= 16.
+    /// Rounding error of the Stieltjes procedure and of the eigenvectors, n <= 16.
     const MOMENT_TOLERANCE: f64 = 1e-12;
 
     #[test]

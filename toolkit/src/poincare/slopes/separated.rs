@@ -1,4 +1,4 @@
-//! Pairs of panels with a gap between them: tensor Gauss rules on the kernel.
+//! Pairs of panels with a gap between them: tensor Gauss rules for the kernel.
 //!
 //! With s < t, x and y the distances of a point from the two ends and d = t − s, the kernel of
 //! [`super::kernel`] is, for x(s) ≤ y(t),
@@ -6,8 +6,8 @@
 //! ν K = (x(t)^p − d^p)/p − (ℓ^p − y(s)^p)/p,  the first term = x(t)^p (1 − e^{−pL})/p,  L = ln(1 + x(s)/d),
 //!
 //! and its mirror image for x(s) > y(t): one logarithm and one exponential per pair of points, without
-//! cancellation as long as d is not the largest of the three lengths. Then, and only then, the general
-//! formula is needed.
+//! cancellation as long as d is not the largest of the three lengths. Only in that case the general formula is
+//! needed.
 
 use super::adjacent::{Block, EMPTY};
 use super::gram::Assembly;
@@ -20,10 +20,10 @@ use crate::estimate::Work;
 /// Interactions below this fraction of the self energies do not change any digit of the quotient.
 const NEGLIGIBLE: f64 = 1e-18;
 
-/// Beyond, e^{−pL} leaves the range of f64 (p near −1, the shortest distances).
+/// Exponent beyond which e^{−pL} exceeds the range of f64 (p near −1, the shortest distances).
 const LARGEST_EXPONENT: f64 = 600.0;
 
-/// Digits to spare where steps are differenced to hat functions.
+/// Number of additional digits where steps are subtracted to form hat functions.
 const SPARE_DIGITS: f64 = 2.0;
 
 impl Assembly<'_> {
@@ -101,7 +101,7 @@ impl Assembly<'_> {
         block
     }
 
-    /// ν K of two points at distance d.
+    /// The value of ν K for two points at distance d.
     fn between(&self, s: &Node, t: &Node, d: f64) -> f64 {
         let is_left = s.x <= t.y;
         let logarithm = ln_one_plus_ratio(if is_left { s.x } else { t.y }, d);
@@ -112,8 +112,8 @@ impl Assembly<'_> {
         if is_left { t.x_power * increment - s.beyond_y } else { s.y_power * increment - t.beyond_x }
     }
 
-    /// Panels of the local group of which one is so much nearer to P that the kernel is that of P: a product
-    /// of two integrals.
+    /// The block of two panels of the local group, one of which is so much nearer to P that the kernel is that
+    /// of P: a product of two integrals.
     fn seen_from_origin(&self, i: usize, j: usize, first_is_nearer: bool) -> Block {
         let (of_i, of_j) = if first_is_nearer {
             (&self.from_origin[i].0, &self.from_origin[j].1)
@@ -130,7 +130,7 @@ impl Assembly<'_> {
     }
 }
 
-/// The shifted kernel of two points at distance d, one of them at least in the local group.
+/// The shifted kernel for two points at distance d, at least one of them in the local group.
 fn shifted(p: f64, local: &Local, classes: (bool, bool), s: &Node, t: &Node, d: f64) -> f64 {
     match classes {
         (true, true) => s.nearer + t.further + local.inside(d),

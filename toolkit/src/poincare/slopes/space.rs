@@ -1,8 +1,9 @@
 //! Piecewise polynomial slopes on an ordered list of cells.
 //!
-//! The unknowns x describe du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈ (0,1) the
-//! coordinate of the cell. Function 0 of a cell raises u by 1 across it; the others leave both ends where
-//! they are. The space is conforming in H^ν for every 0 < ν < 1: u is continuous and piecewise smooth.
+//! The unknowns x are the coefficients of du/dξ = Σ_k x_k L_k(ξ) on each cell, L_k = √(2k+1) P_k(2ξ−1), ξ ∈
+//! (0,1) the coordinate of the cell. Function 0 of a cell raises u by 1 across it; the others leave the values
+//! at both ends unchanged. The space is conforming in H^ν for every 0 < ν < 1: u is continuous and piecewise
+//! smooth.
 
 use super::cell::{Cell, Panel};
 use crate::numeric::legendre;
@@ -13,7 +14,7 @@ pub(crate) const MOST_FUNCTIONS: usize = 16;
 /// Values of the basis at a point.
 pub(crate) type Values = [f64; MOST_FUNCTIONS + 1];
 
-/// Cells, the panels they are cut into, and the numbering of the unknowns.
+/// Cells, the panels into which they are divided, and the numbering of the unknowns.
 #[derive(Debug, Clone)]
 pub(crate) struct SlopeSpace {
     pub(crate) cells: Vec<Cell>,
@@ -29,7 +30,7 @@ pub(crate) struct SlopeSpace {
     pub(crate) panel_right: Vec<f64>,
 }
 
-/// Sums of the lengths before and after each entry; sums of positive numbers only.
+/// The sums of the lengths before and after each entry, which add positive numbers only.
 fn distances(lengths: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let running = |sum: &mut f64, length: &f64| {
         let before = *sum;
@@ -43,7 +44,7 @@ fn distances(lengths: &[f64]) -> (Vec<f64>, Vec<f64>) {
 }
 
 impl SlopeSpace {
-    /// `largest_spread` bounds ln(r₁/r₀) over a panel.
+    /// The space on these cells; `largest_spread` bounds ln(r₁/r₀) over a panel.
     pub(crate) fn new(cells: Vec<Cell>, largest_spread: f64) -> Self {
         let panels: Vec<Panel> =
             cells.iter().enumerate().flat_map(|(index, cell)| cell.panels(index, largest_spread)).collect();
@@ -57,17 +58,17 @@ impl SlopeSpace {
         Self { cells, panels, first, cell_left, cell_right, panel_left, panel_right }
     }
 
-    /// Number of unknowns.
+    /// The number of unknowns.
     pub(crate) fn dimension(&self) -> usize {
         self.first[self.cells.len()]
     }
 
-    /// Number of slope functions on the cell of a panel.
+    /// The number of slope functions on the cell of a panel.
     pub(crate) fn functions(&self, panel: usize) -> usize {
         self.cells[self.panels[panel].cell].functions
     }
 
-    /// First unknown of the cell of a panel.
+    /// The first unknown of the cell of a panel.
     pub(crate) fn first_of_panel(&self, panel: usize) -> usize {
         self.first[self.panels[panel].cell]
     }
