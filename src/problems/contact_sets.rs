@@ -1,14 +1,14 @@
-//! Contact sets on a fine edge of N cells, as lists of gaps: one or many transitions, Cantor sets, fat Cantor
-//! sets.
+//! Contact sets on a fine edge of N cells, as lists of non-contact intervals (gaps): one or many transitions, Cantor
+//! sets, fat Cantor sets.
 //!
-//! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. Everything is rounded
-//! to nodes of the fine edge, except that a single transition may lie between two nodes; a Cantor
-//! construction stops where a gap would have no free node or a contact piece no cell, so that the discrete
-//! test problem is never degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
+//! A gap (a, b) is open: its nodes a + 1, ..., b − 1 are free, a and b are in contact. All positions are rounded to
+//! nodes of the fine edge, except that a single transition may lie between two nodes; a Cantor construction stops
+//! where a gap would have no free node or a contact interval no cell, so that the discrete test problem is never
+//! degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// Largest number of generations of a Cantor set; no grid of at most 2^26 cells resolves as many.
+/// Largest number of generations of a Cantor set; a grid of at most 2^26 cells resolves fewer.
 const LARGEST_DEPTH: usize = 64;
 
 /// An open gap between two contact nodes.
@@ -20,8 +20,8 @@ pub(crate) struct Gap {
     pub(crate) right: usize,
 }
 
-/// `count` equal gaps with contact of the same length between them; contact of half that length at either
-/// side.
+/// `count` gaps of equal length, separated by contact intervals of the same length, with contact of half that length
+/// at both ends.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     if count == 0 || count > cells / 4 {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
@@ -40,8 +40,8 @@ pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
         .collect())
 }
 
-/// The middle gaps of the Cantor construction that keeps two pieces of relative length `ratio`, `depth`
-/// times. d = ln 2 / ln(1/ratio).
+/// The gaps of `depth` generations of the Cantor construction that keeps two intervals of relative length `ratio`. d
+/// = ln 2 / ln(1/ratio).
 pub(crate) fn cantor(cells: usize, ratio: f64, depth: usize) -> Vec<Gap> {
     let mut gaps = Vec::new();
     let length = |_: usize, piece: f64| piece * (1.0 - 2.0 * ratio);
@@ -49,7 +49,7 @@ pub(crate) fn cantor(cells: usize, ratio: f64, depth: usize) -> Vec<Gap> {
     gaps
 }
 
-/// A Cantor set of positive measure `measure`: 2^{k−1} gaps of length c 2^{−k/d} in generation k = 1 ...
+/// The gaps of a Cantor set of measure `measure` > 0: 2^{k−1} gaps of length c 2^{−k/d} in generation k = 1 ...
 /// depth.
 pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usize) -> Vec<Gap> {
     let shrink = (-std::f64::consts::LN_2 / dimension).exp();
@@ -61,12 +61,13 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
     gaps
 }
 
-/// 2^depth − 1: the gaps of `depth` generations.
+/// The number 2^depth − 1 of gaps in `depth` generations.
 pub(crate) fn generated_gaps(depth: usize) -> u64 {
     1u64.checked_shl(depth.try_into().unwrap_or(u32::MAX)).unwrap_or(0).wrapping_sub(1)
 }
 
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless a Cantor construction may have that many generations.
+/// Fails with [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the number of
+/// generations is admissible.
 pub(crate) fn check_depth(depth: usize) -> Result<()> {
     if (1..=LARGEST_DEPTH).contains(&depth) {
         Ok(())
@@ -75,8 +76,8 @@ pub(crate) fn check_depth(depth: usize) -> Result<()> {
     }
 }
 
-/// Opens a gap in the middle of (start, end) and recurses in both pieces; gaps are listed in the order of
-/// the edge.
+/// Opens a gap in the middle of (start, end) and proceeds recursively in both remaining intervals; gaps are listed in
+/// the order of the edge.
 fn split(
     start: f64,
     end: f64,

@@ -1,10 +1,10 @@
-//! Corners and transitions of a solved contact problem, and the regularity of its solution there.
+//! Corners and transitions of a computed contact problem, and the regularity of its solution there.
 //!
-//! From the polygon of the mesh, the conditions on its sides and the contact set found: every node of the
-//! boundary where the boundary bends, the conditions change, or contact turns into gap is a wedge, whose
-//! exponents `singular` computes. u ∈ H^τ for every τ below the smallest of their suprema. Data are assumed
-//! to be smooth. A contact interval of a single node counts as an interval with two transitions at one
-//! point.
+//! They are found from the polygon of the mesh, the conditions on its sides and the computed contact set: every
+//! boundary node at which the boundary bends, the conditions change, or contact ends is the vertex of a wedge, whose
+//! exponents are computed by `singular`. u ∈ H^τ for every τ below the smallest of the resulting suprema. Data are
+//! assumed to be smooth. A contact interval that consists of a single node counts as an interval with two transitions
+//! at one point.
 
 use crate::cone::Cone;
 use crate::contact::{ContactProblem, ContactSolution};
@@ -16,13 +16,13 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// Openings closer than this to π count as straight.
+/// Openings closer to π than this count as straight.
 const STRAIGHT: f64 = 1e-9;
 
-/// A corner of the body, or a change of conditions on a straight side.
+/// A corner of the body, or a change of conditions on a straight side, with the regularity of the solution there.
 ///
-/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + smooth, and r^λ φ ∈ H^τ exactly for τ < 1 + Re λ unless it is a
-/// polynomial.
+/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + a smooth function, and r^λ φ ∈ H^τ exactly for τ < 1 + Re λ unless it
+/// is a polynomial.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
@@ -34,11 +34,11 @@ const STRAIGHT: f64 = 1e-9;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerSingularity {
-    /// Position.
+    /// Position of the corner.
     pub place: Point,
-    /// Opening and sides; θ = 0 is the side that leaves the corner with the body on its left.
+    /// Opening and side conditions; θ = 0 is the side that starts at the corner with the body on its left.
     pub wedge: Wedge,
-    /// The supremum of the τ with u ∈ H^τ there, and the exponent responsible.
+    /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent that determines it.
     pub regularity: CornerRegularity,
 }
 
@@ -49,9 +49,9 @@ impl fmt::Display for CornerSingularity {
     }
 }
 
-/// The regularity of a solution.
+/// The regularity of a solution, with its corners and transitions.
 ///
-/// τ = min over the corners, not attained: u ∈ H^{τ−ε} for every ε > 0.
+/// τ is the minimum over the corners, not attained: u ∈ H^{τ−ε} for every ε > 0.
 ///
 /// ```
 /// use signorini::problems::{Parameters, TestProblem};
@@ -62,23 +62,24 @@ impl fmt::Display for CornerSingularity {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolutionRegularity {
-    /// Supremum of the τ with u ∈ H^τ; at most 4, the limit of the search for exponents.
+    /// Supremum of the τ with u ∈ H^τ; at most 4, the limit of the exponents computed.
     pub tau: f64,
-    /// All corners and transitions, the roughest first.
+    /// All corners and transitions, ordered by increasing regularity.
     pub corners: Vec<CornerSingularity>,
 }
 
 impl SolutionRegularity {
-    /// The corner responsible for τ, if an exponent limits it.
+    /// The corner that determines τ, if an exponent limits it.
     pub fn responsible(&self) -> Option<&CornerSingularity> {
         self.corners.first().filter(|corner| corner.regularity.exponent.is_some())
     }
 }
 
-/// Corners, transitions and regularity of a discrete solution. Cost: a millisecond for each different wedge.
+/// The corners, transitions and regularity of a discrete solution. Cost: about a millisecond for each different
+/// wedge.
 ///
-/// A node of the boundary is a wedge if the boundary bends there or the condition (clamped, free, closed, open)
-/// changes; a segment is closed if its constraint is active (midpoint) or both its nodes are (nodal).
+/// A boundary node is the vertex of a wedge if the boundary bends there or the condition (clamped, free, closed,
+/// open) changes; a segment is closed if its constraint is active (midpoint) or both its nodes are active (nodal).
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
@@ -90,9 +91,10 @@ impl SolutionRegularity {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials meet or several pieces of boundary touch;
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1, 1/2); [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact
-/// edge in several pieces; those of [`Wedge::regularity`].
+/// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials or several pieces of the
+/// boundary meet; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1,
+/// 1/2); [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact edge in several
+/// pieces; and the errors of [`Wedge::regularity`].
 pub fn solution_regularity(
     problem: &ContactProblem,
     solution: &ContactSolution,
@@ -123,7 +125,7 @@ pub(super) fn regularity_with_ends(
             if slot.replace((other, side)).is_some() {
                 return Err(Error::Toolkit(ToolkitError::Node {
                     node: mesh.number(node),
-                    reason: "is common to several pieces of the boundary",
+                    reason: "belongs to several pieces of the boundary",
                 }));
             }
         }
@@ -200,7 +202,7 @@ fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Opt
     }
 }
 
-/// The angle of the body at a node, from the next node of the boundary to the last one.
+/// The interior angle of the body at a node, from the next node of the boundary to the previous one.
 fn opening([x, y]: Point, next: Point, last: Point) -> f64 {
     let angle = |[a, b]: Point| (b - y).atan2(a - x);
     let turned = (angle(last) - angle(next)).rem_euclid(TAU);
@@ -211,7 +213,7 @@ fn opening([x, y]: Point, next: Point, last: Point) -> f64 {
     }
 }
 
-/// The one material at a node.
+/// The medium at a node, if there is only one.
 fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
     let Form::Elastic { materials } = problem.form() else { return Ok(Medium::Scalar) };
     let mesh = problem.mesh();

@@ -1,20 +1,19 @@
-//! A body whose bottom is the Dirichlet boundary for x < 0 and the contact boundary for x > 0, on rings
-//! that resolve the origin.
+//! A body whose bottom is the Dirichlet boundary for x < 0 and the contact boundary for x > 0, on rings that resolve
+//! the origin.
 //!
-//! Outline, angles and radii as in [`polar_rings`]; plane strain with μ = 1, or the Laplacian. The load is
-//! a constant traction (cos α, sin α) on the outline: tension for α = 90°, compression for −90°, shear
-//! between. In the scalar problem u replaces u_N = −u_y, and the load is −sin α. There is no volume load:
-//! near the origin the solution is determined by the far field.
+//! Outline, angles and radii are as in [`polar_rings`]; the form is plane strain with μ = 1, or the Laplacian. The
+//! load is a constant traction (cos α, sin α) on the outline: tension for α = 90°, compression for −90°, shear for 0°
+//! and 180°. In the scalar problem u replaces u_N = −u_y, and the load is −sin α. There is no volume load: near the
+//! origin the solution is determined by the far field.
 
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Outline, polar_rings};
 
-/// The data of the test problem.
+/// The data of a test problem in which Dirichlet and contact boundary meet.
 ///
-/// At the origin the Dirichlet and the contact boundary meet at the angle π. Nodes: about `angles` ·
-/// ln(1/`smallest`)/`step`.
+/// The two parts meet at the origin at the angle π. The number of nodes is about `angles` · ln(1/`smallest`)/`step`.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, mesh::Outline, problems::DirichletEnd};
@@ -29,20 +28,20 @@ use crate::mesh::{Outline, polar_rings};
 pub struct DirichletEnd {
     /// The outline of the body.
     pub outline: Outline,
-    /// Sectors of a ring, a multiple of 4.
+    /// Number of sectors of a ring, a multiple of 4.
     pub angles: usize,
-    /// ln of the ratio of two rings.
+    /// Logarithm of the ratio of the radii of consecutive rings.
     pub step: f64,
-    /// The rings end below this radius.
+    /// Smallest radius: the rings end below it.
     pub smallest: f64,
     /// Poisson's ratio in (−1, 1/2); `None` for the scalar problem.
     pub poisson: Option<f64>,
-    /// α, the direction of the traction, in degrees.
+    /// The direction α of the traction, in degrees.
     pub direction: f64,
 }
 
 impl DirichletEnd {
-    /// The assembled problem.
+    /// The assembled contact problem.
     ///
     /// ```
     /// use signorini::{fem::Form, mesh::Outline, problems::DirichletEnd};
@@ -56,10 +55,11 @@ impl DirichletEnd {
     /// ```
     ///
     /// # Errors
-    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for Poisson's ratio or a direction that is not finite.
+    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an inadmissible
+    /// Poisson's ratio or a direction that is not finite.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Self { outline, angles, step, smallest, poisson, direction } = *self;
-        Error::require("direction of the load", direction, "finite degrees", direction.is_finite())?;
+        Error::require("direction of the load", direction, "finite values", direction.is_finite())?;
         let form = match poisson {
             None => Form::LAPLACE,
             Some(nu) => {

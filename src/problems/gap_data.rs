@@ -1,4 +1,5 @@
-//! u_N and λ on the edge of a strip from the gaps of a test problem: powers of the distance to their ends.
+//! u_N and λ on the edge of a strip from the gaps (non-contact intervals) of a test problem: powers of the distance
+//! to their ends.
 
 use super::contact_sets::Gap;
 use super::pressure::contact_forces;
@@ -18,26 +19,27 @@ pub(super) struct Gaps {
     gaps: Vec<Gap>,
     /// Boundary dimension d.
     dimension: f64,
-    /// λ = dist^q.
+    /// The exponent q in λ = dist^q.
     pressure: f64,
-    /// Both times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends.
+    /// The exponent α: both data are multiplied by ℓ^{−α}, ℓ(r) = 2 + ln(1/r), r the distance to the ends.
     logarithm: f64,
-    /// Distance from the left node to the start of a single gap, in cells, below 1.
+    /// Distance from the left node to the start of a single gap, in cells, less than 1.
     advance: f64,
 }
 
 impl Gaps {
-    /// Ends of gaps are transitions: λ = dist^{τ−2}, d = 0.
+    /// Gaps whose ends are transitions: λ = dist^{τ−2}, d = 0.
     pub(super) fn with_transitions(gaps: Vec<Gap>, grid: Grid) -> Self {
         Self { gaps, dimension: 0.0, pressure: grid.tau - 2.0, logarithm: 0.0, advance: 0.0 }
     }
 
-    /// λ = 1 on the contact set, gaps of boundary dimension d.
+    /// Gaps of boundary dimension d, with λ = 1 on the contact set.
     pub(super) fn fractal(gaps: Vec<Gap>, dimension: f64) -> Self {
         Self { gaps, dimension, pressure: 0.0, logarithm: 0.0, advance: 0.0 }
     }
 
-    /// The gap after one transition at `place`: up to half a period later, or beyond the side.
+    /// The gap after one transition at `place`: half a period long with periodic sides, otherwise extending beyond
+    /// the side.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the place lies in (0, 1).
@@ -52,23 +54,23 @@ impl Gaps {
         Ok(Self { advance: start.fract(), ..Self::with_transitions(vec![Gap { left, right }], grid) })
     }
 
-    /// The same gaps with data times ℓ^{−α}.
+    /// The same gaps with data multiplied by ℓ^{−α}.
     pub(super) fn damped(self, logarithm: f64) -> Self {
         Self { logarithm, ..self }
     }
 
-    /// u_N and λ.
+    /// The pair (u_N, λ).
     ///
-    /// u_N = −δ^p at the nodes of each gap, λ_i half the integral of dist^q over either contact cell at node i, both
-    /// times ℓ^{−α} if damped.
+    /// u_N = −δ^p at the nodes of each gap, λ_i half the integral of dist^q over each contact cell at node i, both
+    /// multiplied by ℓ^{−α} if damped.
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a gap; as [`EdgeData::new`].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without a gap; the errors of [`EdgeData::new`].
     pub(super) fn pair(&self, grid: Grid) -> Result<EdgeData> {
         let Grid { tau, cells, sides } = grid;
         if self.gaps.is_empty() {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "gaps on this grid",
+                name: "non-contact intervals on this grid",
                 value: 0,
                 range: "[1, inf)",
             }));
@@ -90,8 +92,8 @@ impl Gaps {
         Ok(EdgeData::new(cells, sides, values, forces)?.with_regularity(tau))
     }
 
-    /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a when it ends beyond
-    /// the side.
+    /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a if the gap extends beyond the
+    /// side.
     fn depth(&self, gap: Gap, i: usize, grid: Grid) -> f64 {
         let left = (i - gap.left) as f64 - self.advance;
         if grid.sides == LateralCondition::Natural && gap.right > grid.cells {

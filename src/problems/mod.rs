@@ -1,20 +1,19 @@
-//! One registry of test problems, on meshes and on the edge of a strip: names, data, regularity, and the solution
-//! where it is known.
+//! The registry of test problems, on meshes and on the edge of a strip: names, data, regularity, and the solution if
+//! it is known.
 //!
-//! | | what | where |
+//! | | content | module |
 //! | --- | --- | --- |
 //! | [`NamedProblem`] | a test problem of either kind, by name | `named` |
 //! | [`TestProblem`] | bodies, loads, boundary parts | `test_problem` |
-//! | [`TestProblem::regularity`], [`solution_regularity`] | sup τ from corners and the computed contact set |
-//! `regularity`, `corners` |
-//! | [`StripData`] | pairs (u_N, λ) on a fine edge from which the load follows | `strip_data`, `contact_sets`, `gap_data` |
-//! | names and parameters | one block per test problem; grammar, reading, writing | `registry` |
+//! | [`TestProblem::regularity`], [`solution_regularity`] | sup τ from corners and contact set | `regularity`, `corners` |
+//! | [`StripData`] | pairs (u_N, λ) on a fine edge that determine the load | `strip_data`, `contact_sets`, `gap_data` |
+//! | names and parameters | one block per test problem; grammar, parsing, formatting | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`DirichletEnd`] | a body whose Dirichlet and contact boundary meet, on polar rings | `dirichlet_end` |
-//! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors against it | `known` |
+//! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors | `known` |
 //!
-//! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with
-//! defaults, data. The list of names, help texts, parsing, formatting and errors are generated from it.
+//! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with defaults, data.
+//! The list of names, help texts, parsing, formatting and error messages are generated from it.
 
 mod contact_sets;
 mod corners;

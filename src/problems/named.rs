@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 
 /// A test problem of the mesh solver or of the strip.
 ///
-/// Parsing the displayed text gives the same problem.
+/// The displayed text can be parsed and gives the same problem.
 ///
 /// ```
 /// use signorini::problems::NamedProblem;
@@ -21,14 +21,14 @@ use std::sync::LazyLock;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum NamedProblem {
-    /// Two-dimensional, on a mesh.
+    /// A two-dimensional problem on a mesh.
     Mesh(TestProblem),
-    /// Manufactured on the edge of the strip.
+    /// A problem manufactured on the edge of the strip.
     Strip(StripData),
 }
 
 impl NamedProblem {
-    /// The names and parameters of all test problems, for help texts and errors.
+    /// The names and parameters of all test problems, for help texts and error messages.
     ///
     /// ```
     /// use signorini::problems::{NamedProblem, StripData, TestProblem};

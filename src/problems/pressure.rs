@@ -1,9 +1,10 @@
-//! Contact forces of a test problem: a density that is a power of the distance to the gap.
+//! Contact forces of a test problem: their density is a power of the distance to the nearest non-contact interval.
 
 use crate::strip::LateralCondition;
 
-/// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 +
-/// ln(1/r), dist to the nearest gap; half of each cell's integral goes to either end. ℓ is that of the middle
+/// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 + ln(1/r),
+/// dist the distance to the nearest non-contact interval; half of the integral over each cell is assigned to each of
+/// its ends. ℓ is evaluated at the midpoint of the cell.
 /// of the cell.
 ///
 /// ∫_{r_0}^{r_1} r^q dr = (r_1^{q+1} − r_0^{q+1})/(q + 1) per cell, finite for q > −1.
@@ -41,7 +42,8 @@ pub(crate) fn contact_forces(
     forces
 }
 
-/// Distance of every node to the nearest free node's contact neighbour, in cells; infinite without gaps.
+/// For every node, the distance in cells to the nearest contact node with a free neighbour; infinite without free
+/// nodes.
 fn distance_to_gap(values: &[f64], cells: usize, sides: LateralCondition) -> Vec<f64> {
     let nodes = values.len();
     let turns = if sides == LateralCondition::Periodic { 2 } else { 1 };

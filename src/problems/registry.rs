@@ -1,16 +1,16 @@
-//! Registration of test problems: one block per test problem generates its variant, its entry in the list
-//! of all, its name with parameters and defaults, and its form, the data that distinguish it.
+//! Registration of test problems: one block per test problem generates its variant, its entry in the list of all
+//! problems, its name with parameters and defaults, and its form, that is the data that characterise it.
 //!
-//! A name is `NAME[:PARAMETER[:PARAMETER]]`, parameters in the order of the fields. Omitted parameters have
-//! their defaults; a file name cannot be omitted, and no parameter may be empty.
+//! A name is `NAME[:PARAMETER[:PARAMETER]]`, with parameters in the order of the fields. Omitted parameters have
+//! their default values; a file name cannot be omitted, and no parameter may be empty.
 
 use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::path::PathBuf;
 
-/// An enum of test problems, `NAME: FORM { VARIANT("name") { field: TYPE = DEFAULT, ... } => FORM; ... }`: the enum
-/// with `all`, `name`, `names`, [`Display`](fmt::Display) and [`FromStr`](std::str::FromStr), and `form`, in
-/// which the fields stand by their names. Types of fields are those of [`Slot`].
+/// Defines an enum of test problems, `NAME: FORM { VARIANT("name") { field: TYPE = DEFAULT, ... } => FORM; ... }`,
+/// with `all`, `name`, `names`, [`Display`](fmt::Display), [`FromStr`](std::str::FromStr), and `form`, in which the
+/// fields are available by name. The types of fields are those of [`Slot`].
 macro_rules! registry {
     (
         $(#[$about:meta])*
@@ -29,26 +29,26 @@ macro_rules! registry {
         }
 
         impl $Problems {
-            /// One test problem of each kind, with the parameters it has when its name gives none.
+            /// One test problem of each kind, with default parameters.
             pub fn all() -> Vec<Self> {
                 vec![$($Problems::$Problem $({ $($field: $default),+ })?),+]
             }
 
-            /// The name without parameters.
+            /// The name of the test problem without parameters.
             pub fn name(&self) -> &'static str {
                 match self {
                     $($Problems::$Problem $({ $($field: _),+ })? => $name,)+
                 }
             }
 
-            /// The names and parameters of all test problems, for help texts and errors.
+            /// The names and parameters of all test problems, for help texts and error messages.
             pub fn names() -> &'static str {
                 static NAMES: std::sync::LazyLock<String> =
                     std::sync::LazyLock::new(|| $crate::problems::registry::grammar($Problems::all()));
                 &NAMES
             }
 
-            /// The data that distinguish this test problem.
+            /// The data that characterise this test problem.
             fn form(&self) -> $Form {
                 match self {
                     $($Problems::$Problem $({ $($field),+ })? => {
@@ -86,7 +86,7 @@ macro_rules! registry {
 }
 pub(super) use registry;
 
-/// A test problem whose name and parameters can be read and written.
+/// A test problem whose name and parameters can be parsed and formatted.
 pub(super) trait Registered {
     /// Name and parameters.
     fn parts(&mut self) -> Parts<'_>;
@@ -96,7 +96,7 @@ pub(super) trait Registered {
 pub(super) struct Parts<'a> {
     /// The name without parameters.
     pub(super) name: &'static str,
-    /// Fields in their order, each with its value.
+    /// The fields in order, each with its value.
     pub(super) parameters: Vec<(&'static str, Slot<'a>)>,
 }
 
@@ -126,7 +126,7 @@ impl<'a> From<&'a mut PathBuf> for Slot<'a> {
 }
 
 impl Slot<'_> {
-    /// A file has no default.
+    /// True for a file, which has no default.
     fn is_needed(&self) -> bool {
         matches!(self, Slot::File(_))
     }
@@ -160,7 +160,7 @@ impl fmt::Display for Slot<'_> {
 }
 
 impl Parts<'_> {
-    /// `cantor[:RATIO[:DEPTH]]`; a file name cannot be omitted.
+    /// The grammar of the name, as in `cantor[:RATIO[:DEPTH]]`; a file name cannot be omitted.
     fn grammar(&self) -> String {
         let mut text = self.name.to_owned();
         let mut brackets = 0;
@@ -172,8 +172,8 @@ impl Parts<'_> {
         text + &"]".repeat(brackets)
     }
 
-    /// Sets the parameters from the fields after the name, each preceded by a colon; `None` if they do not
-    /// fit.
+    /// Sets the parameters from the fields after the name, each preceded by a colon; `None` if they are not
+    /// admissible.
     fn set(self, mut rest: Option<&str>) -> Option<()> {
         for (_, slot) in self.parameters {
             let Some(text) = rest else {
@@ -186,7 +186,7 @@ impl Parts<'_> {
         rest.is_none().then_some(())
     }
 
-    /// `cantor:0.3:20`.
+    /// Writes the name with its parameters, as in `cantor:0.3:20`.
     pub(super) fn write(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name)?;
         self.parameters.iter().try_for_each(|(_, slot)| write!(f, ":{slot}"))
@@ -199,7 +199,7 @@ pub(super) fn grammar<S: Registered>(all: Vec<S>) -> String {
     names.join(", ")
 }
 
-/// The test problem of a name; `expected` are the known names.
+/// The test problem with the given name; `expected` lists the known names.
 pub(super) fn read<S: Registered>(text: &str, all: Vec<S>, expected: &'static str) -> Result<S> {
     let (name, rest) = text.split_once(':').map_or((text, None), |(name, rest)| (name, Some(rest)));
     all.into_iter()

@@ -1,10 +1,10 @@
-//! The regularity of a test problem, from its polygon, its boundary conditions, and the contact set
-//! computed on a mesh.
+//! The regularity of a test problem, from its polygon, its boundary conditions, and the contact set computed on a
+//! mesh.
 //!
-//! Whether contact reaches the ends of its edge is computed on a mesh graded toward them, since uniform
+//! Whether contact extends to the ends of the contact edge is determined on a mesh graded toward them, since uniform
 //! squares may be too coarse.
 //!
-//! | test problem | sup τ | corner responsible |
+//! | test problem | sup τ | corner that determines it |
 //! | --- | --- | --- |
 //! | elastic squares | 1 + λ, 1.745 at ν_P = 1/4 | clamped/free right angle |
 //! | `leaning`, `raised` | 1.657 at ω = 120° | clamped/contact edge, open there |
@@ -23,20 +23,20 @@ use crate::contact::Solver;
 use crate::error::Result;
 use crate::mesh::Hierarchy;
 
-/// Squares along each side of the mesh on which the contact set is found.
+/// Number of squares along each side of the mesh on which the contact set is computed.
 const SQUARES: usize = 32;
-/// Squares and levels of the meshes graded toward the ends of contact, and the radius of the first level:
-/// four squares.
+/// Number of squares along each side and of levels of the meshes graded toward the ends of the contact edge, and the
+/// radius of the first level: four squares.
 const COARSE: usize = 16;
 const LEVELS: usize = 36;
 const RADIUS: f64 = 0.25;
-/// Radius, relative to the length of the edge, at which the contact set is evaluated: far from both ends of
-/// the grading.
+/// Radius, relative to the length of the edge, at which the contact set is evaluated: far from both limits of the
+/// grading.
 const READ: f64 = 1e-7;
 
 impl TestProblem {
-    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, with the contact set of the nodal cone on
-    /// 32 x 32 squares; at the ends of the contact edge with that of meshes graded toward them.
+    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, for the contact set of the nodal cone on 32 × 32
+    /// squares; at the ends of the contact edge that of meshes graded toward them is used.
     ///
     /// ```
     /// use signorini::problems::{Parameters, TestProblem};
@@ -46,7 +46,7 @@ impl TestProblem {
     /// ```
     ///
     /// # Errors
-    /// As [`TestProblem::problem_with`] and [`super::solution_regularity`].
+    /// As for [`TestProblem::problem_with`] and [`super::solution_regularity`].
     pub fn regularity(self, setting: &Parameters) -> Result<SolutionRegularity> {
         let problem = self.problem_with(SQUARES, setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
@@ -59,7 +59,7 @@ impl TestProblem {
         regularity_with_ends(&problem, &solution, ends)
     }
 
-    /// True if contact is closed near the first or the last node of its edge.
+    /// True if there is contact near the first or the last node of the contact edge.
     fn closes_at(self, setting: &Parameters, last: bool) -> Result<bool> {
         let mut hierarchy = Hierarchy::new(self.mesh_with(COARSE, setting)?);
         let ends = self.problem_with(COARSE, setting)?;

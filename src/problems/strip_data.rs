@@ -1,17 +1,18 @@
-//! Test problems built on the edge of a strip: choose u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 freely, the load
-//! follows.
+//! Test problems manufactured on the edge of a strip: u_N ≤ 0 and λ = −σ_N ≥ 0 with λ u_N = 0 are chosen freely, and
+//! the load follows.
 //!
 //! Regularity, Ω two-dimensional: u ∈ H^τ needs u_N ∈ H^{τ−1/2} and λ ∈ H^{τ−3/2} on the edge.
 //!
-//! * u_N = −δ^p in each gap (a, b), δ = (x−a)(b−x)/(b−a); one end of exponent p lies in H^s for s < p + 1/2,
-//!   gaps with boundary dimension d for s ≤ p + 1/2 − d/2. So p = τ − 1 + d/2 gives τ.
+//! * u_N = −δ^p in each non-contact interval (a, b), δ = (x−a)(b−x)/(b−a); a single end with exponent p lies in H^s
+//! for
+//!   s < p + 1/2, intervals with boundary dimension d for s ≤ p + 1/2 − d/2. So p = τ − 1 + d/2 gives τ.
 //! * transitions (d = 0): λ = dist^{τ−2} on the contact set, of the same regularity τ; τ = 5/2 is the natural
 //!   r^{3/2}.
 //! * fat Cantor: λ = 1 on C lies in H^{(1−d)/2}, so τ = 2 − d/2: d = 4 − 2τ, p = 1, and both data have
 //!   regularity τ.
-//! * Cantor of given ratio: d = ln 2/ln(1/ratio), λ = 1 on the pieces left at the last generation.
+//! * Cantor of given ratio: d = ln 2/ln(1/ratio), λ = 1 on the intervals of the last generation.
 //!
-//! "Of regularity τ" means the supremum of admissible orders, as always with powers.
+//! "Of regularity τ" refers to the supremum of admissible orders, as usual for powers.
 
 use super::contact_sets::{cantor, check_depth, fat_cantor, generated_gaps, many_gaps};
 use super::gap_data::{Gaps, Grid};
@@ -23,13 +24,14 @@ use crate::text::read_text;
 use std::f64::consts::LN_2;
 use std::path::PathBuf;
 
-/// Position of a single transition unless given: not close to a short binary fraction.
+/// Default position of a single transition: not close to a short binary fraction.
 const POSITION: f64 = 0.381966;
-/// Share of the edge that a fat Cantor set covers.
+/// Measure of a fat Cantor set on the edge of length 1.
 const FAT_MEASURE: f64 = 0.5;
 
 registry! {
-    /// A test problem of the strip. Its block holds its parameters with their defaults, its data and regularities.
+    /// A test problem of the strip. Its block defines its parameters with their defaults, its data and the admissible
+    /// regularities.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -41,9 +43,10 @@ registry! {
     /// ```
     #[derive(Debug, Clone, PartialEq)]
     pub enum StripData: Form {
-        /// Contact for x < position, none beyond; on periodic sides the gap ends half a period later.
+        /// Contact for x < position, no contact beyond; with periodic sides the non-contact interval ends half a
+        /// period later.
         Transition("transition") {
-            /// Place of the transition, in (0, 1).
+            /// Position of the transition, in (0, 1).
             position: f64 = POSITION,
         } => Form {
             words: format!("one transition at {position}"),
@@ -52,9 +55,9 @@ registry! {
             data: Data::powers(move |grid| Gaps::after_transition(position, grid)),
         };
 
-        /// Gaps of equal length, separated by contact intervals of the same length.
+        /// Non-contact intervals of equal length, separated by contact intervals of the same length.
         Transitions("transitions") {
-            /// The number of gaps.
+            /// Number of non-contact intervals.
             gaps: usize = 16,
         } => Form {
             words: format!("{gaps} equal gaps"),
@@ -65,9 +68,9 @@ registry! {
             }),
         };
 
-        /// The Cantor set that keeps two pieces of relative length `ratio` in each of `depth` generations.
+        /// The Cantor set that keeps two intervals of relative length `ratio` in each of `depth` generations.
         Cantor("cantor") {
-            /// Relative length of the pieces, in (0, 1/2).
+            /// Relative length of these intervals, in (0, 1/2).
             ratio: f64 = 0.3,
             /// Number of generations.
             depth: usize = 20,
@@ -82,7 +85,7 @@ registry! {
             }),
         };
 
-        /// A Cantor set of measure 1/2 whose boundary dimension 4 − 2τ makes both data of regularity τ.
+        /// A Cantor set of measure 1/2 whose boundary dimension 4 − 2τ gives both data the regularity τ.
         FatCantor("fat-cantor") {
             /// Number of generations.
             depth: usize = 15,
@@ -99,7 +102,7 @@ registry! {
 
         /// Samples of u_N and λ from a file with two columns.
         Samples("samples") {
-            /// The file.
+            /// Path of the file.
             file: PathBuf = PathBuf::new(),
         } => Form {
             words: format!("samples in {}", file.display()),
@@ -110,10 +113,10 @@ registry! {
     }
 }
 
-/// The data that distinguish a test problem.
+/// The data that characterise a test problem.
 struct Form {
     words: String,
-    /// The number of gaps of the construction; `None` if they are given.
+    /// Number of non-contact intervals of the construction; `None` for samples.
     gaps: Option<u64>,
     /// The admissible regularities.
     tau: fn(LateralCondition) -> TauRange,
@@ -124,7 +127,7 @@ struct Form {
 enum Data {
     /// Powers of the distance to the ends of gaps.
     Powers(Box<dyn Fn(Grid) -> Result<Gaps>>),
-    /// A file.
+    /// Samples from a file.
     Samples(PathBuf),
 }
 
@@ -135,10 +138,10 @@ impl Data {
 }
 
 impl StripData {
-    /// One transition at a generic point.
+    /// The test problem with one transition at a generic point.
     ///
-    /// At x = 0.381966, close to 1 − 1/φ = (3 − √5)/2, so that its position within the cells of dyadic
-    /// meshes varies.
+    /// The position x = 0.381966 is close to 1 − 1/φ = (3 − √5)/2, so that it varies within the cells of dyadic
+    /// meshes.
     ///
     /// ```
     /// let value = signorini::problems::StripData::transition().to_string();
@@ -149,7 +152,7 @@ impl StripData {
         StripData::Transition { position: POSITION }
     }
 
-    /// True for one transition, which studies move through its cell.
+    /// True for a single transition, whose position within its cell is varied in convergence studies.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -160,10 +163,10 @@ impl StripData {
         matches!(self, StripData::Transition { .. })
     }
 
-    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples have
-    /// their own number of cells and no regularity. Regularity above 2 requires transitions inside the
-    /// edge: the gap of a single one with natural sides meets the side with a nonzero slope, so that u is
-    /// not in H² for any τ.
+    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples have their own
+    /// number of cells and no regularity. Regularity above 2 requires transitions inside the edge: with natural sides
+    /// the non-contact interval of a single transition reaches the side with a nonzero slope, so that u is not in H²
+    /// for any τ.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -174,10 +177,10 @@ impl StripData {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their ranges (a fat Cantor set needs τ < 2),
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for counts and where no gap has a free node on this grid,
-    /// [`Error::EmptyContact`] when the transition leaves no contact node; as [`EdgeData::from_samples`];
-    /// [`Error::File`] for a file that cannot be read.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their ranges (a
+    /// fat Cantor set requires τ < 2), [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
+    /// inadmissible counts and if no non-contact interval has a free node on this grid, [`Error::EmptyContact`] if no
+    /// node is in contact; the errors of [`EdgeData::from_samples`]; [`Error::File`] for a file that cannot be read.
     pub fn data(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let form = self.form();
         match form.data {
@@ -193,8 +196,8 @@ impl StripData {
         }
     }
 
-    /// The pair at τ = 2 with u_N and λ times ℓ^{−α}, ℓ(r) = 2 + ln(1/r) of the distance to the ends of
-    /// their gap or piece: for α > 1/2 they are in H² itself, for α = 0 only in H^τ with τ < 2.
+    /// The pair at τ = 2 with u_N and λ multiplied by ℓ^{−α}, ℓ(r) = 2 + ln(1/r), r the distance to the ends of their
+    /// interval: for α > 1/2 they have the regularity of H² itself, for α = 0 only that of H^τ with τ < 2.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -206,7 +209,9 @@ impl StripData {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; as [`StripData::data`].
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞;
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; the errors of
+    /// [`StripData::data`].
     pub fn damped_data(&self, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let is_in = logarithm >= 0.0 && logarithm.is_finite();
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;
@@ -227,8 +232,8 @@ impl StripData {
         gaps(grid)?.damped(logarithm).pair(grid)
     }
 
-    /// The number of gaps of the construction, `None` for samples; on a grid, gaps without a free node or
-    /// without adjacent contact are omitted together with their descendants.
+    /// The number of non-contact intervals of the construction; `None` for samples. On a grid, intervals without a
+    /// free node or without adjacent contact are omitted together with their descendants.
     ///
     /// ```
     /// // 2^depth − 1 gaps in a Cantor set of `depth` generations
@@ -239,7 +244,7 @@ impl StripData {
         self.form().gaps
     }
 
-    /// A description of the test problem: `one transition at 0.4`, `fat Cantor set of depth 15`.
+    /// A description of the test problem, such as `one transition at 0.4` or `fat Cantor set of depth 15`.
     ///
     /// ```
     /// use signorini::problems::StripData;

@@ -2,10 +2,10 @@
 
 use crate::error::{Error, Result};
 
-/// Below it a solution of the paper's problem has no trace of σ_N in L².
+/// Lower limit of τ: up to it σ_N has no trace in L² in general.
 const SMALLEST: f64 = 1.5;
 
-/// The admissible τ of a test problem: from 3/2, excluded, up to the largest.
+/// The admissible τ of a test problem: from 3/2, excluded, to the largest value.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TauRange {
     largest: f64,
@@ -14,16 +14,16 @@ pub(super) struct TauRange {
 }
 
 impl TauRange {
-    /// Ends of gaps inside the edge: up to the natural r^{3/2}.
+    /// For transitions inside the edge: up to the natural r^{3/2}.
     pub(super) const TRANSITION: TauRange = TauRange { largest: 2.5, is_attained: true, words: "(3/2, 5/2]" };
-    /// The slope of u_N jumps somewhere, or λ does.
+    /// For a discontinuous slope of u_N, or a discontinuous λ.
     pub(super) const SLOPE: TauRange =
         TauRange { largest: 2.0, is_attained: true, words: "(3/2, 2] for this problem" };
-    /// d = 4 − 2τ > 0.
+    /// For d = 4 − 2τ > 0.
     pub(super) const FAT_CANTOR: TauRange =
         TauRange { largest: 2.0, is_attained: false, words: "(3/2, 2) for a fat Cantor set" };
 
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a τ outside.
+    /// Fails with [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an inadmissible τ.
     pub(super) fn check(&self, tau: f64) -> Result<()> {
         let is_inside = tau < self.largest || self.is_attained && tau == self.largest;
         Error::require("tau", tau, self.words, tau > SMALLEST && is_inside)?;

@@ -1,10 +1,10 @@
-//! Test problems on meshes: domain, data, and known solutions.
+//! Test problems on meshes: domains, data, and known solutions.
 //!
-//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` from its left
-//! side, which meets the bottom at the angle ω. On the unit square except these, `taper` and `bracket`; n =
-//! (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones. Volume
-//! loads f are replaced by their P1 interpolants. The regularity of the solutions follows from corners and
-//! contact set: `regularity`.
+//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` it is fixed at its left
+//! side, which meets the bottom at the angle ω. The domain is the unit square except for these, `taper` and
+//! `bracket`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones.
+//! Volume loads f are replaced by their P1 interpolants. The regularity of the solutions follows from the corners and
+//! the contact set: module `regularity`.
 
 use super::known::{KnownSolution, three_halves_problem};
 use super::registry::registry;
@@ -15,9 +15,9 @@ use crate::mesh::{Part, Point, SideParts, Triangulation, mapped_grid, unit_squar
 use std::f64::consts::PI;
 
 registry! {
-    /// A named test problem. Its block holds its domain, form and data.
+    /// A named test problem. Its block defines its domain, form and data.
     ///
-    /// λ = μ = 1 is Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
+    /// λ = μ = 1 corresponds to Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -33,12 +33,12 @@ registry! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum TestProblem: Body {
-        /// Elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
-        /// λ = μ = 1, f = (0, −cos πx).
+        /// An elastic square hanging from its top, pushed down on the left and up on the right: plane strain, λ = μ =
+        /// 1, f = (0, −cos πx).
         #[default]
         Block("block") => Body { load: Load::Volume(|[x, _]| -(PI * x).cos()), ..ELASTIC };
 
-        /// The scalar counterpart: ∫ ∇u·∇v, f = cos 2πx + 0.3.
+        /// The scalar counterpart of `block`: ∫ ∇u·∇v, f = cos 2πx + 0.3.
         Membrane("membrane") => Body { load: Load::Volume(|[x, _]| (2.0 * PI * x).cos() + 0.3), ..SCALAR };
 
         /// Remark 1 as printed: ∫ ∇u·∇v + uv, contact on the whole boundary, f = 4 (cos πx + cos πy).
@@ -49,82 +49,82 @@ registry! {
             ..SCALAR
         };
 
-        /// Scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx.
+        /// A scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx.
         Corner("corner") => Body {
             mesh: |n, setting| leaning_square(n, setting.angle),
             load: Load::Volume(|[x, _]| -2.0 * (PI * x).cos()),
             ..SCALAR
         };
 
-        /// Scalar, with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
+        /// A scalar problem with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
         Manufactured("manufactured") => Body {
             load: Load::Exact { solution: KnownSolution::three_halves, problem: three_halves_problem },
             ..SCALAR
         };
 
-        /// `block` with a nearly incompressible material, E = 5/2 and given Poisson's ratio: P1 elements
+        /// `block` with a nearly incompressible material, E = 5/2 and given Poisson's ratio, for which P1 elements
         /// lock.
         Incompressible("incompressible") => Body {
             form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
             ..TestProblem::Block.form()
         };
 
-        /// Elastic corner of given opening ω between a Dirichlet side and the contact edge, pressed on the
-        /// plane there: f = (0, −cos πx − 1/2). At ω = 120° the corner itself stays open, up to r = 1e-4.
+        /// An elastic corner of given opening ω between a Dirichlet side and the contact edge, pressed onto the
+        /// obstacle: f = (0, −cos πx − 1/2). At ω = 120° the corner itself is not in contact, up to r = 1e-4.
         Leaning("leaning") => Body {
             mesh: |n, setting| leaning_square(n, setting.angle),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
             ..ELASTIC
         };
 
-        /// `leaning` lifted at that corner: f = (0, cos πx).
+        /// `leaning` with the load f = (0, cos πx), which lifts the body at that corner.
         Raised("raised") => Body {
             load: Load::Volume(|[x, _]| (PI * x).cos()),
             ..TestProblem::Leaning.form()
         };
 
-        /// Elastic, hanging from its top, with free sides that leave the contact edge at the opening ω;
-        /// pressed on the left: f = (0, −cos πx − 1/2).
+        /// An elastic body hanging from its top, with free sides that meet the contact edge at the opening ω; pressed
+        /// down on the left: f = (0, −cos πx − 1/2).
         Taper("taper") => Body {
             mesh: |n, setting| taper(n, setting.angle),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
             ..ELASTIC
         };
 
-        /// Elastic, three unit squares around a free reentrant corner of 270°: a leg on the plane, an arm
-        /// with Dirichlet conditions at its end x = −1, f = (0, −cos πx − 1/2).
+        /// An elastic body of three unit squares around a free reentrant corner of 270°: a leg on the obstacle, and
+        /// an arm with Dirichlet conditions at its end x = −1, f = (0, −cos πx − 1/2).
         Bracket("bracket") => Body {
             mesh: |n, _| bracket(n),
             load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
             ..ELASTIC
         };
 
-        /// Elastic without contact: `block` lifted, f = (0, 1).
+        /// Elasticity without contact: `block` lifted, f = (0, 1).
         Free("free") => Body { load: Load::Volume(|_| 1.0), ..ELASTIC };
 
-        /// Elastic with full contact: `block` pressed down, f = (0, −1).
+        /// Elasticity with full contact: `block` pressed down, f = (0, −1).
         Closed("closed") => Body { load: Load::Volume(|_| -1.0), ..ELASTIC };
     }
 }
 
-/// The data that distinguish a test problem.
+/// The data that characterise a test problem.
 struct Body {
     is_elastic: bool,
     form: fn(&Parameters) -> Result<Form>,
-    /// The mesh with n x n cells.
+    /// The mesh with n × n cells.
     mesh: fn(usize, &Parameters) -> Result<Triangulation>,
     load: Load,
 }
 
 /// The data of a test problem.
 enum Load {
-    /// f alone, vertical for elastic test problems.
+    /// The load f alone, vertical for elastic test problems.
     Volume(fn(Point) -> f64),
-    /// All data from a known solution; `problem` takes the factor on them.
+    /// All data from a known solution; the argument of `problem` scales the data.
     Exact { solution: fn() -> KnownSolution, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
 }
 
-/// λ = μ = 1, which is Poisson's ratio 1/4, on the square hanging from its top, without load.
+/// λ = μ = 1, that is Poisson's ratio 1/4, on the square hanging from its top, without load.
 const ELASTIC: Body = Body {
     is_elastic: true,
     form: |_| Ok(Form::elastic(Lame::new(1.0, 1.0)?)),
@@ -141,7 +141,7 @@ const SCALAR: Body = Body {
     load: Load::Volume(|_| 0.0),
 };
 
-/// The square leaning to the angle ω, in degrees, at the left end of its bottom.
+/// The square leaning at the angle ω, in degrees, at the left end of its bottom.
 fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[20, 160]", (20.0..=160.0).contains(&angle))?;
     // The left side leans by cot ω; the right one with it when it leans inwards.
@@ -149,15 +149,14 @@ fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }
 
-/// The square with both sides leaning outwards to the angle ω, in degrees, at its bottom; inwards for acute
-/// ω.
+/// The square with both sides leaning outwards at the angle ω, in degrees, at its bottom; inwards for acute ω.
 fn taper(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[70, 160]", (70.0..=160.0).contains(&angle))?;
     let lean = -1.0 / angle.to_radians().tan();
     mapped_grid(n, n, SideParts::HANGING, |[x, y]| [x + y * lean * (2.0 * x - 1.0), y])
 }
 
-/// A leg, what is above it, and an arm to the left.
+/// A leg, the square above it, and an arm to the left.
 fn bracket(n: usize) -> Result<Triangulation> {
     unit_squares(n, &[[0, 0], [0, 1], [-1, 1]], |[x, y]| match (x, y) {
         (_, 0.0) => Part::Contact,
@@ -185,7 +184,7 @@ pub struct Parameters {
     pub angle: f64,
     /// Poisson's ratio of `incompressible`, in (0, 1/2).
     pub poisson: f64,
-    /// Factor of all data.
+    /// Factor by which all data are multiplied.
     pub load_scale: f64,
 }
 
@@ -202,7 +201,7 @@ const LEFT_HELD: SideParts =
     SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
 
 impl TestProblem {
-    /// True for the test problems of elasticity.
+    /// True for test problems of elasticity.
     ///
     /// ```
     /// use signorini::problems::TestProblem;
@@ -217,8 +216,7 @@ impl TestProblem {
 
     /// The bilinear form.
     ///
-    /// `incompressible` has E = 5/2 and the given Poisson's ratio: λ/μ = 2ν/(1 − 2ν) grows without bound as
-    /// ν → 1/2.
+    /// `incompressible` has E = 5/2 and the given Poisson's ratio: λ/μ = 2ν/(1 − 2ν) is unbounded as ν → 1/2.
     ///
     /// ```
     /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
@@ -237,7 +235,7 @@ impl TestProblem {
         (self.form().form)(setting)
     }
 
-    /// The default bilinear form: λ = μ = 1, or the Laplacian.
+    /// The bilinear form with default parameters: λ = μ = 1, or the Laplacian.
     ///
     /// # Errors
     /// None for these constants.
@@ -245,7 +243,7 @@ impl TestProblem {
         ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Parameters::default())
     }
 
-    /// The solution where it is known in closed form, default setting.
+    /// The known solution with default parameters; `None` if there is no closed form.
     ///
     /// ```
     /// use signorini::problems::{KnownSolution, TestProblem};
@@ -260,7 +258,7 @@ impl TestProblem {
         }
     }
 
-    /// The structured mesh of the test problem with n x n squares, default setting.
+    /// The structured mesh of the test problem with n × n squares, with default parameters.
     ///
     /// (n + 1)² nodes and 2n² triangles on a square, h = 1/n; squares are cut from bottom left to top right.
     ///
@@ -276,8 +274,8 @@ impl TestProblem {
         self.mesh_with(n, &Parameters::default())
     }
 
-    /// The problem on a given triangulation of the test problem's domain (a level of a hierarchy, say), default
-    /// setting.
+    /// The problem on a given triangulation of the domain of the test problem (a level of a hierarchy, for example),
+    /// with default parameters.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
@@ -294,7 +292,7 @@ impl TestProblem {
         self.on_with(mesh, &Parameters::default())
     }
 
-    /// The problem on the structured mesh with n x n squares, default setting.
+    /// The problem on the structured mesh with n × n squares, with default parameters.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -312,7 +310,7 @@ impl TestProblem {
         self.problem_with(n, &Parameters::default())
     }
 
-    /// The problem on the structured mesh with n x n squares.
+    /// The problem on the structured mesh with n × n squares, with the given parameters.
     ///
     /// # Errors
     /// As for [`TestProblem::mesh_with`] and [`TestProblem::on_with`].
@@ -320,7 +318,7 @@ impl TestProblem {
         self.on_with(self.mesh_with(n, setting)?, setting)
     }
 
-    /// The structured mesh of the test problem with n x n cells.
+    /// The structured mesh of the test problem with n × n cells, with the given parameters.
     ///
     /// ```
     /// use signorini::problems::{Parameters, TestProblem};
@@ -332,18 +330,20 @@ impl TestProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384, [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384,
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].
     pub fn mesh_with(self, n: usize, setting: &Parameters) -> Result<Triangulation> {
         (self.form().mesh)(n, setting)
     }
 
-    /// The problem on a given triangulation of the test problem's domain.
+    /// The problem on a given triangulation of the domain of the test problem, with the given parameters.
     ///
     /// # Errors
-    /// As for [`ContactProblem::new`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
+    /// As for [`ContactProblem::new`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter
+    /// that is not admissible.
     pub fn on_with(self, mesh: Triangulation, setting: &Parameters) -> Result<ContactProblem> {
         let scale = setting.load_scale;
-        Error::require("load scale", scale, "finite numbers", scale.is_finite())?;
+        Error::require("load scale", scale, "finite values", scale.is_finite())?;
         let body = self.form();
         let density = match body.load {
             Load::Exact { problem, .. } => return problem(mesh, scale),

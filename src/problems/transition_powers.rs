@@ -1,7 +1,7 @@
-//! One transition with given powers and logarithms: the test problems at τ = 2, and those outside 3/2 < τ ≤ 2.
+//! One transition with given powers and logarithms: test problems at τ = 2, and outside 3/2 < τ ≤ 2.
 //!
-//! Contact for x < a, gap beyond, mirrored at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 − a, and ℓ(r) = 2
-//! + ln(1/r):
+//! Contact for x < a, no contact for x > a, extended by reflection at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 −
+//! a, and ℓ(r) = 2 + ln(1/r):
 //!
 //! u_N = −δ^p ℓ(δ)^{−α},  −σ_N = (a − x)^q ℓ(a − x)^{−α}.
 //!
@@ -12,7 +12,7 @@
 use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// The powers of one transition.
+/// The powers p, q and α of one transition.
 ///
 /// ```
 /// use signorini::problems::TransitionPowers;
@@ -24,16 +24,16 @@ use crate::strip::{EdgeData, LateralCondition};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TransitionPowers {
-    /// p > 0.
+    /// The exponent p > 0 of u_N.
     pub opening: f64,
-    /// q > −1.
+    /// The exponent q > −1 of σ_N.
     pub pressure: f64,
-    /// α ≥ 0.
+    /// The exponent α ≥ 0 of the logarithm.
     pub logarithm: f64,
 }
 
 impl TransitionPowers {
-    /// p = τ − 1, q = τ − 2, no logarithm: regularity τ ∈ (1, 5/2].
+    /// The powers p = τ − 1, q = τ − 2 without logarithm: regularity τ ∈ (1, 5/2].
     ///
     /// ```
     /// use signorini::problems::TransitionPowers;
@@ -46,13 +46,15 @@ impl TransitionPowers {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }
     }
 
-    /// The test problem on an edge of `cells` cells with natural sides, transition at `position` ∈ (0, 1).
+    /// The data of the test problem on an edge of `cells` cells with natural sides and a transition at `position` ∈
+    /// (0, 1).
     ///
-    /// u_N at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of each to either
-    /// node, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
+    /// u_N is evaluated at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of
+    /// each assigned to each node, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges; as [`EdgeData::new`].
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges;
+    /// the errors of [`EdgeData::new`].
     pub fn data(&self, position: f64, cells: usize) -> Result<EdgeData> {
         let Self { opening, pressure, logarithm } = *self;
         Error::require("p", opening, "(0, inf)", opening > 0.0)?;

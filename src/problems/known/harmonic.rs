@@ -4,14 +4,14 @@
 //!
 //! F = i z^p / sin πp,  at p = 1: F = i z ℓ^{1−α} / (π (1 − α)),  and i z ln ℓ / π for α = 1.
 //!
-//! u is harmonic. On y = 0 it is zero beyond a, and before a it is −r^p, at p = 1 like −r ℓ(r)^{−α}:
-//! contact [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; the edge carries the load g = ∂u/∂n − σ_N, as on a strip
-//! ([`TransitionPowers`]). The term −s y gives u < 0 on the other sides and is represented exactly by the
+//! u is harmonic. On y = 0 it is zero to the right of a, and to the left it is −r^p, at p = 1 asymptotically −r
+//! ℓ(r)^{−α}: contact on [a, 1]. There σ_N = −r^q ℓ(r)^{−α}; the edge carries the load g = ∂u/∂n − σ_N, as on a strip
+//! ([`TransitionPowers`]). The term −s y makes u negative on the other sides and is represented exactly by the
 //! elements.
 //!
 //! * *three Dirichlet sides*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
-//!   they are open. The normal, and with it the load, is discontinuous at the corners; u is continuous.
+//!   there is no contact. The normal, and with it the load, is discontinuous at the corners; u is continuous.
 
 use super::super::transition_powers::TransitionPowers;
 use crate::error::{Error, Result};
@@ -20,10 +20,10 @@ use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 use std::fmt;
 
-/// s: above Re F / y on the other three sides for all p admitted, 3.5 at most.
+/// The slope s: larger than Re F / y on the other three sides for all admissible p, where that is at most 3.5.
 pub(super) const SLOPE: f64 = 4.0;
 
-/// One transition on a mesh.
+/// A problem with one transition on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Harmonic {
     pub(super) powers: TransitionPowers,
@@ -32,11 +32,12 @@ pub(super) struct Harmonic {
 }
 
 impl Harmonic {
-    /// The powers of a transition at `position`, with contact conditions on the bottom or everywhere.
+    /// The solution with the powers of a transition at `position`, with contact conditions on the bottom or on the
+    /// whole boundary.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1; for p ≠ 1 also |p − 1| ≥ 1/10
-    /// and α = 0.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1;
+    /// for p ≠ 1 also |p − 1| ≥ 1/10 and α = 0.
     pub(super) fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;
         let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
@@ -48,7 +49,7 @@ impl Harmonic {
         Ok(Self { powers, position, whole_boundary })
     }
 
-    /// F and F' at (x − a, y).
+    /// F and F' at the point (x − a, y).
     pub(super) fn potential(&self, x: f64, y: f64) -> [Complex<f64>; 2] {
         let (r, phi) = (x.hypot(y), y.atan2(x));
         let TransitionPowers { opening: p, logarithm: alpha, .. } = self.powers;
@@ -82,7 +83,7 @@ impl Harmonic {
         [slope.re, -slope.im - SLOPE]
     }
 
-    /// σ_N on the bottom at x − a.
+    /// σ_N on the bottom at the distance x − a.
     pub(super) fn normal_stress(&self, beyond: f64) -> f64 {
         if beyond <= 0.0 {
             return 0.0;

@@ -1,4 +1,4 @@
-//! The contact problem of a transition with known solution.
+//! The contact problem with one transition and known solution.
 //!
 //! Loads are integrated by rules graded toward the transition: on its segment x = a ± L t^m.
 
@@ -9,7 +9,7 @@ use crate::fem::{Cubature, Field, Form};
 use crate::mesh::{Part, Point, SideParts, Triangulation, distance, unit_square};
 use fractional_sobolev::{Rule, gauss_legendre};
 
-/// Points along each side of a triangle's rule for errors, for p < 1 and for p ≥ 1; one less for loads.
+/// Number of points along each side of a triangle for errors, for p < 1 and for p ≥ 1; one less for loads.
 const POINTS: [usize; 2] = [5, 4];
 /// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
 const EDGE_POINTS: usize = 24;
@@ -45,7 +45,7 @@ impl Harmonic {
         if self.whole_boundary { Form::Scalar { reaction: 1.0 } } else { Form::LAPLACE }
     }
 
-    /// Points along each side of a triangle's rule for errors.
+    /// Number of points along each side of a triangle for errors.
     pub(super) fn points(&self) -> usize {
         POINTS[usize::from(self.powers.opening >= 1.0)]
     }
@@ -83,7 +83,7 @@ impl Harmonic {
         Ok(load)
     }
 
-    /// (t, weight, x − a) on the segment x = start + t · length, graded toward a where it lies inside.
+    /// (t, weight, x − a) on the segment x = start + t · length, graded toward a if it contains a.
     fn points_on_bottom(&self, start: f64, length: f64, rule: &Rule) -> Vec<(f64, f64, f64)> {
         let cut = (self.position - start) / length;
         if !(0.0..=1.0).contains(&cut) {

@@ -1,7 +1,8 @@
-//! Contact problems on the unit square whose solution is known: displacement, gradient, σ_N, regularity, the problem on
+//! Contact problems on the unit square with known solution: displacement, gradient, σ_N, regularity, the problem on
 //! uniform meshes, and errors of discrete solutions.
 //!
-//! Contact edge y = 0, outward normal (0, −1). The solutions differ in their formula, hence in material and regularity:
+//! The contact edge is y = 0, with outward normal (0, −1). The solutions differ in their formula, hence in material
+//! and regularity:
 //!
 //! | constructor | solution | u ∈ H^τ for τ below |
 //! | --- | --- | --- |
@@ -32,9 +33,9 @@ use westergaard::Westergaard;
 
 pub(super) use three_halves::problem as three_halves_problem;
 
-/// Points along each side of a triangle's rule for errors, graded toward the transitions.
+/// Number of points along each side of a triangle, graded toward the transitions.
 const POINTS: usize = 4;
-/// Largest number of points along each side of a triangle's rule for an error of given accuracy.
+/// Largest number of points along each side of a triangle for an error of given accuracy.
 const MOST_POINTS: usize = 16;
 
 /// A contact problem on the unit square with known solution u.
@@ -67,7 +68,7 @@ enum Formula {
 }
 
 impl KnownSolution {
-    /// u = −Re (z − 2/5)^{3/2}, scalar, with contact on \[0, 2/5\]: the solution of
+    /// The scalar solution u = −Re (z − 2/5)^{3/2} with contact on \[0, 2/5\], that of
     /// [`TestProblem::Manufactured`](super::TestProblem::Manufactured).
     ///
     /// ```
@@ -84,7 +85,7 @@ impl KnownSolution {
         Self { formula: Formula::ThreeHalves }
     }
 
-    /// Contact for x < 3/10 and a gap for x > 3/10; scalar for `None`, else elastic.
+    /// The solution with contact for x < 3/10 and no contact for x > 3/10; scalar for `None`, otherwise elastic.
     ///
     /// F = (z − 3/10)^{3/2}: u = −Re F (scalar); 2μ u_x = −α Im F − y Re F', 2μ u_y = β Re F + y Im F', α = μ/(λ + μ),
     /// β = 1 + α (elastic, zero volume load and zero shear on the edge).
@@ -100,7 +101,7 @@ impl KnownSolution {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: false, lame }) }
     }
 
-    /// Contact for x < 3/10 and for x > 7/10; scalar for `None`, else elastic.
+    /// The solution with contact for x < 3/10 and for x > 7/10; scalar for `None`, otherwise elastic.
     ///
     /// F = ((z − 3/10)(7/10 − z))^{3/2} in the formulas of [`KnownSolution::one_transition`]; symmetric about x = 1/2.
     ///
@@ -116,9 +117,10 @@ impl KnownSolution {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: true, lame }) }
     }
 
-    /// r^p about the transition at x = 2/5, contact for x < 2/5; scalar for `None`, else elastic.
+    /// The solution r^p near the transition at x = 2/5, with contact for x < 2/5; scalar for `None`, otherwise
+    /// elastic.
     ///
-    /// u_N = −c r^p in the gap, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N.
+    /// u_N = −c r^p outside contact, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -136,10 +138,11 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Power(Power::new(p, lame)?) })
     }
 
-    /// A scalar solution with the given powers at a transition at `position`, contact to its right, and
-    /// Dirichlet conditions on the other three sides.
+    /// The scalar solution with the given powers at a transition at `position`, contact to its right, and Dirichlet
+    /// conditions on the other three sides.
     ///
-    /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); gap 0 ≤ x < a, contact a ≤ x ≤ 1;
+    /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); no contact for 0 ≤ x < a,
+    /// contact for a ≤ x ≤ 1;
     /// u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
     ///
     /// ```
@@ -158,10 +161,10 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Harmonic(Harmonic::new(powers, position, false)?) })
     }
 
-    /// The problem of [`KnownSolution::transition`] with a reaction term and contact conditions on the
-    /// whole boundary: Remark 1 as printed.
+    /// The solution of [`KnownSolution::transition`] for the problem with a reaction term and contact conditions on
+    /// the whole boundary: Remark 1 as printed.
     ///
-    /// −Δu + u = f with f = u, since u is harmonic; u ≤ 0 on all four sides, open on three of them.
+    /// −Δu + u = f with f = u, since u is harmonic; u ≤ 0 on all four sides, without contact on three of them.
     ///
     /// ```
     /// use signorini::problems::{KnownSolution, TransitionPowers};
@@ -174,7 +177,7 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// As [`KnownSolution::transition`].
+    /// As for [`KnownSolution::transition`].
     pub fn whole_boundary(powers: TransitionPowers, position: f64) -> Result<Self> {
         Ok(Self { formula: Formula::Harmonic(Harmonic::new(powers, position, true)?) })
     }
@@ -190,7 +193,8 @@ impl KnownSolution {
 
     /// The bilinear form.
     ///
-    /// The Laplacian, with the reaction term u v on the whole boundary's problem; elastic with the given constants.
+    /// The Laplacian, plus the reaction term u v for [`KnownSolution::whole_boundary`]; elasticity with the given
+    /// constants.
     ///
     /// ```
     /// use signorini::{fem::{Form, Lame}, problems::KnownSolution};
@@ -206,10 +210,11 @@ impl KnownSolution {
         }
     }
 
-    /// The ends of contact on y = 0; with contact on the whole boundary those inside that side.
+    /// The ends of the contact set on y = 0; for contact conditions on the whole boundary only those inside that
+    /// side.
     ///
-    /// Abscissae in (0, 1), ascending. The fixed ones, 3/10, 2/5 and 7/10, are not nodes of a uniform
-    /// dyadic mesh.
+    /// They are abscissae in (0, 1), ascending. The fixed ones, 3/10, 2/5 and 7/10, are not nodes of a uniform dyadic
+    /// mesh.
     pub fn transitions(&self) -> Vec<f64> {
         match self.formula {
             Formula::ThreeHalves => vec![three_halves::TRANSITION],
@@ -221,7 +226,7 @@ impl KnownSolution {
 
     /// The supremum of the τ with u ∈ H^τ and σ_N ∈ H^{τ−3/2}.
     ///
-    /// 5/2 for r^{3/2}, p + 1 for powers, min(p + 1, q + 2) in general; not attained.
+    /// It is 5/2 for r^{3/2}, p + 1 for powers, min(p + 1, q + 2) in general; not attained.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -237,9 +242,9 @@ impl KnownSolution {
         }
     }
 
-    /// u; a scalar solution has second entry 0.
+    /// The displacement u; for a scalar solution the second entry is 0.
     ///
-    /// Cartesian, at (x, y) in the closed unit square.
+    /// Cartesian components, at a point (x, y) of the closed unit square.
     pub fn displacement(&self, point: Point) -> Point {
         match self.formula {
             Formula::ThreeHalves => [three_halves::displacement(point), 0.0],
@@ -249,9 +254,9 @@ impl KnownSolution {
         }
     }
 
-    /// ∇u: row c is the gradient of component c.
+    /// The gradient ∇u: row c is the gradient of component c.
     ///
-    /// Not finite at a transition if u ∉ C¹ there.
+    /// It is not finite at a transition if u ∉ C¹ there.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -270,9 +275,9 @@ impl KnownSolution {
         }
     }
 
-    /// σ_N at (x, 0); scalar: the contact force, ∂u/∂n less the load of the edge.
+    /// The normal stress σ_N at (x, 0); scalar: the contact force density, ∂u/∂n minus the load of the edge.
     ///
-    /// ≤ 0, zero in the gap; a density in units of the modulus.
+    /// It is ≤ 0, and zero outside contact; a density in the units of the modulus.
     pub fn normal_stress(&self, x: f64) -> f64 {
         match self.formula {
             Formula::ThreeHalves => three_halves::normal_stress(x),
@@ -282,10 +287,10 @@ impl KnownSolution {
         }
     }
 
-    /// The problem on the structured mesh with n × n squares, its data from u.
+    /// The problem on the structured mesh with n × n squares, with the data of u.
     ///
-    /// Dirichlet data by nodal interpolation of u; loads of the edge integrated exactly or with rules graded toward the
-    /// transition.
+    /// Dirichlet data are interpolated at the nodes; loads of the edge are integrated exactly or by rules graded
+    /// toward the transition.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::KnownSolution};
@@ -315,7 +320,7 @@ impl KnownSolution {
         }
     }
 
-    /// Values of u at the nodes of a problem, node-major.
+    /// The values of u at the nodes of a problem, node-major.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -328,7 +333,7 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// As [`Field::sample`].
+    /// As for [`Field::sample`].
     pub fn interpolant(&self, problem: &ContactProblem) -> Result<Vec<f64>> {
         self.with_field(|field| field.sample(problem.mesh().nodes()))
     }
@@ -350,16 +355,15 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// As [`error_norms`].
+    /// As for [`error_norms`].
     pub fn error_norms(&self, problem: &ContactProblem, values: &[f64]) -> Result<ErrorNorms> {
         self.norms(problem, values, POINTS)
     }
 
-    /// The energy error a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem. Its error
-    /// estimate is the difference to the rule with one point less along each side of a triangle; points are
-    /// added until the tolerance is met. Near the transition the rule converges algebraically, and the true
-    /// quadrature error may be a few times as large. Cost: two passes over the mesh with 9 to 25 points on
-    /// a triangle for two digits.
+    /// The energy error a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem. Its error estimate is the
+    /// difference from the rule with one point less along each side of a triangle; points are added until the
+    /// tolerance is met. Near the transition the rule converges algebraically, and the true quadrature error may be a
+    /// few times as large. Cost: two passes over the mesh with 9 to 25 points per triangle for two digits.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -373,7 +377,7 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// As [`error_norms`]; [`ToolkitError::ToleranceNotMet`] when 16 points do not meet the tolerance.
+    /// As for [`error_norms`]; [`ToolkitError::ToleranceNotMet`] if 16 points along each side do not meet the tolerance.
     pub fn error(
         &self,
         problem: &ContactProblem,
@@ -421,12 +425,12 @@ impl KnownSolution {
         }
     }
 
-    /// |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the
-    /// error estimate is the difference to a rule with fewer points, and points are added until the
-    /// tolerance is met.
+    /// The seminorm |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the
+    /// error estimate is the difference from a rule with fewer points, and points are added until the tolerance is
+    /// met.
     ///
-    /// Enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over strips
-    /// and finite, since u ∈ H^{5/2−ε}.
+    /// It enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over
+    /// strips and finite, since u ∈ H^{5/2−ε}.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -439,7 +443,9 @@ impl KnownSolution {
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is that of
-    /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`].
+    /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`] if
+    /// the
+    /// largest number of points does not meet the tolerance.
     pub fn second_seminorm(&self, n: usize, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match self.formula {
@@ -448,8 +454,9 @@ impl KnownSolution {
         }
     }
 
-    /// |∇u|_{τ−1} on the half disc about the transition that holds the square, 3/2 < τ < 2, ‖D²u‖ at τ = 2:
-    /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times that over 4μ².
+    /// The seminorm |∇u|_{τ−1} on the half disc about the transition that contains the square, for 3/2 < τ < 2; ‖D²u‖
+    /// at τ = 2: ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times this,
+    /// divided by 4μ².
     ///
     /// R is the radius of the half disc.
     ///
@@ -465,7 +472,7 @@ impl KnownSolution {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for τ ≥ p + 1; [`ToolkitError::OutOfRange`] unless 1 < τ ≤ 2;
-    /// [`ToolkitError::Incompatible`] unless u is that of [`KnownSolution::power`]; as
+    /// [`ToolkitError::Incompatible`] unless u is that of [`KnownSolution::power`]; and the errors of
     /// [`Function::elastic_corner`](fractional_sobolev::Function::elastic_corner).
     pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
@@ -475,10 +482,11 @@ impl KnownSolution {
         }
     }
 
-    /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
+    /// The seminorm |σ_N|_ν or |u_N'|_ν on the interval `part` = (from, to) of the edge.
     ///
-    /// Gagliardo's seminorm, (∫∫ |f(x) − f(y)|²/|x − y|^{1+2ν})^{1/2} on the part; invariant under reflection, and
-    /// homogeneous: a part k times as long about the transition gives k^{p−1/2−ν} times the value.
+    /// It is the Gagliardo seminorm (∫∫ |f(x) − f(y)|²/|x − y|^{1+2ν})^{1/2} on the interval; invariant under
+    /// reflection, and homogeneous: an interval k times as long about the transition gives k^{p−1/2−ν} times the
+    /// value.
     ///
     /// ```
     /// use signorini::problems::{EdgeDatum, KnownSolution};
@@ -490,8 +498,7 @@ impl KnownSolution {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is that of
-    /// [`KnownSolution::power`]; as
-    /// [`Function::seminorm`](fractional_sobolev::Function::seminorm).
+    /// [`KnownSolution::power`]; and the errors of [`Function::seminorm`](fractional_sobolev::Function::seminorm).
     pub fn edge_seminorm(
         &self,
         datum: EdgeDatum,

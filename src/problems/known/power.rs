@@ -1,11 +1,12 @@
-//! Contact problems on the unit square with known solution of any regularity about one transition, scalar and
+//! Contact problems on the unit square with known solution and one transition of given regularity, scalar and
 //! elastic.
 //!
-//! 1/2 < p < 3/2, p ≠ 1, r, φ from the transition (a, 0), φ = 0 on the side of contact x < a, ζ = (a−x) + iy.
+//! 1/2 < p < 3/2, p ≠ 1; r, φ are polar coordinates at the transition (a, 0), φ = 0 on the contact side x < a, and ζ
+//! = (a−x) + iy.
 //!
-//! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p in the gap.
-//!   With σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 in the gap the edge carries the load ∂u/∂n − σ_N
-//!   besides, a power on each side.
+//! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p outside contact.
+//!   With σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 outside, the edge also carries the load ∂u/∂n − σ_N,
+//!   a power on each side.
 //! * *Elastic* (Westergaard's form, no volume force, zero shear on the edge): α = μ/(λ+μ), β = 1 + α, A = ∓1,
 //!   Z = Aζ^p, 2μ u_x = −α Re Z + y Im Z', 2μ u_y = β Im Z − y Re Z', the prime for d/dζ. On the edge u_N is
 //!   β/(2μ) times the scalar one, and the normal stress Re Z' is the scalar ∂u/∂n: same σ_N, same load.
@@ -19,9 +20,9 @@ use crate::mesh::Point;
 use fractional_sobolev::{Estimate, Function, Order, Position, Tolerance, Work};
 use std::f64::consts::PI;
 
-/// a: no node of uniform dyadic meshes.
+/// The transition a, not a node of uniform dyadic meshes.
 pub(super) const TRANSITION: f64 = 0.4;
-/// Rounding of a dozen operations.
+/// Bound of the rounding error of a dozen operations.
 const ROUNDING: f64 = 1e-14;
 
 /// The solution, by its power and material.
@@ -31,9 +32,9 @@ pub(super) struct Power {
     pub(super) lame: Option<Lame>,
 }
 
-/// A function on the contact edge.
+/// A function on the contact edge: σ_N or u_N'.
 ///
-/// Both are multiples of r^{p−1} on one side of the transition and 0 on the other.
+/// Both are multiples of r^{p−1} on one side of the transition and vanish on the other.
 ///
 /// ```
 /// use signorini::problems::{EdgeDatum, KnownSolution};
@@ -45,14 +46,14 @@ pub(super) struct Power {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EdgeDatum {
-    /// σ_N.
+    /// The normal stress σ_N.
     Pressure,
-    /// u_N'.
+    /// The slope u_N'.
     Slope,
 }
 
 impl Power {
-    /// u ∈ H^τ for τ < p + 1.
+    /// The solution with power p; u ∈ H^τ for τ < p + 1.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
@@ -62,12 +63,12 @@ impl Power {
         Ok(Self { power, lame })
     }
 
-    /// The radius of the half disc about the transition that holds the square.
+    /// The radius of the half disc about the transition that contains the square.
     fn radius(&self) -> f64 {
         TRANSITION.max(1.0 - TRANSITION).hypot(1.0)
     }
 
-    /// u = `sign` r^p sin(pφ).
+    /// The sign in u = `sign` r^p sin(pφ).
     fn sign(&self) -> f64 {
         -(PI * self.power).sin().signum()
     }
@@ -81,7 +82,7 @@ impl Power {
         (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
     }
 
-    /// u; a scalar solution has second entry 0.
+    /// The displacement u; for a scalar solution the second entry is 0.
     pub(super) fn displacement(&self, point: Point) -> Point {
         let ((r, phi), p) = (Self::polar(point), self.power);
         let size = -self.sign() * r.powf(p);
@@ -92,7 +93,7 @@ impl Power {
         [y * low_sin - alpha * cos, (1.0 + alpha) * sin - y * low_cos].map(|part| size * part / double)
     }
 
-    /// ∇u: row c is the gradient of component c.
+    /// The gradient ∇u: row c is the gradient of component c.
     pub(super) fn gradient(&self, point: Point) -> [Point; 2] {
         let ((r, phi), q) = (Self::polar(point), self.power - 1.0);
         let size = -self.sign() * self.power * r.powf(q);
@@ -105,11 +106,12 @@ impl Power {
         rows.map(|row| row.map(|entry| size * entry / double))
     }
 
-    /// |∇u|_{τ−1} on the half disc, 3/2 < τ < 2, ‖D²u‖ at τ = 2:
-    /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times that over 4μ².
+    /// |∇u|_{τ−1} on the half disc for 3/2 < τ < 2, ‖D²u‖ at τ = 2: ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for
+    /// elasticity α² + β² + 1 − q + q² times this, divided by 4μ².
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ p + 1; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1 < τ ≤ 2; as
+    /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ p + 1;
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1 < τ ≤ 2; as
     /// [`Function::elastic_corner`] and [`Function::seminorm`].
     pub(super) fn body_seminorm(&self, tau: f64, tolerance: Tolerance) -> Result<Estimate> {
         let (p, radius, q) = (self.power, self.radius(), self.power - 1.0);
@@ -137,7 +139,7 @@ impl Power {
         })
     }
 
-    /// σ_N before the transition, over r^{p−1}.
+    /// The factor of r^{p−1} in σ_N on the contact side.
     fn pressure(&self) -> f64 {
         -self.power * (PI * self.power).sin().abs()
     }
@@ -148,7 +150,7 @@ impl Power {
         if before > 0.0 { self.pressure() * before.powf(self.power - 1.0) } else { 0.0 }
     }
 
-    /// u_N' beyond it, over r^{p−1}.
+    /// The factor of r^{p−1} in u_N' outside contact.
     fn slope(&self) -> f64 {
         self.pressure() * self.lame.map(Self::moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
     }
@@ -182,8 +184,7 @@ impl Power {
         Ok(Function::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
-    /// The edge load besides σ_N, in the direction of n, over r^{p−1}: on the side of contact and in the
-    /// gap.
+    /// The factors of r^{p−1} in the edge load ∂u/∂n − σ_N, in the direction of n: in contact and outside.
     pub(super) fn loads(&self) -> [f64; 2] {
         let slope = self.sign() * self.power;
         [-slope - self.pressure(), slope * (PI * self.power).cos()]

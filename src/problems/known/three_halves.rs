@@ -1,15 +1,15 @@
 //! A scalar Signorini problem with known solution: u = −Re (z − a)^{3/2} on the unit square, z = x + iy.
 //!
-//! With z − a = r e^{iφ}: u = −r^{3/2} cos(3φ/2) is harmonic. On y = 0 beyond a it is −r^{3/2} < 0 with ∂u/∂n
-//! = 0, before a it is 0 with ∂u/∂n = −(3/2) r^{1/2} ≤ 0: contact on [0, a], and exactly the regularity of a
-//! transition inside a straight edge, H^{5/2−ε}. u is prescribed on top, ∂u/∂n on both sides by quadrature.
+//! With z − a = r e^{iφ}: u = −r^{3/2} cos(3φ/2) is harmonic. On y = 0 it is −r^{3/2} < 0 with ∂u/∂n = 0 to the right
+//! of a, and 0 with ∂u/∂n = −(3/2) r^{1/2} ≤ 0 to the left: contact on [0, a], and exactly the regularity H^{5/2−ε}
+//! of a transition inside a straight edge. u is prescribed on top, ∂u/∂n on both sides by quadrature.
 
 use crate::contact::ContactProblem;
 use crate::error::Result;
 use crate::fem::{Field, Form};
 use crate::mesh::{Part, Point, Triangulation};
 
-/// The end of contact: 2/5 of the edge, not a node of a uniform dyadic mesh.
+/// The end of contact: 2/5, not a node of a uniform dyadic mesh.
 pub(super) const TRANSITION: f64 = 0.4;
 
 fn polar([x, y]: Point) -> (f64, f64) {
@@ -33,7 +33,7 @@ pub(super) fn normal_stress(x: f64) -> f64 {
     -1.5 * (TRANSITION - x).max(0.0).sqrt()
 }
 
-/// The problem with all data times `scale`.
+/// The problem with all data multiplied by `scale`.
 ///
 /// # Errors
 /// As for [`ContactProblem::new`].

@@ -1,8 +1,7 @@
-//! Contact problems on the unit square with solution in closed form, scalar and elastic, with one transition
-//! or two.
+//! Contact problems on the unit square with solution in closed form, scalar and elastic, with one or two transitions.
 //!
-//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for
-//! each factor. On y = 0 either F > 0 and F' real (the gap: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0
+//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for each
+//! factor. On y = 0 either F > 0 and F' is real (no contact: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0
 //! (contact). All second derivatives are of size r^{−1/2} at the transitions, so u ∈ H^{5/2−ε}.
 //!
 //! * *Scalar*: u = −Re F, harmonic, ∂u/∂n = −Im F' on y = 0.
@@ -20,22 +19,22 @@ use fractional_sobolev::{Estimate, Tolerance, Work};
 use realfft::num_complex::Complex;
 use std::fmt;
 
-/// a and b: no nodes of uniform dyadic meshes.
+/// a and b, not nodes of uniform dyadic meshes.
 const TRANSITIONS: [f64; 2] = [0.3, 0.7];
-/// Points along each side of a triangle's rule for seminorms, graded toward the transitions: the next ones while the
-/// tolerance is not met.
+/// Numbers of points along each side of a triangle for seminorms, graded toward the transitions; tried in turn until
+/// the tolerance is met.
 const POINTS: [usize; 4] = [6, 10, 14, 20];
 
 /// A contact problem with known solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Westergaard {
-    /// Contact before 3/10 and beyond 7/10; else before 3/10 only.
+    /// True for contact to the left of 3/10 and to the right of 7/10, false for contact to the left of 3/10 only.
     pub(super) two_transitions: bool,
     /// The Lamé constants; `None` for the scalar problem.
     pub(super) lame: Option<Lame>,
 }
 
-/// √z for Im z ≥ 0, of the first quadrant.
+/// The root √z in the first quadrant, for Im z ≥ 0.
 fn root(x: f64, y: f64) -> Complex<f64> {
     let (r, half) = (x.hypot(y).sqrt(), 0.5 * y.atan2(x));
     // On the negative axis the real part is zero, not rounding.
@@ -74,7 +73,7 @@ impl Westergaard {
         (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
     }
 
-    /// u; a scalar solution has second entry 0.
+    /// The displacement u; for a scalar solution the second entry is 0.
     pub(super) fn displacement(&self, point: Point) -> Point {
         let ([f, g, ..], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [-f.re, 0.0] };
@@ -82,7 +81,7 @@ impl Westergaard {
         [(-alpha * f.im - y * g.re) / double, ((1.0 + alpha) * f.re + y * g.im) / double]
     }
 
-    /// ∇u: row c is the gradient of component c.
+    /// The gradient ∇u: row c is the gradient of component c.
     pub(super) fn gradient(&self, point: Point) -> [Point; 2] {
         let ([_, f, g, _], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [[-f.re, f.im], [0.0; 2]] };
@@ -95,7 +94,7 @@ impl Westergaard {
         rows.map(|row| row.map(|entry| entry / double))
     }
 
-    /// (∂²/∂x², ∂²/∂x∂y, ∂²/∂y²) of each component; not finite at a transition, where they have no limit.
+    /// (∂²/∂x², ∂²/∂x∂y, ∂²/∂y²) of each component; not finite at a transition, where these have no limit.
     pub(super) fn second_derivatives(&self, point: Point) -> [[f64; 3]; 2] {
         let ([_, _, f, g], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [[-f.re, f.im, f.re], [0.0; 3]] };
