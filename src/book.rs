@@ -1,4 +1,4 @@
-//! The chapters of the book as documentation tests: a Rust block in a chapter compiles and runs, unless it is code
+//! The chapters of the book as documentation tests: every Rust block of a chapter is compiled and run, except code
 //! included from an example (`rust,ignore`, compiled there). `cargo book labels` writes the list from `SUMMARY.md`.
 
 macro_rules! chapters {

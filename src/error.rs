@@ -1,14 +1,14 @@
-//! The error type of the contact library: its own errors, and those of the toolkit.
+//! The error type of the contact library, which includes the errors of the toolkit.
 
 use fractional_sobolev::Estimate;
 use std::path::PathBuf;
 
 pub use fractional_sobolev::Error as ToolkitError;
 
-/// Result with [`Error`].
+/// A result whose error type is [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The error of this library: invalid input, a file that cannot be used, or an error of the toolkit.
+/// The error type of this library: invalid input, an unusable file, or an error of the toolkit.
 ///
 /// The termination of an iteration (converged, stalled, cycled) is a status in its result, not an error.
 ///
@@ -24,74 +24,74 @@ pub enum Error {
     /// An error of the toolkit: a parameter, a count, an array, a matrix or a tolerance.
     #[error(transparent)]
     Toolkit(#[from] ToolkitError),
-    /// A solver of another library failed.
+    /// A solver of another library reported an error.
     #[error("solver: {reason}")]
     Solver {
-        /// Its message.
+        /// The message of the solver.
         reason: String,
     },
-    /// Contact force and open gap at the same node.
-    #[error("node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero")]
+    /// The contact force and the displacement u_N are both nonzero at a node.
+    #[error("node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero: one of them must be zero")]
     NotComplementary {
-        /// The node.
+        /// The node, from 0.
         node: usize,
-        /// u_N there.
+        /// u_N at the node.
         value: f64,
-        /// λ there.
+        /// λ at the node.
         force: f64,
     },
-    /// A body without Dirichlet boundary: the solution is not unique.
+    /// A body without Dirichlet boundary, whose displacement is not unique.
     #[error(
-        "the body of {triangles} triangles with node {node} at ({}, {}) has no edge on the Dirichlet boundary: the \
-         solution is not unique",
+        "the body of {triangles} triangles with node {node} at ({}, {}) has no edge on the Dirichlet boundary: \
+         prescribe the displacement on at least one edge, otherwise the solution is not unique",
         place[0], place[1]
     )]
     NotHeld {
-        /// Its number of triangles.
+        /// Number of triangles of the body.
         triangles: usize,
-        /// Its first node, in the numbering of the mesh file.
+        /// First node of the body, in the numbering of the mesh file.
         node: usize,
         /// Coordinates of that node.
         place: [f64; 2],
     },
-    /// A contact problem without a node in contact.
-    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes")]
+    /// Contact data without a node in contact.
+    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one node at least")]
     EmptyContact {
-        /// Number of nodes of the edge.
+        /// Number of nodes of the contact edge.
         nodes: usize,
     },
-    /// A text does not follow its format.
+    /// A text file that does not follow its format.
     #[error("{format}, line {line}: {reason}")]
     Syntax {
-        /// The format.
+        /// Name of the format.
         format: &'static str,
-        /// The line, from 1.
+        /// Line number, from 1.
         line: usize,
         /// Description of the error.
         reason: String,
     },
-    /// A text follows its format, but a line has invalid content.
+    /// A text file that follows its format, with invalid data in a line.
     #[error("{format}, line {line}: {cause}")]
     AtLine {
-        /// The format.
+        /// Name of the format.
         format: &'static str,
-        /// The line, from 1.
+        /// Line number, from 1.
         line: usize,
-        /// The cause.
+        /// The error in the data of that line.
         cause: Box<Error>,
     },
-    /// A file could not be read or written.
+    /// A file that could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {
-        /// The path.
+        /// Path of the file.
         path: PathBuf,
-        /// The message of the system.
+        /// The message of the operating system.
         reason: String,
     },
 }
 
 impl Error {
-    /// The best estimate that a missed tolerance carries; `None` for all other errors.
+    /// The best estimate reached if a tolerance was not met; `None` for all other errors.
     ///
     /// ```
     /// assert!(signorini::Error::file("body.msh", "no such file").best().is_none());
@@ -103,7 +103,7 @@ impl Error {
         }
     }
 
-    /// The parameter `name` if it satisfies `admissible`. NaN is never admissible.
+    /// The value of the parameter `name`, if `admissible` is true. NaN is never admissible.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`] otherwise.
@@ -126,12 +126,12 @@ impl Error {
         Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: Some(best), why })
     }
 
-    /// [`ToolkitError::ToleranceNotMet`] without a value of `what`, with the relative uncertainty.
+    /// [`ToolkitError::ToleranceNotMet`] without an estimate of `what`, with its relative uncertainty.
     pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
         Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: None, why })
     }
 
-    /// The error for the file `path` with the reason given by the system.
+    /// The error for the file `path`, with the reason given by the operating system.
     pub fn file(path: impl Into<PathBuf>, reason: impl std::fmt::Display) -> Self {
         Error::File { path: path.into(), reason: reason.to_string() }
     }

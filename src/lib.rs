@@ -1,10 +1,10 @@
-//! The Signorini problem with finite elements: numerical companion to a paper on its convergence, statement
-//! by statement.
+//! Finite elements for the Signorini problem: a numerical companion to a paper on their convergence, statement by
+//! statement.
 //!
-//! Meshes, linear elements, the two discrete cones, solvers, problems reduced exactly to their contact
-//! edge, test problems of given regularity, and the steps of the proofs evaluated on computed solutions.
-//! Everything is nondimensional unless said otherwise. Norms of fractional order, Poincaré and
-//! interpolation constants are in the crate [`fractional_sobolev`], on which this one is built.
+//! The library provides meshes, linear elements, the two discrete cones, solvers, problems reduced exactly to their
+//! contact edge, test problems of given regularity, and the steps of the proofs evaluated on computed solutions.
+//! Quantities are nondimensional unless stated otherwise. Norms of fractional order, Poincaré and interpolation
+//! constants are in the crate [`fractional_sobolev`], on which this one is based.
 //!
 //! **A body from Gmsh** on a floor:
 #![doc = include_str!("with_contact.md")]

@@ -1,5 +1,5 @@
-//! Text input files: read with a size limit, and quoted in errors so that an error is one short line for
-//! every content.
+//! Text input files: reading with a size limit, and quotation in error messages that are one short line for
+//! any content.
 
 use crate::error::{Error, Result};
 use std::fs::File;
@@ -8,19 +8,19 @@ use std::path::Path;
 
 /// Largest file size: 2^30 bytes. Endless devices are rejected at this limit.
 const LONGEST: u64 = 1 << 30;
-/// Largest number of characters of a word in a quotation.
+/// Largest number of characters quoted.
 const QUOTED: usize = 40;
 
 /// The text of a file; bytes that are not UTF-8 become U+FFFD, so that the parser reports their line.
 ///
 /// # Errors
-/// [`Error::File`] with the message of the system, or for more than 2^30 bytes.
+/// [`Error::File`] with the message of the operating system, or for more than 2^30 bytes.
 pub(crate) fn read_text(path: &Path) -> Result<String> {
     let failed = |error: std::io::Error| Error::file(path, error);
     let mut bytes = Vec::new();
     File::open(path).map_err(failed)?.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
-        return Err(Error::file(path, "more than 2^30 bytes"));
+        return Err(Error::file(path, "the file has more than 2^30 bytes"));
     }
     Ok(match String::from_utf8(bytes) {
         Ok(text) => text,
@@ -28,11 +28,11 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     })
 }
 
-/// The pairs of finite numbers, one per line, with their line numbers from 1. Numbers are separated by
-/// blanks or commas; `#` begins a comment, empty lines are skipped.
+/// The pairs of finite numbers in a text, one pair per line, with their line numbers from 1. Numbers are separated
+/// by blanks or commas; `#` begins a comment, empty lines are skipped.
 ///
 /// # Errors
-/// [`Error::Syntax`] with the first line that is not a pair.
+/// [`Error::Syntax`] with the first line that does not contain a pair.
 pub(crate) fn pairs(text: &str, format: &'static str) -> Result<Vec<(usize, [f64; 2])>> {
     let mut pairs = Vec::new();
     for (index, line) in text.lines().enumerate() {

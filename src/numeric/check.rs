@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// Fails unless `given` is `expected`.
+/// Fails unless the length `given` equals `expected`.
 ///
 /// # Errors
 /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) under `name`.
@@ -17,12 +17,12 @@ pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) 
 /// Fails unless every value is finite.
 ///
 /// # Errors
-/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`, with the first index at which it is not.
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`, with the first index of such a value.
 pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
     values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
 }
 
-/// Fails unless the value with this index is finite.
+/// Fails unless `value`, with the given index, is finite.
 ///
 /// # Errors
 /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`.
@@ -43,7 +43,7 @@ pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize
     require_finite(name, values)
 }
 
-/// Fails unless the entry with this index satisfies `admissible`.
+/// Fails unless `admissible` is true for the entry with this index.
 pub(crate) fn require_entry(
     name: &'static str,
     index: usize,

@@ -3,10 +3,10 @@
 use crate::error::{Error, Result, ToolkitError};
 use std::sync::OnceLock;
 
-/// Number of bytes up to which no check is made.
+/// Number of bytes below which nothing is checked.
 const SMALL: f64 = (1u64 << 28) as f64;
 
-/// Memory assumed where the system does not report it.
+/// Memory assumed if the system does not report it.
 const UNKNOWN: f64 = (8u64 << 30) as f64;
 
 /// Bytes of physical memory: from `/proc/meminfo`, 8 GiB on systems without it. Read once.
@@ -24,7 +24,7 @@ fn total_of(text: &str) -> Option<f64> {
     Some(1024.0 * line.split_whitespace().nth(1)?.parse::<f64>().ok()?)
 }
 
-/// Fails when `count` pieces of `bytes` bytes each exceed the machine's memory.
+/// Fails if `count` items of `bytes` bytes each exceed the physical memory.
 ///
 /// # Errors
 /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) under `name`.

@@ -1,6 +1,6 @@
-//! Small numerical tools of the contact code: sums, scales, searches, checks of input, conjugate gradients.
+//! Numerical utilities of the contact library: sums, scales, searches, checks of input, conjugate gradients.
 //!
-//! Private functions of the toolkit are compiled from its files.
+//! Functions that are private in the toolkit are compiled from its source files.
 
 pub(crate) mod check;
 #[path = "../../toolkit/src/numeric/conjugate_gradients.rs"]

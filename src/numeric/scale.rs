@@ -3,13 +3,13 @@
 
 use super::sum::compensated;
 
-/// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
-/// = 0.
+/// The largest power of two up to |x|, for finite x ≠ 0, but at least 2^-1000, so that its reciprocal is finite;
+/// 1 for x = 0.
 pub(crate) fn power_of_two(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(x).max(-1000)) }
 }
 
-/// The power of two below the largest absolute value; 1 when all are zero, subnormal, or one is not finite.
+/// The largest power of two up to the largest absolute value; 1 if that is zero, subnormal, or not finite.
 pub(crate) fn power_below(values: &[f64]) -> f64 {
     let power = f64::from_bits(largest(values).to_bits() & f64::INFINITY.to_bits());
     if power.is_normal() { power } else { 1.0 }
@@ -20,7 +20,7 @@ pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }
 
-/// Σ a_i b_i, compensated; terms neither overflow nor underflow unless the result does.
+/// The sum Σ a_i b_i, compensated; its terms neither overflow nor underflow unless the result does.
 pub(crate) fn careful_dot(a: &[f64], b: &[f64]) -> f64 {
     let (p, q) = (power_below(a), power_below(b));
     compensated(a.iter().zip(b).map(|(a, b)| (a / p) * (b / q))) * p * q

@@ -9,7 +9,7 @@
 //! | [`KnownSolution::three_halves`] | −Re (z − 2/5)^{3/2}, scalar; u given on top, ∂u/∂n on the sides | 5/2 |
 //! | [`KnownSolution::one_transition`], [`KnownSolution::two_transitions`] | Westergaard's function, scalar or elastic | 5/2 |
 //! | [`KnownSolution::power`] | r^p about one transition, 1/2 < p < 3/2, scalar or elastic | p + 1 |
-//! | [`KnownSolution::transition`], [`KnownSolution::whole_boundary`] | powers and logarithms of [`TransitionPowers`], scalar | min(p + 1, q + 2) |
+//! | [`KnownSolution::transition`], [`KnownSolution::whole_boundary`] | [`TransitionPowers`], scalar | min(p + 1, q + 2) |
 
 mod harmonic;
 mod harmonic_problem;
