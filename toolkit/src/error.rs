@@ -112,7 +112,7 @@ pub enum Error {
         value: f64,
     },
     /// An array does not have the required length.
-    #[error("{name} has length {given}, expected {expected}")]
+    #[error("{name}: length {given}, expected {expected}")]
     LengthMismatch {
         /// Name of the array.
         name: &'static str,

@@ -37,7 +37,7 @@ impl BoundaryFunction {
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn linears(curve: Curve, values: &[f64]) -> Result<Self> {
         let count = curve.len() + usize::from(!curve.is_closed());
-        require_values("values of nodes", values, count)?;
+        require_values("nodal values", values, count)?;
         let ends = (0..curve.len()).map(|e| curve.nodes_of(e).map(|k| values[k])).collect();
         Ok(Self { curve, ends, constants: false })
     }
@@ -47,8 +47,8 @@ impl BoundaryFunction {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn constants(curve: Curve, values: &[f64]) -> Result<Self> {
-        require_length("values of elements", values.len(), curve.len())?;
-        require_values("values of elements", values, curve.len())?;
+        require_length("element values", values.len(), curve.len())?;
+        require_values("element values", values, curve.len())?;
         Ok(Self { curve, ends: values.iter().map(|&v| [v, v]).collect(), constants: true })
     }
 

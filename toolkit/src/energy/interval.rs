@@ -1,9 +1,10 @@
 //! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over the square of an interval: near cells pair by pair, far clusters by
 //! moments.
 //!
-//! The square is cut as for the operators ([`crate::gram::cluster`]). Far pairs are as accurate as the
+//! The square is divided as for the operators ([`crate::gram::cluster`]). Far pairs are as accurate as the
 //! interpolated kernel, whose error is measured for the worst pair; near pairs are supplied by the caller.
-//! Cost: O(N) near pairs and about 3N/leaf pairs of clusters at m² kernel values, m ≈ digits · 1.3.
+//! Cost: O(N) near pairs and about 3N/leaf pairs of clusters with m² kernel values each, m ≈ 1.3 times the
+//! number of digits.
 
 use super::moments::{MomentTree, Samples};
 use super::pair_sum::PairSum;
@@ -19,11 +20,11 @@ use rayon::prelude::*;
 
 /// A function on the cells of a mesh whose near pairs are known.
 pub(crate) trait CellEnergies: Samples {
-    /// ∫∫ over the cells e ≤ f, both orders: one cell twice, two neighbours, or two cells with the distance
-    /// `gap` between them.
+    /// ∫∫ over the cells e ≤ f in both orders: one cell with itself, two neighbours, or two cells with the
+    /// distance `gap` between them.
     fn near(&self, e: usize, f: usize, gap: f64) -> PairSum;
 
-    /// Largest number of elements of a leaf cluster.
+    /// The largest number of elements of a leaf cluster.
     fn leaf(&self) -> usize;
 
     /// True if clusters may end at this node.
@@ -89,7 +90,8 @@ fn near_pair(
     sum
 }
 
-/// Two clusters, a left of b, by their points: the first of a is the farthest one from b.
+/// The sum over the points of two clusters, a to the left of b: the first point of a is the farthest one from
+/// b.
 fn far_pair(
     moments: &MomentTree,
     chebyshev: &Chebyshev,

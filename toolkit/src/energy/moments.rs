@@ -9,10 +9,10 @@
 //!
 //! ∫_A ∫_B (u(x)−u(y))² k = L_A L_B Σ_ab k(x_a, y_b) [D² M⁰M⁰ + 2D (M¹M⁰ − M⁰M¹) + M²M⁰ + M⁰M² − 2 M¹M¹],
 //!
-//! all of the size of the variation of u on A ∪ B: no digits are lost where u is nearly constant, since c_A
-//! is a number of binary64 and u − c_A is formed before anything is summed. Since (u(x)−u(y))² ≥ 0, the
-//! relative error of the sum is at most that of the interpolated kernel. From child to parent c changes by δ:
-//! M¹ += δ M⁰, M² += 2δ M¹ + δ² M⁰. Cost O(m²) a cluster and a pair.
+//! all of the size of the variation of u on A ∪ B: no digits are lost where u is nearly constant, since c_A is
+//! a number of binary64 and u − c_A is formed before anything is summed. Since (u(x)−u(y))² ≥ 0, the relative
+//! error of the sum is at most that of the interpolated kernel. From child to parent c changes by δ: M¹ += δ
+//! M⁰, M² += 2δ M¹ + δ² M⁰. Cost: O(m²) per cluster and per pair.
 
 use super::pair_sum::PairSum;
 use crate::gram::cluster::ClusterTree;
@@ -21,13 +21,13 @@ use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 
-/// Rounding of a pair, relative to its terms: the sums have some dozen terms each.
+/// Rounding error of a pair, relative to its terms: the sums have some dozen terms each.
 const PAIR_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Quotient of lengths beyond which the values of the shorter cluster are not those of the whole.
+/// Ratio of lengths beyond which the values on the shorter cluster do not represent those on the whole.
 const UNEQUAL: f64 = 16.0;
 
-/// A function known on the cells of a mesh by points of a rule.
+/// A function on the cells of a mesh, known at the points of a rule.
 pub(crate) trait Samples: Sync {
     /// A value of the function on the cell.
     fn level(&self, cell: usize) -> f64;
@@ -139,8 +139,8 @@ impl<'a> MomentTree<'a> {
         [0, 1, 2].map(|k| &self.moments[(3 * c + k) * m..(3 * c + k + 1) * m])
     }
 
-    /// ∫∫ over cluster a of this tree and cluster b of another, both orders; `kernel` is L_A L_B k at the
-    /// points of the two.
+    /// ∫∫ over cluster a of this tree and cluster b of another one, in both orders; `kernel` is L_A L_B k at
+    /// the points of the two clusters.
     pub(crate) fn pair(
         &self,
         a: usize,

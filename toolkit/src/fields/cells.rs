@@ -1,7 +1,8 @@
 //! All cells of u − u_h with their near pairs.
 //!
-//! Pairs within a patch are left out: they are the seminorm of [`super::patch`]. A singular cell meets others
-//! at a distance no shorter than itself, by [`super::samples`]; all other pairs are pairs of polynomials.
+//! Pairs within a patch are omitted: their sum is the seminorm of [`super::patch`]. A singular cell is paired
+//! with others at a distance no shorter than itself, by [`super::samples`]; all other pairs are pairs of
+//! polynomials.
 
 use super::fit::{Difference, Fitted};
 use super::layout::{Part, layout};
@@ -15,9 +16,9 @@ use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PolynomialPairs};
 use crate::quadrature::Rule;
 
-/// Points of a rule beyond the degree: half as many as a cluster has, plus one.
+/// Number of points of a rule in addition to the degree: half the number of points of a cluster, plus one.
 const MOMENT_POINTS: usize = 15;
-/// Parts fitted by one thread.
+/// Number of parts fitted by one thread.
 const TOGETHER: usize = 256;
 
 /// The representation of u − u_h on a cell.
@@ -26,12 +27,12 @@ pub(super) enum Content {
     Singular(Sampled),
 }
 
-/// The cells, left to right.
+/// The cells, from left to right.
 pub(super) struct FieldCells {
     pub(super) parts: Vec<Part>,
     pub(super) contents: Vec<Content>,
     pub(super) partition: Mesh,
-    /// of u − u_h, at the nodes between the cells
+    /// jumps of u − u_h at the nodes between the cells
     pub(super) jumps: Vec<f64>,
 }
 
@@ -59,7 +60,7 @@ impl FieldCells {
         Ok(Self { parts, contents, partition, jumps })
     }
 
-    /// The first node at which u − u_h jumps outside of all patches.
+    /// True if u − u_h jumps at a node outside all patches.
     pub(super) fn jumps_apart(&self) -> bool {
         (1..self.parts.len()).any(|k| self.jumps[k] != 0.0 && !self.is_inside_patch(k))
     }
@@ -112,7 +113,7 @@ impl<'a> FieldEnergies<'a> {
         self.cells.partition.lengths()[e]
     }
 
-    /// A singular cell against another one to the right of it, or to the left.
+    /// The sum over pairs of a singular cell and another one to the right or to the left of it.
     fn sampled(&self, e: usize, sampled: &Sampled, f: usize, gap: f64) -> PairSum {
         let (h, other, is_right) = (self.length(e), self.length(f), f > e);
         let mut sum = PairSum::default();

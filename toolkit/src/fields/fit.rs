@@ -6,14 +6,14 @@ use crate::error::Result;
 use crate::functions::SingularFunction;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 
-/// Degrees in turn.
+/// Successive degrees.
 const DEGREES: [usize; 5] = [5, 8, 12, 16, 20];
-/// Rounding of bubbles, in units of that of the values.
+/// Rounding error of bubbles, in units of that of the values.
 const NOISE: f64 = 8.0;
 /// Largest number of bisections of a cell.
 const DEEPEST: usize = 30;
 
-/// A polynomial, the truncation error by its last coefficients, and the rounding of its data.
+/// A polynomial, its truncation error estimated from its last coefficients, and the rounding error of its data.
 pub(super) struct Fitted {
     pub(super) part: Part,
     pub(super) piece: Piece,
@@ -21,14 +21,14 @@ pub(super) struct Fitted {
     pub(super) noise: f64,
 }
 
-/// u − u_h on a part, at local coordinates t of the part.
+/// The difference u − u_h on a part, at local coordinates t of the part.
 pub(super) struct Difference<'a> {
     pub(super) function: &'a SingularFunction<'a>,
     pub(super) field: &'a PiecewisePolynomial,
 }
 
 impl Difference<'_> {
-    /// (u, u − u_h).
+    /// The values (u, u − u_h).
     pub(super) fn at(&self, part: &Part, t: f64) -> Result<(f64, f64)> {
         let from_left = part.left + part.length * t;
         let from_right = part.right + part.length * (1.0 - t);
@@ -41,7 +41,7 @@ impl Difference<'_> {
         Ok((value, value - self.field.pieces()[part.element].value(local)))
     }
 
-    /// u − u_h at the distance `share` of the length of a singular part from its breakpoint.
+    /// The value of u − u_h at the distance `share` of the length of a singular part from its breakpoint.
     pub(super) fn near_break(&self, part: &Part, mirrored: bool, share: f64) -> Result<f64> {
         let offset = part.length * share;
         let (k, offset) = if mirrored { (part.gap + 1, -offset) } else { (part.gap, offset) };
@@ -50,7 +50,7 @@ impl Difference<'_> {
         Ok(self.function.value_at(k, offset, None)? - self.field.pieces()[part.element].value(local))
     }
 
-    /// The polynomials of a part and, where it has to be cut, of its halves: to `tolerance` of their size.
+    /// The polynomials of a part or, if it must be bisected, of its halves, to `tolerance` times their size.
     pub(super) fn fit(&self, part: Part, tolerance: f64) -> Result<Vec<Fitted>> {
         let mut found = Vec::new();
         self.fit_into(part, tolerance, DEEPEST, &mut found)?;

@@ -1,18 +1,17 @@
 //! The cells on which u − u_h is smooth, and those at the breakpoints of u.
 //!
-//! The elements of the field are cut at the breakpoints, and further until no cell is longer than its
-//! distance to the nearest breakpoint. The two pieces beside a breakpoint are halved: the half at the
-//! breakpoint is singular, the other one as long as its distance to it. The halves of one breakpoint make
-//! its *patch*.
+//! The elements of the mesh are cut at the breakpoints, and further until no cell is longer than its distance
+//! to the nearest breakpoint. The two pieces next to a breakpoint are bisected: the half at the breakpoint is
+//! singular, the other one is as long as its distance to it. The two halves at a breakpoint form its *patch*.
 
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
 
-/// A node and a breakpoint are one point when they differ by this, relative to the larger of the ends.
+/// A node and a breakpoint are identified if they differ by at most this, relative to the larger of the ends.
 const SAME: f64 = 4.0 * f64::EPSILON;
 
-/// A part of an element of the field, between two breakpoints.
+/// A part of an element, between two breakpoints.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
     pub(super) element: usize,
@@ -24,14 +23,14 @@ pub(super) struct Part {
     pub(super) gap: usize,
     pub(super) left: f64,
     pub(super) right: f64,
-    /// the breakpoint in whose patch it lies
+    /// the breakpoint to whose patch it belongs
     pub(super) patch: Option<usize>,
-    /// the breakpoint is one of its ends
+    /// true if the breakpoint is one of its ends
     pub(super) is_singular: bool,
 }
 
 impl Part {
-    /// Two halves.
+    /// The two halves.
     pub(super) fn halves(self) -> [Self; 2] {
         let (half, middle) = (0.5 * self.length, 0.5 * (self.from + self.to));
         [
@@ -40,7 +39,7 @@ impl Part {
         ]
     }
 
-    /// The cells of the part, left to right.
+    /// The cells of the part, from left to right.
     fn refine(self, cells: &mut Vec<Self>) {
         let [first, second] = self.halves();
         match (self.left == 0.0, self.right == 0.0) {
@@ -61,16 +60,16 @@ impl Part {
     }
 }
 
-/// The cells of all elements, left to right.
+/// The cells of all elements, from left to right.
 pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     let size = breaks.iter().fold(0.0_f64, |most, c| most.max(c.abs())).max(partition.total());
     let end = partition.left() + partition.total();
     let last = breaks[breaks.len() - 1];
     let same = (breaks[0] - partition.left()).abs().max((last - end).abs()) <= 16.0 * SAME * size;
     Error::require(
-        "left end of the field",
+        "left end of the mesh",
         partition.left(),
-        "that of the function, as the right one",
+        "the left end of the function's interval; both ends must agree",
         same,
     )?;
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); partition.len()];
@@ -108,7 +107,7 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     // Two breaks may lie closer than nodes are known.
     let expected = breaks.len() - 1;
     if gaps.len() != expected {
-        let (name, given) = ("breakpoints at or between the nodes of the field", gaps.len());
+        let (name, given) = ("intervals between breakpoints that the mesh represents", gaps.len());
         return Err(Error::LengthMismatch { name, given, expected });
     }
     let mut cells = Vec::new();
@@ -127,8 +126,8 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     Ok(cells)
 }
 
-/// The inner node at a distance from the left end; of several that are as good as there, the one between the
-/// shortest elements, to which the mesh is graded.
+/// The inner node at a distance from the left end; of several that are equally close, the one between the
+/// shortest elements, towards which the mesh is graded.
 fn node_at(partition: &Mesh, offset: f64, tolerance: f64) -> Option<usize> {
     let nodes = partition.from_left();
     let first = nodes.partition_point(|&x| x < offset - tolerance).max(1);

@@ -1,4 +1,4 @@
-//! Norms of u − u_h: a function with declared breakpoints against a piecewise polynomial.
+//! Norms of u − u_h: a function with declared breakpoints minus a piecewise polynomial.
 
 mod cells;
 mod fit;

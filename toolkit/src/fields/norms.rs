@@ -13,30 +13,30 @@ use crate::piecewise::{Cell, Piece, PiecewisePolynomial};
 use crate::quadrature::Rule;
 use crate::root::{accept, root_of_squares, scaled};
 
-/// Parts of the tolerance of the square given to the far pairs, and to all patches.
+/// Shares of the tolerance of the square for the far pairs, and for all patches.
 const SHARE: f64 = 0.2;
-/// Standard deviations by which independent roundings may exceed their expectation.
+/// Number of standard deviations by which independent rounding errors may exceed their expectation.
 const ROUNDING_SAFETY: f64 = 4.0;
 /// Message: what limits the accuracy.
 pub(super) const LIMIT: &str =
     "rounding of the function dominates a small difference, or the limit at a breakpoint is not resolved";
 
-/// u − u_h for a function with declared breakpoints and a field on many elements: an interpolant, a finite
-/// element solution. Its norms are those of other functions.
+/// The difference u − u_h of a function with declared breakpoints and a piecewise polynomial on many elements:
+/// an interpolant or a finite element solution. Its norms are those of other functions.
 ///
 /// # Method
 ///
-/// The elements are cut at the breakpoints of u and until none is longer than its distance to the nearest
-/// one. Away from the breakpoints u − u_h is replaced by polynomials of degree 5 to 20, chosen by the decay
-/// of their coefficients, and the double integral goes pair by pair for near cells and by moments for far
-/// ones, as for [`PiecewisePolynomial::seminorm`]. The two elements beside a breakpoint form a patch: over
-/// pairs in it the integral is that of [`SingularFunction::seminorm`] of the difference, which also detects
-/// infinite seminorms; against all other cells the patch is represented by points graded to the breakpoint.
+/// The elements are cut at the breakpoints of u and until none is longer than its distance to the nearest one.
+/// Away from the breakpoints u − u_h is replaced by polynomials of degree 5 to 20, chosen by the decay of their
+/// coefficients, and the double integral is computed pair by pair for near cells and by moments for far ones,
+/// as for [`PiecewisePolynomial::seminorm`]. The two elements next to a breakpoint form a patch: over pairs in
+/// it the integral is that of [`SingularFunction::seminorm`] of the difference, which also detects infinite
+/// seminorms; in pairs with all other cells the patch is represented by points graded towards the breakpoint.
 /// Cost O(N log(1/τ)²): seconds for 10⁵ elements.
 ///
-/// The error contains the interpolation of the kernel, the last coefficients, the patches, and the
-/// rounding of u beside a difference that may be 10¹⁰ times smaller, taken as independent from point to
-/// point.
+/// The error includes the interpolation of the kernel, the last coefficients, the patches, and the rounding of
+/// u compared with a difference that may be 10¹⁰ times smaller; rounding errors at different points are treated
+/// as independent.
 #[doc(alias("Gagliardo", "Slobodeckij", "finite element error", "interpolation error"))]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FieldError<'a> {
@@ -45,24 +45,24 @@ pub(crate) struct FieldError<'a> {
 }
 
 impl SingularFunction<'_> {
-    /// u − u_h, both on the same interval, for its norms.
+    /// The difference u − u_h, both on the same interval, for its norms.
     pub(crate) fn minus<'b>(&'b self, field: &'b PiecewisePolynomial) -> FieldError<'b> {
         FieldError { function: self, field }
     }
 }
 
 impl FieldError<'_> {
-    /// |u − u_h|_ν.
+    /// The seminorm |u − u_h|_ν.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless both live on the same interval; [`Error::InfiniteNorm`] when the field
-    /// jumps and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best
-    /// value.
+    /// [`Error::OutOfRange`] unless both are defined on the same interval; [`Error::InfiniteNorm`] if u_h jumps
+    /// and ν ≥ 1/2, and as [`SingularFunction::seminorm`]; [`Error::ToleranceNotMet`] with the best value.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.parts(order, tolerance)?[0], tolerance, LIMIT)
     }
 
-    /// ||u − u_h||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
+    /// The norm ||u − u_h||_ν, the square of which is the sum of the squares of the L² norm and of the
+    /// seminorm.
     ///
     /// # Errors
     /// As [`FieldError::seminorm`].
@@ -70,10 +70,10 @@ impl FieldError<'_> {
         accept("norm", root_of_squares(&self.parts(order, tolerance)?)?, tolerance, LIMIT)
     }
 
-    /// ||u − u_h|| in L².
+    /// The L² norm ||u − u_h||.
     ///
     /// # Errors
-    /// As [`FieldError::seminorm`], without the infinite seminorms.
+    /// As [`FieldError::seminorm`], except for infinite seminorms.
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         let (unit, field) = self.normalized(tolerance)?;
         let cells = FieldCells::new(&Difference { function: &unit.u, field: &field }, tolerance.relative())?;
@@ -93,7 +93,7 @@ impl FieldError<'_> {
         let difference = Difference { function: &unit.u, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
         if !order.is_below_half() && cells.jumps_apart() {
-            let why = "a field with a jump is not in H^nu for nu >= 1/2";
+            let why = "a piecewise polynomial with a jump is not in H^nu for nu >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         let back = |squared: Estimate| unit.seminorm(order, squared.sqrt()?);
@@ -109,7 +109,7 @@ pub(super) fn of_lq(unit: &Normalized, q: f64, found: Estimate) -> Result<Estima
     scaled(unit.size, scaled(unit.length.powf(1.0 / q), found)?)
 }
 
-/// |u − u_h|²_ν.
+/// The square |u − u_h|²_ν.
 fn squared(
     difference: &Difference,
     cells: &FieldCells,
@@ -161,14 +161,14 @@ fn squared(
     Estimate::new(value.value(), error, work + Work { points: cells.parts.len() as u64, ..Work::default() })
 }
 
-/// The error of the polynomials and samples.
+/// The errors of the polynomials and of the samples.
 #[derive(Default)]
 struct Leftovers {
-    /// |r|²_ν of what the last coefficients leave
+    /// |r|²_ν of the remainder r beyond the last coefficients
     cut: f64,
-    /// of what singular cells leave
+    /// the same for the remainder on singular cells
     beyond: f64,
-    /// |n|²_ν of the roundings, and Σ (e n)² of their products with the difference
+    /// |n|²_ν of the rounding errors, and Σ (e n)² of their products with the difference
     noise: f64,
     mixed: f64,
 }
@@ -199,7 +199,7 @@ fn leftovers(energies: &FieldEnergies, cells: &FieldCells, order: Order) -> Left
     sum
 }
 
-/// ||u − u_h|| in L².
+/// The L² norm ||u − u_h||.
 pub(super) fn l2(cells: &FieldCells) -> Result<Estimate> {
     let (mut value, mut error, mut noise) = (RunningSum::default(), 0.0, 0.0_f64);
     for (content, part) in cells.contents.iter().zip(&cells.parts) {

@@ -1,4 +1,4 @@
-//! The patch of a breakpoint: both halves beside it, as a function with one breakpoint.
+//! The patch of a breakpoint: both halves next to it, as a function with one breakpoint.
 
 use super::fit::{Difference, Fitted};
 use super::layout::Part;
@@ -11,10 +11,10 @@ use crate::piecewise::PiecewisePolynomial;
 
 /// Largest number of polynomials on a patch of a smooth function.
 const MOST: usize = 64;
-/// Standard deviations by which independent roundings may exceed their expectation.
+/// Number of standard deviations by which independent rounding errors may exceed their expectation.
 const SAFETY: f64 = 4.0;
 
-/// u − u_h on the patch of breakpoint k, whose parts are given left to right.
+/// The difference u − u_h on the patch of breakpoint k, whose parts are given from left to right.
 pub(super) fn patch<'a>(
     function: &'a SingularFunction<'a>,
     field: &'a PiecewisePolynomial,
@@ -56,8 +56,8 @@ pub(super) fn patch<'a>(
     function.seen_likewise(&breaks, difference)
 }
 
-/// |u − u_h|_ν on a patch from polynomials: where u is smooth at the breakpoint and rounding dominates the
-/// difference, [`SingularFunction::seminorm`] would take rounding for oscillations.
+/// |u − u_h|_ν on a patch from polynomials: if u is smooth at the breakpoint and rounding dominates the
+/// difference, [`SingularFunction::seminorm`] would treat rounding errors as oscillations.
 pub(super) fn by_polynomials(
     difference: &Difference,
     parts: &[Part],

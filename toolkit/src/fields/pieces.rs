@@ -15,8 +15,8 @@ use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
 use crate::root::{accept, scaled};
 
-/// Accuracy of the cells over that of a dual norm: an oscillating error has a dual norm much smaller than
-/// its L² norm, in which the remainder of the cells is measured.
+/// Ratio of the accuracy of the cells to that of a dual norm: an oscillating error has a dual norm much smaller
+/// than its L² norm, in which the remainder on the cells is measured.
 const OF_CELLS: f64 = 1e-3;
 /// Smallest tolerance of the cells.
 const LEAST: f64 = 1e-14;
@@ -31,8 +31,8 @@ enum Part<'a> {
 }
 
 impl FieldError<'_> {
-    /// ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ the maximum between the points of a patch is estimated as in
-    /// [`SingularFunction::lq_norm`].
+    /// The norm ||u − u_h||\_{L^q}, 1 ≤ q ≤ ∞. At q = ∞ the maximum between the points of a patch is estimated
+    /// as in [`SingularFunction::lq_norm`].
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`FieldError::l2_norm`].
@@ -73,11 +73,12 @@ impl FieldError<'_> {
         accept("L^q norm", of_lq(&unit, q, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
     }
 
-    /// The norm dual to [`FieldError::norm`], sup ∫ (u − u_h) v / ||v||_ν, as [`SingularFunction::dual_norm`].
+    /// The dual norm sup ∫ (u − u_h) v / ||v||_ν with respect to the norm of [`FieldError::norm`], as
+    /// [`SingularFunction::dual_norm`].
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] for a value of the function,
-    /// [`Error::OutOfRange`] unless both live on the same interval.
+    /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] if a value of the function is not
+    /// finite, [`Error::OutOfRange`] unless both are defined on the same interval.
     pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let (unit, field) = self.normalized(tolerance)?;
         let difference = Difference { function: &unit.u, field: &field };
@@ -106,7 +107,7 @@ impl FieldError<'_> {
     }
 }
 
-/// u − u_h from left to right: cells away from the breakpoints, and one patch per breakpoint.
+/// The parts of u − u_h from left to right: cells away from the breakpoints, and one patch per breakpoint.
 fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<Part<'a>>> {
     let mut found = Vec::with_capacity(cells.parts.len());
     let mut last = None;
@@ -131,7 +132,7 @@ fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<P
             }
             (None, Content::Singular(_)) => {
                 return Err(Error::CountOutOfRange {
-                    name: "cell at no breakpoint",
+                    name: "singular cell away from the breakpoints",
                     value: k,
                     range: "none",
                 });

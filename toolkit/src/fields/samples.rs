@@ -1,7 +1,8 @@
-//! A cell at a breakpoint by points graded to it: sufficient for kernels that are smooth there.
+//! A cell at a breakpoint, represented by points graded towards it: sufficient for kernels that are smooth
+//! there.
 //!
-//! Gauss rules on layers of ratio 2/5. The layers end where ∫ e² over what is left is small against the
-//! tolerance, or where the function cannot be evaluated any closer.
+//! Gauss rules are used on layers of ratio 2/5. The layers end where ∫ e² over the remainder is small relative
+//! to the tolerance, or where the function cannot be evaluated any closer to the breakpoint.
 
 use crate::error::Result;
 use crate::quadrature::Rule;
@@ -10,14 +11,14 @@ use crate::quadrature::Rule;
 const RATIO: f64 = 0.4;
 /// Smallest depth of the layers.
 const LEAST: f64 = 1e-3;
-/// Points of a layer: x^a to rounding.
+/// Number of points of a layer: x^a is integrated to rounding.
 const POINTS: usize = 12;
 
 /// Points t and weights of the unit cell, and the values there.
 pub(super) struct Sampled {
     pub(super) points: Vec<(f64, f64)>,
     pub(super) values: Vec<f64>,
-    /// errors of ∫ e² and of ∫ e times the size of e: the last layer, where one rule stands
+    /// errors of ∫ e² and of ∫ e times the size of e: those of the last layer, on which a single rule is used
     pub(super) rest: f64,
 }
 
@@ -68,7 +69,7 @@ impl Sampled {
         Ok(found)
     }
 
-    /// A point of the rule on (start, start + width); its value.
+    /// Adds a point of the rule on (start, start + width) and returns its value.
     fn add(
         &mut self,
         place: impl Fn(f64) -> f64,

@@ -1,5 +1,5 @@
-//! Double integrals of |x − y|^{-1-2ν} over two elements (cells) of lengths p, q at distance d, against hat
-//! functions.
+//! Double integrals of |x − y|^{-1-2ν} times hat functions over two elements (cells) of lengths p, q at
+//! distance d.
 //!
 //! Every integrand below has one sign, so that every value has full relative accuracy for p, q, d with
 //! ratios down to 1e-303. Coordinates s, t run from the ends that face each other, so that |x − y| = d + s +
@@ -12,9 +12,9 @@
 //!   the two triangles of the rectangle (Duffy 1982) the radial integral is 1/(m + 2) = 1/(3 − 2ν) and one
 //!   closed 1D integral is left: ∫₀^p∫₀^q f(s,t) = pq/(m+2) [∫₀¹ f(p, qη) dη + ∫₀¹ f(pη, q) dη].
 //!
-//! Everything is computed in units of a power of two S near the geometric mean of the smallest and the
-//! largest scale of the integral, so that t^{-2ν} stays inside binary64 over 300 decades of t, and scaled
-//! back by S^{1-2ν}.
+//! Everything is computed in units of a power of two S near the geometric mean of the smallest and the largest
+//! scale of the integral, so that t^{-2ν} remains in the range of binary64 over 300 decades of t, and is then
+//! multiplied by S^{1-2ν}.
 
 use super::power::{PowerKernel, gauss_for, graded_gauss};
 use crate::numeric::scale::power_between;
@@ -90,7 +90,7 @@ impl CellPairs {
         sums.map(|row| row.map(|sum| p * q * sum))
     }
 
-    /// p ≤ q: outer integral over p.
+    /// The same for p ≤ q, with the outer integral over p.
     fn near(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
         let mut sums = [[0.0; 2]; 2];
         graded_gauss(d, p, |s, w| {
@@ -105,7 +105,7 @@ impl CellPairs {
         sums
     }
 
-    /// ∫∫ (d+s+t)^{-1-2ν}, d > 0: two constants.
+    /// ∫∫ (d+s+t)^{-1-2ν}, d > 0: constant functions on two cells.
     pub(crate) fn separate_constants(&self, p: f64, q: f64, d: f64) -> f64 {
         let (p, q) = (p.min(q), p.max(q));
         self.scaled([d, d.max(q)], [p, q, d], |[p, q, d]| {
@@ -125,7 +125,7 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (s+t)^{-1-2ν} for ν < 1/2: two constants on touching cells.
+    /// ∫∫ (s+t)^{-1-2ν} for ν < 1/2: constant functions on touching cells.
     pub(crate) fn touching_constants(&self, p: f64, q: f64) -> f64 {
         self.scaled([p, q], [p, q], |[p, q]| {
             (p * self.kernel.whole(p, q) + q * self.kernel.whole(q, p)) / self.kernel.one_minus
@@ -150,8 +150,8 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat function that vanishes at the common
-    /// point against a constant.
+    /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat function that vanishes at the common point,
+    /// times a constant.
     pub(crate) fn touching_square_constant(&self, p: f64, q: f64) -> f64 {
         self.scaled([p, q], [p, q], |[p, q]| {
             let along_q = self.kernel.whole(p, q);
@@ -174,8 +174,8 @@ impl CellPairs {
     }
 
     /// ∫_0^p w(s) ∫_d^∞ (s+t)^{-1-2ν} dt ds for w = (1 − s/p)², (s/p)(1 − s/p), (s/p)²: products of hat
-    /// functions against the exterior of an interval. For d = 0 the last one; the others are infinite from
-    /// ν = 1/2 on.
+    /// functions with the exterior of an interval. For d = 0 only the last one is defined for all ν; the others
+    /// are infinite for ν ≥ 1/2.
     pub(crate) fn against_exterior(&self, p: f64, d: f64) -> [f64; 3] {
         if d == 0.0 {
             let last = self.kernel.scaling(p) / (self.kernel.twice * self.kernel.three_minus);
@@ -194,7 +194,7 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell twice: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
+    /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell with itself: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
     pub(crate) fn own(&self, p: f64) -> f64 {
         2.0 * self.kernel.scaling(p) / (self.kernel.two_minus * self.kernel.three_minus)
     }

@@ -22,8 +22,8 @@ impl Chebyshev {
         }
     }
 
-    /// The fewest points with which a kernel k(s, t) on the unit square is interpolated to `target`, relative
-    /// to its value, and the error that was measured.
+    /// The interpolation with the fewest points for which the error of a kernel k(s, t) on the unit square,
+    /// relative to its value, is at most `target`, and the measured error.
     pub(crate) fn to(target: f64, kernel: impl Fn(f64, f64) -> f64) -> (Self, f64) {
         let mut m = 3;
         loop {
@@ -36,13 +36,13 @@ impl Chebyshev {
         }
     }
 
-    /// As [`Chebyshev::to`] for the power of the distance of two intervals of length one, one apart: of all
-    /// pairs whose gap is no shorter than either of them the worst.
+    /// As [`Chebyshev::to`] for the power of the distance of two intervals of length one at distance one: the
+    /// worst of all pairs whose gap is no shorter than either of them.
     pub(crate) fn for_power(target: f64, kernel: PowerKernel) -> (Self, f64) {
         Self::to(target, |s, t| kernel.at(1.0 + s + t))
     }
 
-    /// The largest relative error at a grid of places.
+    /// The largest relative error on a grid of points.
     fn error(&self, kernel: &impl Fn(f64, f64) -> f64) -> f64 {
         let m = self.points.len();
         let place = |k: usize| k as f64 / (PLACES - 1) as f64;
@@ -63,7 +63,7 @@ impl Chebyshev {
         largest
     }
 
-    /// The Lagrange polynomials at t.
+    /// The values of the Lagrange polynomials at t.
     pub(crate) fn lagrange(&self, t: f64, values: &mut [f64]) {
         let mut sum = 0.0;
         for (k, (&point, &weight)) in self.points.iter().zip(&self.weights).enumerate() {

@@ -1,5 +1,5 @@
-//! Integrals of |x − y|^{-1-2ν} over pairs of elements against polynomials of low degree: one sign, full
-//! relative accuracy.
+//! Integrals of |x − y|^{-1-2ν} times polynomials of low degree over pairs of elements, with integrands of one
+//! sign and full relative accuracy.
 
 pub(crate) mod cells;
 pub(crate) mod chebyshev;

@@ -1,4 +1,4 @@
-//! Integrals of the kernel t^{-1-2ν} against polynomials along a line, without cancellation.
+//! Integrals of the kernel t^{-1-2ν} times polynomials along a line, without cancellation.
 //!
 //! With L = ln(1 + ℓ/x) and α = k − 2ν:
 //! ∫_x^{x+ℓ} τ^{k-1-2ν} dτ = x^α (e^{αL} − 1)/α, where expm1 and log1p make α = 0 (ν = 1/2, k = 1) a
@@ -11,10 +11,11 @@ use crate::quadrature::Rule;
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
-/// Orders 1 ..= MAX_POINTS of the Gauss rules kept at hand.
+/// Orders 1 ..= MAX_POINTS of the Gauss rules that are tabulated.
 const MAX_POINTS: usize = 40;
 
-/// Largest ratio of the length of a piece to its distance from the singularity for one Gauss rule.
+/// Largest ratio of the length of a piece to its distance from the singularity for which a single Gauss rule is
+/// used.
 pub(crate) const GAUSS_REACH: f64 = 2.0;
 
 /// n-point Gauss-Legendre rules on (0, 1) and the largest ℓ/x for which each is exact to rounding.
@@ -45,8 +46,8 @@ pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
     gauss_to(ratio, 1, 1.0)
 }
 
-/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and to a `share` of the digits:
-/// that many points more than the kernel needs, which are as many as the error ρ^{-2n} asks.
+/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and for a `share` of the digits:
+/// that many points in addition to those for the kernel, whose number follows from the error ρ^{-2n}.
 fn gauss_to(ratio: f64, degree: usize, share: f64) -> (&'static [f64], &'static [f64]) {
     let table = gauss_table();
     let exact = table.reach.partition_point(|&reach| reach < ratio) as f64;
@@ -64,7 +65,7 @@ pub(crate) fn graded_gauss(x: f64, length: f64, f: impl FnMut(f64, f64)) {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GaussRules {
     pub(crate) degree: usize,
-    /// of 17 digits
+    /// share of 17 digits
     pub(crate) share: f64,
 }
 
@@ -103,8 +104,8 @@ fn graded_gauss_to(x: f64, length: f64, degree: usize, share: f64, mut f: impl F
     }
 }
 
-/// c of the symbol c |ξ|^{2ν} of the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) |x−y|^{-1-2ν} on the line: 2/C(1, ν), C the
-/// constant of the fractional Laplacian.
+/// The constant c of the symbol c |ξ|^{2ν} of the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) |x−y|^{-1-2ν} on the line:
+/// 2/C(1, ν), C the constant of the fractional Laplacian.
 pub(crate) fn symbol_constant(order: Order) -> f64 {
     let sine = (PI * order.value().min(order.complement())).sin();
     2.0 * PI / (libm::tgamma(1.0 + 2.0 * order.value()) * sine)
@@ -129,7 +130,7 @@ pub(crate) fn expm1_over(alpha: f64, log: f64) -> f64 {
     if y.abs() < 1e-290 { log } else { y.exp_m1() / alpha }
 }
 
-/// ln(1 + ℓ/x) for x > 0, also where ℓ/x overflows.
+/// ln(1 + ℓ/x) for x > 0, also if ℓ/x overflows.
 pub(crate) fn log_ratio(x: f64, length: f64) -> f64 {
     let ratio = length / x;
     if ratio < 1e15 { ratio.ln_1p() } else { (x + length).ln() - x.ln() }
@@ -146,12 +147,12 @@ impl PowerKernel {
         }
     }
 
-    /// t^{-1-2ν}.
+    /// The value t^{-1-2ν}.
     pub(crate) fn at(&self, t: f64) -> f64 {
         t.powf(-1.0 - self.twice)
     }
 
-    /// ℓ t^{-1-2ν} where t^{-1-2ν} alone might underflow.
+    /// ℓ t^{-1-2ν}, also if t^{-1-2ν} alone underflows.
     fn over(&self, length: f64, t: f64) -> f64 {
         (length / t) * t.powf(-self.twice)
     }
@@ -161,7 +162,7 @@ impl PowerKernel {
         t.powf(-self.twice) / self.twice
     }
 
-    /// S^{1-2ν}, how integrals over two cells scale; the exponent that is exact is the one used.
+    /// The factor S^{1-2ν} by which integrals over two cells scale, computed from the exponent that is exact.
     pub(crate) fn scaling(&self, scale: f64) -> f64 {
         if self.twice < 0.5 { scale * scale.powf(-self.twice) } else { scale.powf(self.one_minus) }
     }
@@ -171,7 +172,7 @@ impl PowerKernel {
         x.powf(-self.twice) * expm1_over(-self.twice, log_ratio(x, length))
     }
 
-    /// ∫_x^{x+ℓ} (τ/ℓ)^k τ^{-1-2ν} dτ for α = k − 2ν, from the end that does not overflow.
+    /// ∫_x^{x+ℓ} (τ/ℓ)^k τ^{-1-2ν} dτ for α = k − 2ν, computed from the end that does not overflow.
     fn about_origin(&self, k: i32, alpha: f64, x: f64, length: f64) -> f64 {
         let log = log_ratio(x, length);
         if alpha >= 0.0 {

@@ -12,18 +12,18 @@ const DEPENDENT: f64 = 1e-11;
 
 /// A pencil with an approximate inverse of A − λ M, up to a factor.
 pub(crate) trait Pencil {
-    /// A x; for the largest eigenvalues −A x.
+    /// The product A x, or −A x for the largest eigenvalues.
     ///
     /// # Errors
     /// Those of the product.
     fn apply(&self, x: &[f64]) -> Result<Vec<f64>>;
-    /// M x.
+    /// The product M x.
     fn mass(&self, x: &[f64]) -> Vec<f64>;
-    /// The preconditioner times a residual.
+    /// The preconditioner applied to a residual.
     fn precondition(&self, r: &[f64]) -> Vec<f64>;
-    /// True if the smallest eigenvalues are so well separated that Ritz values give their gaps.
+    /// True if the smallest eigenvalues are so well separated that the Ritz values give their gaps.
     fn is_separated(&self) -> bool;
-    /// M⁻¹ r.
+    /// The product M⁻¹ r.
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
 }
 
@@ -61,19 +61,19 @@ impl Imaged {
     }
 }
 
-/// The smallest eigenvalue of the pencil, the bound of its distance to the spectrum, and the number of
-/// steps.
+/// The smallest eigenvalue of the pencil, a bound of its distance to the spectrum, and the number of steps.
 pub(crate) struct Smallest {
     pub(crate) value: f64,
     pub(crate) error: f64,
     pub(crate) steps: usize,
 }
 
-/// The smallest eigenvalue from a block of start vectors, until the error is below `tolerance` times the
-/// value or the number of steps is reached.
+/// The smallest eigenvalue from a block of start vectors, when the error is below `tolerance` times the value
+/// or the number of steps is reached.
 ///
-/// The error is the least of ‖R_k‖ and, where eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), R_k the residuals
-/// of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within ‖R_1‖.
+/// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), where R_k are the
+/// residuals of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within
+/// ‖R_1‖.
 pub(crate) fn smallest(
     pencil: &impl Pencil,
     start: Vec<Vec<f64>>,
@@ -131,7 +131,8 @@ pub(crate) fn smallest(
     Ok(None)
 }
 
-/// Ritz values in ascending order and the coefficients of their vectors, of unit norm in M.
+/// The Ritz values in ascending order and the coefficients of their vectors, which have norm 1 with respect to
+/// M.
 fn ritz(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let n = basis.len();
     let product = |of: fn(&Imaged) -> &Vec<f64>| {

@@ -2,31 +2,31 @@
 
 use crate::error::{Error, Result};
 
-/// Fails unless `given` is `expected`.
+/// Returns an error unless `given` equals `expected`.
 ///
 /// # Errors
-/// [`Error::LengthMismatch`] under `name`.
+/// [`Error::LengthMismatch`] with this `name`.
 pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
     if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
-/// Fails unless every value is finite.
+/// Returns an error unless every value is finite.
 ///
 /// # Errors
-/// [`Error::NotFinite`] under `name`, with the first index at which it is not.
+/// [`Error::NotFinite`] with this `name` and the index of the first value that is not finite.
 pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
     values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
 }
 
-/// Fails unless the value with this index is finite.
+/// Returns an error unless the value with this index is finite.
 ///
 /// # Errors
-/// [`Error::NotFinite`] under `name`.
+/// [`Error::NotFinite`] with this `name`.
 pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
     if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { name, index, value }) }
 }
 
-/// Fails unless there are `expected` values, all finite.
+/// Returns an error unless there are `expected` values and all of them are finite.
 ///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`].
@@ -35,7 +35,7 @@ pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize
     require_finite(name, values)
 }
 
-/// Fails unless the entry with this index satisfies `admissible`.
+/// Returns an error unless the entry with this index satisfies `admissible`.
 pub(crate) fn require_entry(
     name: &'static str,
     index: usize,

@@ -1,9 +1,9 @@
-//! Preconditioned conjugate gradients for A x = b, A symmetric and positive definite, with buffers kept
-//! between calls.
+//! Preconditioned conjugate gradients for A x = b, A symmetric and positive definite, with buffers that are
+//! kept between calls.
 //!
-//! With r = b − A x and z = B r (B ≈ A⁻¹) a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA p, and reduces the
-//! energy xᵀA x of the error by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step:
-//! one product, one B, O(n).
+//! With r = b − A x and z = B r (B ≈ A⁻¹) a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA p, and reduces the energy
+//! xᵀA x of the error by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step: one
+//! product with A, one with B, and O(n) operations.
 
 use super::sum::pairwise_dot;
 use crate::error::Result;
@@ -30,7 +30,7 @@ pub(crate) trait System {
 pub(crate) enum Step {
     /// The decrease ρ²/κ of the energy of the error.
     Gain(f64),
-    /// κ is not positive, or not a number: A is not positive definite along the direction, or the residual is
+    /// κ is not positive, or not a number: A is not positive definite in this direction, or the residual is
     /// zero.
     Flat,
 }
@@ -54,7 +54,7 @@ impl ConjugateGradients {
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }
     }
 
-    /// Starts with the residual b − A x of some x (b itself for x = 0).
+    /// Starts with the residual b − A x of a vector x (b itself for x = 0).
     ///
     /// # Errors
     /// Those of the preconditioner.
@@ -70,7 +70,7 @@ impl ConjugateGradients {
         self.rho
     }
 
-    /// One step; adds to x.
+    /// The result of one step, which is added to x.
     ///
     /// # Errors
     /// Those of the system.

@@ -1,4 +1,4 @@
-//! Differences of ln Γ and of ψ = (ln Γ)' over short distances, formed term by term so that nothing cancels.
+//! Differences of ln Γ and of ψ = (ln Γ)' over short distances, formed term by term without cancellation.
 
 use nalgebra::Complex;
 
@@ -55,7 +55,7 @@ pub(crate) fn log_gamma_difference(mut z: Complex<f64>, p: f64) -> Complex<f64> 
 /// B_{2k} / (2k), k = 1, ..., 4: the series of ψ; from 21 on the next term is below 1e-16.
 const DIGAMMA: [f64; 4] = [1.0 / 12.0, -1.0 / 120.0, 1.0 / 252.0, -1.0 / 240.0];
 
-/// Terms of Σ z/(k(k+z)) before the series is used.
+/// Number of terms of Σ z/(k(k+z)) before the series is used.
 const SUMMED: u32 = 20;
 
 /// ψ(1+z) + γ = Σ_{k≥1} z/(k(k+z)) for 0 ≤ z ≤ 1, accurate relative to z; γ is Euler's constant.

@@ -1,13 +1,13 @@
 //! Legendre polynomials by their recurrence, (k+1) P_{k+1} = (2k+1) x P_k − k P_{k−1}, stable for |x| ≤ 1.
 
-/// P_{k+1}(x) from P_k(x) and P_{k−1}(x); the latter does not matter for k = 0.
+/// P_{k+1}(x) from P_k(x) and P_{k−1}(x); the latter is not used for k = 0.
 #[inline]
 pub(crate) fn next(k: usize, x: f64, current: f64, previous: f64) -> f64 {
     let k = k as f64;
     ((2.0 * k + 1.0) * x * current - k * previous) / (k + 1.0)
 }
 
-/// P_0(x), P_1(x), ... into all places of `values`.
+/// Fills `values` with P_0(x), P_1(x), ...
 pub(crate) fn fill(values: &mut [f64], x: f64) {
     let (mut previous, mut current) = (0.0, 1.0);
     for (k, value) in values.iter_mut().enumerate() {
@@ -16,7 +16,7 @@ pub(crate) fn fill(values: &mut [f64], x: f64) {
     }
 }
 
-/// Σ c_k P_k(x).
+/// The sum Σ c_k P_k(x).
 pub(crate) fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64 {
     let (mut previous, mut current, mut sum) = (0.0, 1.0, 0.0);
     for (k, c) in coefficients.into_iter().enumerate() {
@@ -26,7 +26,7 @@ pub(crate) fn series(coefficients: impl IntoIterator<Item = f64>, x: f64) -> f64
     sum
 }
 
-/// (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'\_{k+1} = (2k+1) P_k + P'\_{k−1}.
+/// The sums (Σ c_k P_k(x), Σ c_k P_k'(x)), by P'\_{k+1} = (2k+1) P_k + P'\_{k−1}.
 pub(crate) fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: f64) -> (f64, f64) {
     let (mut previous, mut current) = (0.0, 1.0);
     let (mut previous_slope, mut slope) = (0.0, 0.0);
@@ -41,15 +41,15 @@ pub(crate) fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: 
     (sum, derivative)
 }
 
-/// (P_k(b) − P_k(a))/(b − a) for k < `count`, as [`fill_with_quotients`].
+/// The quotients (P_k(b) − P_k(a))/(b − a) for k < `count`, as [`fill_with_quotients`].
 pub(crate) fn difference_quotients(count: usize, a: f64, b: f64) -> Vec<f64> {
     let mut quotients = vec![0.0; count];
     fill_with_quotients(&mut vec![0.0; count], &mut quotients, a, b);
     quotients
 }
 
-/// P_k(a) and (P_k(b) − P_k(a))/(b − a) into all places, from the recurrence itself and so without a
-/// difference: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
+/// Fills the slices with P_k(a) and (P_k(b) − P_k(a))/(b − a), from the recurrence itself and so without
+/// cancellation: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
 pub(crate) fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
     let (mut previous, mut quotient) = (0.0, 0.0);
     let (mut before, mut current) = (0.0, 1.0);

@@ -6,10 +6,10 @@ use std::sync::OnceLock;
 /// Number of bytes up to which no check is made.
 const SMALL: f64 = (1u64 << 28) as f64;
 
-/// Memory assumed where the system does not report it.
+/// Memory that is assumed if the system does not report it.
 const UNKNOWN: f64 = (8u64 << 30) as f64;
 
-/// Bytes of physical memory: from `/proc/meminfo`, 8 GiB on systems without it. Read once.
+/// The physical memory in bytes: from `/proc/meminfo`, or 8 GiB on systems without it. It is read once.
 pub(crate) fn physical() -> f64 {
     static BYTES: OnceLock<f64> = OnceLock::new();
     *BYTES.get_or_init(|| {
@@ -18,16 +18,16 @@ pub(crate) fn physical() -> f64 {
     })
 }
 
-/// The line `MemTotal: 16314464 kB`.
+/// The number of bytes in the line `MemTotal: 16314464 kB`.
 fn total_of(text: &str) -> Option<f64> {
     let line = text.lines().find(|line| line.starts_with("MemTotal:"))?;
     Some(1024.0 * line.split_whitespace().nth(1)?.parse::<f64>().ok()?)
 }
 
-/// Fails when `count` pieces of `bytes` bytes each exceed the machine's memory.
+/// Returns an error if `count` items of `bytes` bytes each exceed the machine's memory.
 ///
 /// # Errors
-/// [`Error::TooLarge`] under `name`.
+/// [`Error::TooLarge`] with this `name`.
 pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {
     let needed = count as f64 * bytes as f64;
     if needed <= SMALL || needed <= physical() {

@@ -1,22 +1,22 @@
 //! Numerical building blocks shared by several modules.
 //!
-//! | what | where |
+//! | topic | module |
 //! | --- | --- |
-//! | sums with compensation or by halving, inner products | [`sum`] |
+//! | compensated and pairwise sums, inner products | [`sum`] |
 //! | units that are powers of two | [`scale`] |
-//! | lengths and finite values of input | [`check`] |
+//! | checks of lengths and of finite values | [`check`] |
 //! | available memory | [`memory`] |
-//! | sign changes, golden sections | [`search`] |
+//! | bisection, golden-section search | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
-//! | random numbers with a seed | [`random`] |
+//! | seeded random numbers | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | parallel maps | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
 //! | extremal quotients of two quadratic forms | `pencil` |
 //!
-//! All in `f64`; nothing here depends on norms or meshes.
+//! Everything is in `f64`; nothing here depends on norms or meshes.
 
 pub(crate) mod block_iteration;
 pub(crate) mod check;

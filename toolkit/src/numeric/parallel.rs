@@ -1,4 +1,4 @@
-//! Parallel maps. The loops are compiled once per type of value, not once per body: a task takes
+//! Parallel maps. The loops are compiled once per type of value, not once per loop body: a task takes
 //! microseconds, so that a call through a pointer is negligible.
 
 use rayon::prelude::*;
@@ -8,7 +8,7 @@ pub(crate) fn map<T: Send>(count: usize, f: &(dyn Fn(usize) -> T + Sync)) -> Vec
     map_together(count, 1, f)
 }
 
-/// The same, with at least `together` consecutive items per thread.
+/// As [`map`], with at least `together` consecutive items per thread.
 pub(crate) fn map_together<T: Send>(
     count: usize,
     together: usize,
@@ -17,12 +17,12 @@ pub(crate) fn map_together<T: Send>(
     (0..count).into_par_iter().with_min_len(together).map(f).collect()
 }
 
-/// f of every item, in order.
+/// The values of f for every item, in order.
 pub(crate) fn over<I: Sync, T: Send>(items: &[I], f: impl Fn(&I) -> T + Sync) -> Vec<T> {
     map(items.len(), &|k| f(&items[k]))
 }
 
-/// f(k, k-th piece) for the pieces of `size` values; the last one may be shorter.
+/// Calls f(k, k-th piece) for the pieces of `size` values; the last piece may be shorter.
 pub(crate) fn pieces<T: Send>(values: &mut [T], size: usize, f: &(dyn Fn(usize, &mut [T]) + Sync)) {
     values.par_chunks_mut(size).enumerate().for_each(|(k, piece)| f(k, piece));
 }

@@ -1,15 +1,15 @@
 //! Extremal quotients for a symmetric positive definite matrix A: largest eigenvalues and dual norms.
 //!
-//! A is scaled to unit diagonal and factorized by Cholesky, A = D L Lᵀ D. The largest λ with B x = λ A x is
-//! the largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is divided by its largest diagonal
-//! entry first. The value returned is the Rayleigh quotient of the eigenvector, whose error is the square of
-//! the eigenvector's: a lower bound of λ up to the rounding of A and B.
+//! A is scaled to unit diagonal and factorized by Cholesky's method, A = D L Lᵀ D. The largest λ with B x = λ A
+//! x is the largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is first divided by its largest
+//! diagonal entry. The value returned is the Rayleigh quotient of the eigenvector, whose error is the square of
+//! that of the eigenvector: a lower bound of λ up to the rounding of A and B.
 
 use super::dense::{Cholesky, product, symmetric_eigen};
 use crate::error::{Error, Result};
 use nalgebra::DMatrix;
 
-/// Relative norm of rows of the reduced matrix that do not affect the largest eigenvalue.
+/// Relative norm of those rows of the reduced matrix that do not affect the largest eigenvalue.
 const INSIGNIFICANT: f64 = 1e-13;
 
 /// Size below which an entry is set to zero, since subnormal numbers slow the arithmetic down.
@@ -35,7 +35,7 @@ impl Factored {
         Ok(Self { scale, scaled, factor })
     }
 
-    /// Largest λ with B x = λ A x, and its vector with xᵀ B x = 1.
+    /// The largest λ with B x = λ A x, and its vector with xᵀ B x = 1.
     pub(crate) fn largest_eigenvalue(&self, b: &DMatrix<f64>) -> Result<(f64, Vec<f64>)> {
         let size = self.scale.len();
         let scaled = DMatrix::from_fn(size, size, |i, j| b[(i, j)] / self.scale[i] / self.scale[j]);
@@ -67,7 +67,7 @@ impl Factored {
         Ok((of_b / quadratic(&self.scaled) * norm, vector))
     }
 
-    /// A⁻¹ b.
+    /// The product A⁻¹ b.
     pub(crate) fn solve(&self, b: &[f64]) -> Vec<f64> {
         let size = self.scale.len();
         let x = self.factor.solve(&DMatrix::from_fn(size, 1, |i, _| b[i] / self.scale[i]));
@@ -75,7 +75,7 @@ impl Factored {
     }
 }
 
-/// The unit eigenvector of the largest eigenvalue.
+/// The unit eigenvector for the largest eigenvalue.
 fn dominant(a: &DMatrix<f64>) -> Option<Vec<f64>> {
     let (values, vectors) = symmetric_eigen(a)?;
     let last = values.len().checked_sub(1)?;

@@ -1,6 +1,6 @@
 //! Reproducible pseudo-random numbers: SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 
-/// A sequence of numbers with a seed.
+/// A sequence of pseudo-random numbers with a seed.
 #[doc(alias("random number generator"))]
 #[derive(Debug, Clone)]
 pub(crate) struct SplitMix {
@@ -8,12 +8,12 @@ pub(crate) struct SplitMix {
 }
 
 impl SplitMix {
-    /// The sequence of a seed.
+    /// The sequence for a seed.
     pub(crate) const fn new(seed: u64) -> Self {
         Self { state: seed }
     }
 
-    /// Uniform in [0, 1).
+    /// The next number, uniformly distributed in [0, 1).
     pub(crate) fn uniform(&mut self) -> f64 {
         self.state = self.state.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.state;
@@ -22,7 +22,7 @@ impl SplitMix {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Uniform in [low, high).
+    /// The next number, uniformly distributed in [low, high).
     pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.uniform()
     }

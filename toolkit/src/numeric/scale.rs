@@ -1,23 +1,23 @@
-//! Units that are powers of two: dividing by them is exact, and squares of the quotients neither overflow
-//! nor underflow.
+//! Units that are powers of two: division by them is exact, and squares of the quotients neither overflow nor
+//! underflow.
 
-/// The largest power of two up to |x|, x ≠ 0 finite, but not below 2^-1000: its reciprocal is finite. 1 for x
-/// = 0.
+/// The largest power of two not exceeding |x|, x ≠ 0 finite, but at least 2^-1000, so that its reciprocal is
+/// finite; 1 for x = 0.
 pub(crate) fn power_of_two(x: f64) -> f64 {
     if x == 0.0 { 1.0 } else { libm::ldexp(1.0, libm::ilogb(x).max(-1000)) }
 }
 
-/// [`power_of_two`] of the largest absolute value; 1 when all are zero.
+/// [`power_of_two`] of the largest absolute value; 1 if all values are zero.
 pub(crate) fn unit_of<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     power_of_two(largest(values))
 }
 
-/// A power of two within a factor 2 of √(ab), a and b > 0.
+/// A power of two within a factor 2 of √(ab), where a, b > 0.
 pub(crate) fn power_between(a: f64, b: f64) -> f64 {
     libm::ldexp(1.0, (libm::ilogb(a) + libm::ilogb(b)) / 2)
 }
 
-/// max |v|; NaN is ignored.
+/// The maximum of |v|; NaN is ignored.
 pub(crate) fn largest<'a>(values: impl IntoIterator<Item = &'a f64>) -> f64 {
     values.into_iter().fold(0.0, |m: f64, v| m.max(v.abs()))
 }

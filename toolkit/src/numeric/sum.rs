@@ -8,7 +8,7 @@ pub(crate) struct RunningSum {
 }
 
 impl RunningSum {
-    /// One more term.
+    /// Adds one term.
     pub(crate) fn add(&mut self, term: f64) {
         let next = self.sum + term;
         self.carry +=
@@ -16,7 +16,7 @@ impl RunningSum {
         self.sum = next;
     }
 
-    /// The sum so far.
+    /// The current sum.
     pub(crate) fn value(&self) -> f64 {
         self.sum + self.carry
     }
@@ -30,7 +30,8 @@ pub(crate) fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
     sum.value()
 }
 
-/// Σ_{start ≤ k < end} term(k) by halving: rounding grows like the logarithm of the number of terms.
+/// Σ_{start ≤ k < end} term(k) by pairwise summation: the rounding error grows like the logarithm of the number
+/// of terms.
 pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
     const LEAF: usize = 64;
     if end.saturating_sub(start) <= LEAF {
@@ -40,7 +41,7 @@ pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64
     pairwise_sum(start, middle, term) + pairwise_sum(middle, end, term)
 }
 
-/// Σ a_i b_i over the length of a by halving: fast, for iterations. b must not be shorter.
+/// Σ a_i b_i over the length of a by pairwise summation, fast enough for iterations. b must not be shorter.
 pub(crate) fn pairwise_dot(a: &[f64], b: &[f64]) -> f64 {
     pairwise_sum(0, a.len(), |i| a[i] * b[i])
 }

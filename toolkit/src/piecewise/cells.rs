@@ -8,13 +8,13 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::order::Order;
 use crate::quadrature::Rule;
 
-/// Largest degree for leaves of several elements; above it a pair of cells costs as much as one of
-/// clusters.
+/// Largest degree for which leaves have several elements; for higher degrees a pair of cells costs as much as a
+/// pair of clusters.
 const LOW_DEGREE: usize = 2;
 const LEAF: usize = 4;
-/// Points of a rule beyond the degree: half as many as a cluster has, plus one.
+/// Number of points of a rule in addition to the degree: half the number of points of a cluster, plus one.
 const MOMENT_POINTS: usize = 15;
-/// Accuracy of the interpolated kernel over that of the seminorm.
+/// Ratio of the relative accuracy of the interpolated kernel to that of the seminorm.
 const SHARE: f64 = 0.2;
 
 /// A piecewise polynomial with rules for its degrees.
@@ -25,7 +25,7 @@ pub(crate) struct PolynomialCells<'a> {
 }
 
 impl<'a> PolynomialCells<'a> {
-    /// Rules to the relative accuracy `target`.
+    /// The rules for the relative accuracy `target`.
     pub(crate) fn new(u: &'a PiecewisePolynomial, order: Order, target: f64) -> Result<Self> {
         let degrees = 0..=u.degree();
         Ok(Self {
@@ -73,7 +73,7 @@ impl CellEnergies for PolynomialCells<'_> {
 }
 
 impl PiecewisePolynomial {
-    /// |u|²_ν by moments, far pairs to the tolerance.
+    /// |u|²_ν by moments, with far pairs accurate to the tolerance.
     pub(super) fn by_moments(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let target = SHARE * tolerance.relative();
         energy(self.mesh(), &PolynomialCells::new(self, order, target)?, order, target)

@@ -10,11 +10,11 @@ use crate::root::accept;
 
 /// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
-/// Rounding of a compensated mean, relative to the mean of the sizes of the pieces.
+/// Rounding error of a compensated mean, relative to the mean of the sizes of the pieces.
 const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl PiecewisePolynomial {
-    /// (1/|I|) ∫ u, exact to rounding relative to the size of u, which meets every tolerance.
+    /// The mean (1/|I|) ∫ u, exact to rounding relative to the size of u, so that it meets every tolerance.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
@@ -29,13 +29,14 @@ impl PiecewisePolynomial {
         Estimate::new(sum.value(), MEAN_ROUNDING * absolute, Work::default())
     }
 
-    /// ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞: the maximum of |u| at q = ∞.
+    /// The norm ||u||\_{L^q} = (∫ |u|^q)^{1/q}, 1 ≤ q ≤ ∞, which is the maximum of |u| at q = ∞.
     ///
     /// # Method
     ///
     /// On an element of length h where u is linear from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)),
-    /// in 1 − a/b by expm1 where the two have one sign. Elements of higher degree are bisected until a Gauss
-    /// rule and its two halves agree. At q = ∞ the largest |u|, also inside elements. Cost O(N).
+    /// evaluated with expm1 in terms of 1 − a/b if a and b have the same sign. Elements of higher degree are
+    /// bisected until a Gauss rule and its two halves agree. At q = ∞ the largest |u| is located, also in the
+    /// interior of elements. Cost O(N).
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for q < 1 or NaN; [`Error::ToleranceNotMet`].
@@ -43,7 +44,7 @@ impl PiecewisePolynomial {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let peak = self.largest()?;
         if q == f64::INFINITY || peak.value == 0.0 {
-            return accept("L^inf norm", peak, tolerance, "rounding of the values");
+            return accept("L^inf norm", peak, tolerance, "rounding of the values limits the accuracy");
         }
         let scale = peak.value;
         let total = self.mesh().total();
@@ -70,8 +71,8 @@ impl PiecewisePolynomial {
         accept("L^q norm", Estimate::new(value, value * relative, work)?, tolerance, why)
     }
 
-    /// max |u|: exact at element ends; inside elements of higher degree by sampling between derivative
-    /// bounds.
+    /// max |u|: exact at the ends of elements; in the interior of elements of higher degree by sampling between
+    /// bounds of the derivative.
     fn largest(&self) -> Result<Estimate> {
         let mut largest = 0.0f64;
         let mut error = 0.0f64;
@@ -105,7 +106,7 @@ fn linear_power(a: f64, b: f64, q: f64) -> f64 {
     large.powf(q) * -((q + 1.0) * (-gap).ln_1p()).exp_m1() / ((q + 1.0) * gap)
 }
 
-/// Adaptive ∫ |u/scale|^q over an element.
+/// The adaptive integral ∫ |u/scale|^q over an element.
 struct PowerIntegral<'a> {
     piece: &'a Piece,
     scale: f64,
@@ -135,7 +136,8 @@ impl PowerIntegral<'_> {
     }
 }
 
-/// (max |u| inside, its uncertainty): the zeros of u' located by sign changes on a fine grid and bisection.
+/// The maximum of |u| in the interior and its uncertainty: the zeros of u' are located by sign changes on a
+/// fine grid and bisection.
 fn largest_inside(piece: &Piece) -> (f64, f64) {
     // A polynomial of degree n has its extrema at least ~1/n² apart unless they cancel.
     let degree = piece.bubbles.len() + 1;

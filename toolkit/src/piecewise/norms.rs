@@ -1,5 +1,5 @@
-//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments as for
-//! functions.
+//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments are as for
+//! formulas.
 
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};
@@ -22,28 +22,28 @@ impl PiecewisePolynomial {
     /// |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{1+2ν},  ||u||²_{m+ν} = Σ_{k≤m} ||u^{(k)}||² + |u^{(m)}|²_ν,  m < 2.
     /// ```
     ///
-    /// Few elements are summed pair by pair, exact to rounding, at O(N²) kernel values: constants and
-    /// continuous linears through the Gram matrix in the form −Σ_{i<j} a_ij (u_i−u_j)², which uses that
-    /// constants have seminorm zero and so remains accurate when u is nearly constant. More elements are
-    /// summed
+    /// For few elements the pairs are summed one by one, exact to rounding, with O(N²) kernel values: piecewise
+    /// constants and continuous piecewise linear functions through the Gram matrix in the form −Σ_{i<j} a_ij
+    /// (u_i−u_j)², which uses that constants have seminorm zero and so remains accurate when u is nearly
+    /// constant. For more elements they are summed
     ///
-    /// - on uniform meshes, constants and linears, by the fast product xᵀAx, whose rounding error is
-    ///   relative to Σ a_ii x_i²: O(N log N);
-    /// - otherwise, and where that rounding error exceeds the tolerance, by moments: pairs of clusters of
-    ///   elements with a gap no shorter than either, on which the kernel is interpolated at Chebyshev points
-    ///   to the [`Tolerance`] asked; O(N log(1/τ)²), down to about 1e-13. Since the integrand is no less than
-    ///   zero, the relative error of the sum is at most that of the kernel.
+    /// - on uniform meshes, for piecewise constant and linear functions, by the fast product xᵀAx, whose
+    ///   rounding error is relative to Σ a_ii x_i²: O(N log N);
+    /// - otherwise, and if that rounding error exceeds the tolerance, by moments: pairs of clusters of elements
+    ///   with a gap no shorter than either, on which the kernel is interpolated at Chebyshev points to the
+    ///   requested [`Tolerance`]; O(N log(1/τ)²), down to about 1e-13. Since the integrand is nonnegative, the
+    ///   relative error of the sum is at most that of the kernel.
     ///
     /// For many elements and ν near 1 the accuracy is limited by the rounding of neighbouring values.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] when u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] when rounding exceeds the
+    /// [`Error::InfiniteNorm`] if u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`] if rounding exceeds the
     /// tolerance.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
     }
 
-    /// The norm ||u||_ν: its square is the sum of the squares of the L² norm and of the seminorm.
+    /// The norm ||u||_ν, the square of which is the sum of the squares of the L² norm and of the seminorm.
     ///
     /// # Errors
     /// As [`PiecewisePolynomial::seminorm`].
@@ -55,8 +55,8 @@ impl PiecewisePolynomial {
     /// The norm ||u||_{1+ν} of a function and its derivative, [`PiecewisePolynomial::derivative`].
     ///
     /// # Errors
-    /// As [`PiecewisePolynomial::seminorm`] for the derivative; [`Error::InfiniteNorm`] when u jumps;
-    /// [`Error::OutOfRange`] when the two live on intervals of different length.
+    /// As [`PiecewisePolynomial::seminorm`] for the derivative; [`Error::InfiniteNorm`] if u jumps;
+    /// [`Error::OutOfRange`] if the intervals of the function and of the derivative differ in length.
     pub(crate) fn norm_with_derivative(
         &self,
         derivative: &Self,
@@ -65,7 +65,12 @@ impl PiecewisePolynomial {
     ) -> Result<Estimate> {
         let total = derivative.mesh().total();
         let same = self.mesh().total() == total;
-        Error::require("length of the derivative's interval", total, "that of the function", same)?;
+        Error::require(
+            "length of the derivative's interval",
+            total,
+            "the length of the function's interval",
+            same,
+        )?;
         if !self.is_continuous() {
             return Err(Error::InfiniteNorm {
                 order: 1.0 + order.value(),
@@ -77,7 +82,7 @@ impl PiecewisePolynomial {
         accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
     }
 
-    /// The L² norm, exact to rounding, which meets every tolerance.
+    /// The L² norm, exact to rounding, so that it meets every tolerance.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.
@@ -112,9 +117,8 @@ impl PiecewisePolynomial {
         if spread == 0.0 { self.scale() } else { power_of_two(spread) }
     }
 
-    /// |u|_ν with its error, even above the tolerance; computed for u over a power of two, lengths in units
-    /// of one, where
-    /// |u|_ν ~ L^{1/2−ν}.
+    /// |u|_ν with its error, which may exceed the tolerance; u and the lengths are divided by powers of two,
+    /// and |u|_ν ~ L^{1/2−ν}.
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         self.require_finite_seminorm(order)?;
         let scale = self.spread();

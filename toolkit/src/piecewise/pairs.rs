@@ -1,9 +1,9 @@
 //! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over pairs of elements for polynomials of any degree, as sums of squares.
 //!
-//! - own element: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫ q² dt dζ with the difference quotient q, a
-//!   polynomial computed as the mean of u' over (t, t+ζ);
-//! - touching elements, jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that hold the
-//!   common value exactly;
+//! - one element with itself: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫ q² dt dζ with the difference quotient
+//!   q, a polynomial computed as the mean of u' over (t, t+ζ);
+//! - touching elements with a jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that contain
+//!   the common value exactly;
 //! - separate elements: Gauss rules on pieces that grow away from the other element.
 
 use super::polynomial::Piece;
@@ -25,19 +25,19 @@ pub(crate) struct Cell<'a> {
 pub(crate) struct PolynomialPairs {
     kernel: PowerKernel,
     rules: GaussRules,
-    /// of ∫∫ over one element twice, for the slope of the linear part and the bubbles
+    /// form of one element with itself, for the slope of the linear part and the bubbles
     own: Vec<Vec<f64>>,
-    /// weights t^{1-2ν} and t^{2-2ν}
+    /// rule for the weights t^{1-2ν} and t^{2-2ν}
     quotient_rule: PowerWeightRule,
     square_rule: PowerWeightRule,
 }
 
-/// Rounding of the form of one element, relative to its terms.
+/// Rounding error of the form of one element, relative to its terms.
 const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 impl PolynomialPairs {
-    /// The rules for polynomials up to `degree`, with integrals of the kernel to the relative accuracy
-    /// `target`.
+    /// The rules for polynomials of degree up to `degree`, with integrals of the kernel to the relative
+    /// accuracy `target`.
     pub(crate) fn new(order: Order, degree: usize, target: f64) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         let points = 2 * degree + 1;
@@ -75,7 +75,7 @@ impl PolynomialPairs {
         form
     }
 
-    /// The integral over one element twice.
+    /// The integral over one element with itself.
     pub(crate) fn own(&self, cell: Cell) -> PairSum {
         let slope = cell.piece.right - cell.piece.left;
         let coefficients = || std::iter::once(&slope).chain(&cell.piece.bubbles);
@@ -90,7 +90,7 @@ impl PolynomialPairs {
         PairSum { value: factor * value, rounding: factor * OWN_ROUNDING * size, points: 1 }
     }
 
-    /// The integral over two neighbours, both orders; `jump` = value of the right one minus value of the
+    /// The integral over two neighbours, in both orders; `jump` is the value of the right one minus that of the
     /// left one at the common node.
     pub(crate) fn touching(&self, left: Cell, right: Cell, jump: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
@@ -142,7 +142,7 @@ impl PolynomialPairs {
         sum
     }
 
-    /// The integral over two elements at distance d > 0, both orders.
+    /// The integral over two elements at distance d > 0, in both orders.
     pub(crate) fn separate(&self, left: Cell, right: Cell, d: f64) -> PairSum {
         let (p, q) = (left.length, right.length);
         let largest = p.max(q).max(d);

@@ -7,10 +7,10 @@ use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use std::ops::Range;
 
-/// Highest polynomial degree on an element.
+/// Largest polynomial degree on an element.
 const MAX_DEGREE: usize = 20;
 
-/// Jumps below this multiple of the values on both sides count as rounding.
+/// Jumps below this multiple of the values on both sides are attributed to rounding.
 const JUMP_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A polynomial on one element.
@@ -23,9 +23,9 @@ pub(crate) struct Piece {
 
 /// A polynomial on every element of a mesh.
 ///
-/// On an element of length h, with t ∈ (0, 1) from left to right,
-/// u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k P_k(2t−1): values at the two ends, then bubbles. Continuity is
-/// then a statement about given numbers (u_R of one element equals u_L of the next), not about rounded sums.
+/// On an element of length h, with t ∈ (0, 1) from left to right, u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k
+/// P_k(2t−1): the values at the two ends and the bubbles. Continuity then concerns given numbers (u_R of one
+/// element equals u_L of the next one), not rounded sums.
 #[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PiecewisePolynomial {
@@ -39,7 +39,7 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn constants(partition: Mesh, values: &[f64]) -> Result<Self> {
-        require_length("values of elements", values.len(), partition.len())?;
+        require_length("element values", values.len(), partition.len())?;
         let ends: Vec<[f64; 2]> = values.iter().map(|&v| [v, v]).collect();
         Self::discontinuous_linears(partition, &ends)
     }
@@ -49,7 +49,7 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn linears(partition: Mesh, values: &[f64]) -> Result<Self> {
-        require_values("values of nodes", values, partition.len() + 1)?;
+        require_values("nodal values", values, partition.len() + 1)?;
         let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         Self::discontinuous_linears(partition, &ends)
     }
@@ -63,10 +63,11 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, ends, none)
     }
 
-    /// Values at the element ends and coefficients c_k of t(1−t) P_k(2t−1), any number per element.
+    /// The function with these values at the ends of the elements and coefficients c_k of t(1−t) P_k(2t−1), any
+    /// number per element.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] beyond degree 20.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] for degrees above 20.
     pub(crate) fn with_bubbles(partition: Mesh, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
         require_length("end values", ends.len(), partition.len())?;
         require_length("bubble coefficients", bubbles.len(), partition.len())?;
@@ -77,21 +78,26 @@ impl PiecewisePolynomial {
             }
             if bubbles.len() + 1 > MAX_DEGREE {
                 let (name, value) = ("polynomial degree", (bubbles.len() + 1) as f64);
-                return Err(Error::EntryOutOfRange { name, index, value, range: "1 ..= 20" });
+                return Err(Error::EntryOutOfRange { name, index, value, range: "[1, 20]" });
             }
             pieces.push(Piece { left, right, bubbles });
         }
         Ok(Self { partition, pieces })
     }
 
-    /// Polynomials of the given degree that agree with f at the nodes and whose bubbles are the L²(t(1−t))
-    /// projection of the rest; continuous. f is called with the distance from the left end.
+    /// The continuous piecewise polynomial of the given degree that agrees with f at the nodes and whose
+    /// bubbles are the L²(t(1−t)) projection of the remainder. f is called with the distance from the left end.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] for a value of f, [`Error::CountOutOfRange`] for degree 0 or beyond degree 20.
+    /// [`Error::NotFinite`] if a value of f is not finite, [`Error::CountOutOfRange`] for degree 0 and for
+    /// degrees above 20.
     pub(crate) fn interpolate(partition: Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
         if degree == 0 || degree > MAX_DEGREE {
-            return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "1..=20" });
+            return Err(Error::CountOutOfRange {
+                name: "polynomial degree",
+                value: degree,
+                range: "[1, 20]",
+            });
         }
         let nodes: Vec<f64> = partition.from_left().iter().map(|&x| f(x)).collect();
         let mut ends = Vec::new();
@@ -104,15 +110,19 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, &ends, bubbles)
     }
 
-    /// The piecewise polynomial with p + 1 values on every element at equidistant points, p the degree.
+    /// The piecewise polynomial of degree p with p + 1 values on every element at equidistant points.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] beyond degree 20.
+    /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::CountOutOfRange`] for degrees above 20.
     pub(crate) fn of_values(partition: Mesh, degree: usize, values: &[f64]) -> Result<Self> {
         if degree > MAX_DEGREE {
-            return Err(Error::CountOutOfRange { name: "polynomial degree", value: degree, range: "0..=20" });
+            return Err(Error::CountOutOfRange {
+                name: "polynomial degree",
+                value: degree,
+                range: "[0, 20]",
+            });
         }
-        require_values("values on elements", values, partition.len().saturating_mul(degree + 1))?;
+        require_values("element values", values, partition.len().saturating_mul(degree + 1))?;
         if degree == 0 {
             return Self::constants(partition, values);
         }
@@ -125,7 +135,7 @@ impl PiecewisePolynomial {
         Self::with_bubbles(partition, &ends, bubbles)
     }
 
-    /// u − v on one mesh.
+    /// The difference u − v of two functions on one mesh.
     pub(crate) fn minus(&self, other: &Self) -> Result<Self> {
         let (mut ends, mut bubbles) = (Vec::new(), Vec::new());
         for (a, b) in self.pieces.iter().zip(&other.pieces) {
@@ -142,35 +152,35 @@ impl PiecewisePolynomial {
         &self.partition
     }
 
-    /// Highest degree of a piece (bubbles are counted whether zero or not).
+    /// The highest degree of a piece (bubbles are counted whether they are zero or not).
     pub(crate) fn degree(&self) -> usize {
         self.pieces.iter().map(Piece::degree).max().unwrap_or(0)
     }
 
-    /// Value at local coordinate t ∈ [0, 1] of an element.
+    /// The value at the local coordinate t ∈ [0, 1] of an element.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] when there is no such element; [`Error::OutOfRange`] for t outside [0, 1].
+    /// [`Error::CountOutOfRange`] if there is no such element; [`Error::OutOfRange`] for t outside [0, 1].
     pub(crate) fn value(&self, element: usize, t: f64) -> Result<f64> {
         Error::require("local coordinate", t, "[0, 1]", (0.0..=1.0).contains(&t))?;
         let piece = self.pieces.get(element).ok_or(Error::CountOutOfRange {
             name: "element",
             value: element,
-            range: "below the number of elements",
+            range: "the indices of the elements",
         })?;
         Ok(piece.value(t))
     }
 
-    /// The part on the given elements.
+    /// The restriction to the given elements.
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] for an empty range or one that leaves the mesh.
+    /// [`Error::CountOutOfRange`] for an empty range or one that is not contained in the mesh.
     pub(crate) fn restrict(&self, elements: Range<usize>) -> Result<Self> {
         if elements.is_empty() || elements.end > self.pieces.len() {
             return Err(Error::CountOutOfRange {
                 name: "end of the element range",
                 value: elements.end,
-                range: "a nonempty range of elements",
+                range: "the ends of nonempty ranges of elements",
             });
         }
         Ok(Self {
@@ -182,7 +192,7 @@ impl PiecewisePolynomial {
     /// The elementwise derivative.
     ///
     /// # Errors
-    /// [`Error::NotFinite`] when a slope overflows.
+    /// [`Error::NotFinite`] if a slope overflows.
     pub(crate) fn derivative(&self) -> Result<Self> {
         let mut ends = Vec::with_capacity(self.pieces.len());
         let mut bubbles = Vec::with_capacity(self.pieces.len());
@@ -195,12 +205,12 @@ impl PiecewisePolynomial {
         Self::with_bubbles(self.partition.clone(), &ends, bubbles)
     }
 
-    /// True when neighbouring pieces agree at their common node to 64 ulps of the larger of their values.
+    /// True if neighbouring pieces agree at their common node to 64 ulps of the larger of their values.
     pub(crate) fn is_continuous(&self) -> bool {
         (1..self.pieces.len()).all(|node| self.jump(node) == 0.0)
     }
 
-    /// Jump across the inner node 1 ≤ i < N; zero if it is within rounding.
+    /// The jump across the inner node 1 ≤ i < N; zero if it is within rounding.
     pub(crate) fn jump(&self, node: usize) -> f64 {
         let (a, b) = (&self.pieces[node - 1], &self.pieces[node]);
         let jump = b.left - a.right;
@@ -208,7 +218,7 @@ impl PiecewisePolynomial {
         if jump.abs() <= JUMP_ROUNDING * scale { 0.0 } else { jump }
     }
 
-    /// c u.
+    /// The function c u.
     pub(crate) fn scaled_by(&self, factor: f64) -> Self {
         let scaled = |piece: &Piece| Piece {
             left: factor * piece.left,
@@ -232,7 +242,7 @@ impl Piece {
         self.value_above(0.0, t)
     }
 
-    /// u(t) − c, formed before it is rounded where u is nearly constant.
+    /// The difference u(t) − c, formed before u(t) is rounded if u is nearly constant.
     pub(crate) fn value_above(&self, c: f64, t: f64) -> f64 {
         (self.left - c) * (1.0 - t) + (self.right - c) * t + t * (1.0 - t) * self.bubble_sum(t).0
     }
@@ -241,23 +251,23 @@ impl Piece {
         if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
     }
 
-    /// (u(t) − u_L)/t.
+    /// The quotient (u(t) − u_L)/t.
     pub(crate) fn quotient_left(&self, t: f64) -> f64 {
         self.right - self.left + (1.0 - t) * self.bubble_sum(t).0
     }
 
-    /// (u(1−s) − u_R)/s.
+    /// The quotient (u(1−s) − u_R)/s.
     pub(crate) fn quotient_right(&self, s: f64) -> f64 {
         self.left - self.right + (1.0 - s) * self.bubble_sum(1.0 - s).0
     }
 
-    /// du/dt.
+    /// The derivative du/dt.
     pub(crate) fn slope(&self, t: f64) -> f64 {
         let (sum, derivative) = self.bubble_sum(t);
         self.right - self.left + (1.0 - 2.0 * t) * sum + t * (1.0 - t) * derivative
     }
 
-    /// Bound of |u| and of the terms it is summed from.
+    /// A bound of |u| and of the terms of which it is the sum.
     pub(crate) fn size(&self) -> f64 {
         let bubbles: f64 = self.bubbles.iter().map(|c| 0.25 * c.abs()).sum();
         self.left.abs().max(self.right.abs()) + bubbles
@@ -270,7 +280,7 @@ impl Piece {
     }
 }
 
-/// The polynomial through values at equidistant points of [0, 1].
+/// The value at t of the polynomial through values at equidistant points of [0, 1].
 fn lagrange(values: &[f64], t: f64) -> f64 {
     let step = (values.len() - 1) as f64;
     let basis = |k: usize| -> f64 {
@@ -280,8 +290,8 @@ fn lagrange(values: &[f64], t: f64) -> f64 {
     values.iter().enumerate().map(|(k, value)| value * basis(k)).sum()
 }
 
-/// Coefficients of (f − linear part)/(t(1−t)) in P_0 ... P_{degree−2}: exact when f is a polynomial of that
-/// degree.
+/// The coefficients of (f − linear part)/(t(1−t)) with respect to P_0 ... P_{degree−2}: exact if f is a
+/// polynomial of that degree.
 pub(crate) fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
     let count = degree.saturating_sub(1);
     let mut coefficients = vec![0.0; count];

@@ -1,4 +1,4 @@
-//! |u|²_ν of piecewise polynomials with moderate lengths: all pairs, the fast product, or moments.
+//! |u|²_ν of piecewise polynomials with moderate lengths: by all pairs, by the fast product, or by moments.
 
 use super::pairs::{Cell, PolynomialPairs};
 use super::polynomial::{Piece, PiecewisePolynomial};
@@ -20,11 +20,11 @@ const DIRECT_POLYNOMIALS: usize = 24;
 /// Largest number of elements for which all pairs are summed if no faster method is accurate enough.
 const PATIENT: usize = 16_000;
 const PATIENT_POLYNOMIALS: usize = 1000;
-/// Accuracy of the rules for all pairs: rounding level.
+/// Accuracy of the rules for all pairs: the level of rounding.
 const EXACT: f64 = 1e-17;
 /// Accuracy of the fast product.
 const FAST_FORM: Tolerance = Tolerance::reference();
-/// Error of the fast product, entry by entry, relative to |A| |x|; measured below 1e-14.
+/// Error of every entry of the fast product, relative to |A| |x|; it is below 1e-14 in experiments.
 const FAST_ROUNDING: f64 = 1e-13;
 
 impl PiecewisePolynomial {
@@ -43,8 +43,8 @@ impl PiecewisePolynomial {
         }
     }
 
-    /// By the fast product on a uniform mesh; otherwise, or if that is not accurate enough, by moments;
-    /// `None` if these are not accurate enough either and all pairs can be summed.
+    /// The square by the fast product on a uniform mesh; otherwise, or if that is not accurate enough, by
+    /// moments; `None` if these are not accurate enough either and all pairs can be summed.
     fn faster(
         &self,
         product: impl FnOnce() -> Result<Estimate>,
@@ -172,7 +172,7 @@ fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
     Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
 }
 
-/// True when the square of the seminorm is known to twice the tolerance.
+/// True if the square of the seminorm is accurate to twice the tolerance.
 fn is_enough(squared: &Estimate, tolerance: Tolerance) -> bool {
     squared.relative_error() <= 2.0 * tolerance.relative()
 }

@@ -21,7 +21,7 @@ impl PlaneFunction {
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
     pub(crate) fn constants(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
-        require_values("values on triangles", &values, mesh.triangles().len())?;
+        require_values("values on the triangles", &values, mesh.triangles().len())?;
         Ok(Self { mesh, shape: Shape::Constants, values })
     }
 
@@ -30,7 +30,7 @@ impl PlaneFunction {
     /// # Errors
     /// [`crate::Error::LengthMismatch`], [`crate::Error::NotFinite`].
     pub(crate) fn linears(mesh: Triangles, values: Vec<f64>) -> Result<Self> {
-        require_values("values at nodes", &values, mesh.nodes().len())?;
+        require_values("nodal values", &values, mesh.nodes().len())?;
         Ok(Self { mesh, shape: Shape::Linears, values })
     }
 

@@ -96,7 +96,7 @@ impl GridOperator {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn apply(&self, w: &[f64]) -> Result<Vec<f64>> {
-        require_values("values at nodes", w, self.size())?;
+        require_values("nodal values", w, self.size())?;
         let mut image = self.far(w);
         self.near(w, &mut image);
         Ok(image.into_iter().map(|value| self.scale * value).collect())

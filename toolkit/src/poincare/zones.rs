@@ -147,7 +147,11 @@ impl Zones {
         require_count(lengths.len() / 2)?;
         if lengths.len() % 2 == 1 {
             let expected = lengths.len() + 1;
-            return Err(Error::LengthMismatch { name: "gaps and intervals", given: expected - 1, expected });
+            return Err(Error::LengthMismatch {
+                name: "lengths of gaps and intervals",
+                given: expected - 1,
+                expected,
+            });
         }
         require_finite("length", lengths)?;
         Self::closed(lengths.to_vec(), 1.0 - lengths.iter().sum::<f64>())

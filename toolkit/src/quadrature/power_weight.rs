@@ -1,19 +1,19 @@
-//! Interpolatory rules for ∫₀¹ t^β f(t) dt that stay accurate as β → −1.
+//! Interpolatory rules for ∫₀¹ t^β f(t) dt that remain accurate as β → −1.
 
 use super::Rule;
 use crate::error::{Error, Result};
 use crate::numeric::legendre;
 
-/// Points in (0, 1) and weights (of both signs) for the weight t^β.
+/// Points in (0, 1) and weights, of both signs, for the weight function t^β.
 ///
 /// # Method
 ///
-/// On the n Gauss-Legendre points t_i with weights g_i the weights are w_i = g_i Σ_{k<n} (2k+1) μ_k
+/// At the n Gauss-Legendre points t_i with weights g_i the weights are w_i = g_i Σ_{k<n} (2k+1) μ_k
 /// P_k(2t_i−1), where μ_k = ∫₀¹ t^β P_k(2t−1) dt = Π_{j=0}^{k−1} (β−j) / Π_{j=0}^{k} (β+1+j). They are exact
-/// for polynomials of degree n − 1. A Gauss-Jacobi rule reaches degree 2n − 1, but as β → −1 one of its
-/// points falls onto 0, where a difference quotient has no digits left; here f is extrapolated to 0 from
-/// points of size 1/n² with weights of bounded sum. β + 1 is the argument, so that no digit of it is lost.
-/// Cost O(n²).
+/// for polynomials of degree n − 1. A Gauss-Jacobi rule is exact for degree 2n − 1, but as β → −1 one of its
+/// points tends to 0, where a difference quotient has no correct digits; here f is extrapolated to 0 from
+/// points of size 1/n² with weights whose absolute sum is bounded. The argument is β + 1, so that none of its
+/// digits is lost. Cost O(n²).
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PowerWeightRule {
     points: Vec<f64>,
@@ -21,7 +21,7 @@ pub(crate) struct PowerWeightRule {
 }
 
 impl PowerWeightRule {
-    /// n points for the weight t^{(β+1)−1}, given β + 1 > 0.
+    /// The n-point rule for the weight function t^{(β+1)−1}, given β + 1 > 0.
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] for n = 0, [`Error::OutOfRange`] unless 0 < β + 1 < ∞.
@@ -40,7 +40,7 @@ impl PowerWeightRule {
         Ok(Self { points: rule.points().to_vec(), weights })
     }
 
-    /// Pairs (point, weight), points increasing.
+    /// Pairs (point, weight) with increasing points.
     pub(crate) fn iter(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         self.points.iter().copied().zip(self.weights.iter().copied())
     }
@@ -69,7 +69,7 @@ fn moments(n: usize, beta_plus_one: f64) -> Vec<f64> {
 mod tests {
     use super::*;
 
-    /// Rounding of sums of at most 20 terms whose absolute sum is below 20 times the value.
+    /// Rounding error of sums of at most 20 terms whose absolute sum is below 20 times the value.
     const MOMENT_TOLERANCE: f64 = 1e-13;
 
     #[test]

@@ -6,16 +6,17 @@ use gauss_quad::GaussLegendre;
 use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
-/// A quadrature rule: points in (0, 1), increasing, with positive weights.
+/// A quadrature rule with increasing points in (0, 1) and positive weights.
 ///
 /// Returned by [`gauss_legendre`] and [`gauss_jacobi`].
 ///
 /// # Method
 ///
-/// ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1.
-/// Legendre (α = β = 0) by `gauss-quad` and a Newton step on the recurrence in t, kept up to 64 points. Jacobi: eigenvalues of
-/// the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230), polished by Newton steps on the
-/// three-term recurrence in t itself. Cost O(n²) for Legendre, O(n³) for Jacobi.
+/// ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1. Legendre rules (α = β = 0)
+/// are computed by `gauss-quad` and a Newton step on the recurrence in t, and are cached up to 64 points. Jacobi
+/// rules are computed from the eigenvalues of the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230),
+/// followed by Newton steps on the three-term recurrence in t itself. Cost: O(n²) for Legendre rules, O(n³) for
+/// Jacobi rules.
 #[doc(alias("Gauss-Legendre", "Gauss-Jacobi", "quadrature"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rule {
@@ -34,13 +35,12 @@ pub struct Rule {
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for n = 0 or n > 65536.
+/// [`Error::CountOutOfRange`] for n = 0 and for n > 65536.
 pub fn gauss_legendre(n: usize) -> Result<Rule> {
     Rule::gauss_legendre(n)
 }
 
-/// The n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 are accurate relative to their
-/// size.
+/// The n-point Gauss-Jacobi rule for ∫₀¹ (1−t)^α t^β f(t) dt; points near 0 have full relative accuracy.
 ///
 /// ```
 /// use fractional_sobolev::gauss_jacobi;
@@ -52,7 +52,8 @@ pub fn gauss_legendre(n: usize) -> Result<Rule> {
 /// ```
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for n = 0 or n > 65536, [`Error::OutOfRange`] unless α, β > −1 and finite.
+/// [`Error::CountOutOfRange`] for n = 0 and for n > 65536, [`Error::OutOfRange`] unless α and β are finite and
+/// exceed −1.
 pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Rule> {
     Rule::gauss_jacobi(n, alpha, beta)
 }
@@ -78,7 +79,7 @@ impl Rule {
         let mut points = recurrence.eigenvalues().ok_or(Error::OutOfRange {
             name: "alpha + beta",
             value: alpha + beta,
-            range: "the range in which the recurrence is finite",
+            range: "the exponents for which the recurrence is finite",
         })?;
         points.iter_mut().for_each(|t| *t = recurrence.polish(*t));
         points.sort_by(f64::total_cmp);
@@ -87,12 +88,12 @@ impl Rule {
         Ok(Self { points, weights })
     }
 
-    /// The points, increasing, in (0, 1).
+    /// The points in (0, 1), in increasing order.
     pub fn points(&self) -> &[f64] {
         &self.points
     }
 
-    /// The weights, positive.
+    /// The positive weights.
     pub fn weights(&self) -> &[f64] {
         &self.weights
     }
@@ -108,7 +109,7 @@ impl Rule {
     }
 }
 
-/// Largest number of points, the eigenvalues of a tridiagonal matrix: n² operations.
+/// Largest number of points, which are the eigenvalues of a tridiagonal matrix: n² operations.
 const MOST_POINTS: usize = 1 << 16;
 
 fn require_points(n: usize) -> Result<()> {
@@ -121,7 +122,7 @@ fn require_points(n: usize) -> Result<()> {
 /// Cache of Gauss-Legendre rules by their number of points.
 static KNOWN: [OnceLock<Rule>; 65] = [const { OnceLock::new() }; 65];
 
-/// The points of `gauss-quad` carried over to (0, 1), increasing.
+/// The points of `gauss-quad` mapped to (0, 1), in increasing order.
 fn on_unit_interval(n: usize) -> Vec<f64> {
     let Some(count) = std::num::NonZeroUsize::new(n) else { return Vec::new() };
     let mut points: Vec<f64> = GaussLegendre::new(count).nodes().map(|x| 0.5 + 0.5 * x).collect();
@@ -132,14 +133,15 @@ fn on_unit_interval(n: usize) -> Vec<f64> {
 /// Largest number of Newton steps; one or two are typical.
 const NEWTON: usize = 4;
 
-/// The Gauss-Legendre rule on (0, 1): the points of `gauss-quad`, polished by Newton's method in t, then
-/// mirrored.
+/// The Gauss-Legendre rule on (0, 1): the points of `gauss-quad`, improved by Newton's method in t, then
+/// reflected.
 ///
-/// On (−1, 1) a point near −1 is known to ε, hence t = (1 + x)/2 to ε n² relative to its size only; which
-/// matters for integrands with a singularity at 0. The polish restores ε t.
+/// On (−1, 1) a point near −1 is known to ε, hence t = (1 + x)/2 only to ε n² relative to its size, which
+/// matters for integrands with a singularity at 0. After the Newton step the error is ε t.
 ///
-/// Q_k(t) = P_k(1 − 2t) by differences d_k = Q_{k+1} − Q_k, (k+1) d_k = k d_{k−1} − 2(2k+1) t Q_k, which
-/// cancel nowhere near t = 0; 2t(1−t) Q_n' = n (d_{n−1} − 2t Q_n), and the weight is 1/(t(1−t) Q_n'²).
+/// Q_k(t) = P_k(1 − 2t) is computed by the differences d_k = Q_{k+1} − Q_k, (k+1) d_k = k d_{k−1} − 2(2k+1) t
+/// Q_k, without cancellation near t = 0; 2t(1−t) Q_n' = n (d_{n−1} − 2t Q_n), and the weight is 1/(t(1−t)
+/// Q_n'²).
 fn legendre_rule(n: usize) -> Rule {
     let count = n as f64;
     let newton = |t: f64| {
@@ -244,7 +246,8 @@ impl Recurrence {
         Evaluation { value, derivative, square_sum }
     }
 
-    /// Newton's method from an eigenvalue good to about 1e-15 absolutely: three steps reach rounding.
+    /// The root found by Newton's method from an eigenvalue with an absolute error of about 1e-15: three steps
+    /// reach rounding.
     fn polish(&self, start: f64) -> f64 {
         let mut t = start.clamp(f64::MIN_POSITIVE, 1.0);
         for _ in 0..3 {
@@ -263,7 +266,7 @@ impl Recurrence {
 mod tests {
     use super::*;
 
-    /// Rounding of n-term sums and of the Gamma function, n <= 40.
+    /// Rounding error of n-term sums and of the Gamma function, n <= 40.
     const MOMENT_TOLERANCE: f64 = 2e-13;
 
     #[test]
@@ -296,7 +299,8 @@ mod tests {
         }
     }
 
-    /// The first point by the first zero j₀ of the Bessel function J₀; unpolished it is off by some ε n².
+    /// The first point by the first zero j₀ of the Bessel function J₀; without the Newton step its error is
+    /// several ε n².
     #[test]
     fn points_near_zero_keep_their_digits() {
         let bessel = 2.404825557695773f64;
@@ -317,7 +321,7 @@ mod tests {
         }
     }
 
-    /// Weights by the formula of `gauss-quad`, which is another one.
+    /// The weights by the formula of `gauss-quad`, which is a different one.
     #[test]
     fn weights_agree_with_another_formula() {
         for n in (1..=64).chain([100, 127, 200]) {

@@ -1,9 +1,9 @@
 //! Limits of partial integrals S_k = ∫₀^{t_k} ℓ(t) dt of an integrand that decays slowly.
 //!
 //! - Levin & Sidi's D-transform (Appl. Math. Comput. 9 (1981) 175-215): S_k = S + t_k ℓ(t_k) (c_0 + c_1/t_k +
-//!   ...), exact in the limit for algebraic decay t^{-p} with corrections in 1/t, and for one exponential.
-//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; applied to an equidistant end
-//!   of the sequence.
+//!   ...), exact in the limit for algebraic decay t^{-p} with corrections in 1/t, and for a single exponential.
+//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; it is applied to an equidistant
+//!   end of the sequence.
 //!
 //! Each gives a sequence of limits; the one with the smaller last changes is used; its error is estimated
 //! by its last two changes and the amplified rounding of the S_k. Cost O(m²).
@@ -18,11 +18,11 @@ pub(crate) struct Limit {
 /// Highest order of the D-transform; beyond it the weights amplify rounding faster than they cancel terms.
 const MAX_LEVIN_ORDER: usize = 11;
 
-/// Quotient of neighbouring t_k in the D-transform.
+/// Ratio of neighbouring t_k in the D-transform.
 const SPACING: f64 = 0.75;
 
-/// The limit of S_k at increasing t_k > 0 with integrand values ℓ(t_k), each S_k with absolute error `noise`,
-/// ℓ > 0.
+/// The limit of S_k at increasing t_k > 0 with integrand values ℓ(t_k) > 0, where each S_k has the absolute
+/// error `noise`.
 ///
 /// `None` for fewer than 5 values.
 pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
@@ -53,8 +53,8 @@ fn equidistant(t: &[f64], partial: &[f64]) -> Vec<f64> {
     chosen
 }
 
-/// Transforms of growing order on t_k that shrink geometrically from the last one, which keeps rounding from
-/// being amplified.
+/// Transforms of increasing order at points t_k that decrease geometrically from the last one, which limits the
+/// amplification of rounding errors.
 fn levin(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
     let mut chosen = vec![t.len() - 1];
     while chosen.len() <= MAX_LEVIN_ORDER {
@@ -96,7 +96,7 @@ fn transform(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<
     Some(Limit { value: base + rest, error })
 }
 
-/// Even columns of the ε-table along the last counter-diagonal.
+/// The even columns of the ε-table along the last counter-diagonal.
 fn wynn(partial: &[f64], noise: f64) -> Option<Limit> {
     let mut before = vec![0.0; partial.len() + 1];
     let mut current = partial.to_vec();
@@ -127,8 +127,8 @@ fn wynn(partial: &[f64], noise: f64) -> Option<Limit> {
     best_settled(&limits)
 }
 
-/// The limit at which the changes are smallest: the last one, but never less than a third of the one before,
-/// twice, and rounding.
+/// The limit at which the changes are smallest; its error is twice the last change, or twice 0.3 of the
+/// previous change if that is larger, plus rounding.
 fn best_settled(limits: &[Limit]) -> Option<Limit> {
     limits
         .windows(3)

@@ -76,7 +76,7 @@ fn entries_that_are_out_of_range_are_named() {
 #[test]
 fn lengths_of_lists_are_named_with_what_was_expected() {
     let short = Function::linears(&two(), &[0.0]).unwrap_err();
-    assert_eq!(short.to_string(), "values of nodes has length 1, expected 3");
+    assert_eq!(short.to_string(), "nodal values: length 1, expected 3");
     assert!(matches!(
         Function::load(&two(), &[0.0]),
         Err(Error::LengthMismatch { given: 1, expected: 3, .. })

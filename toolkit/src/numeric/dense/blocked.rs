@@ -1,4 +1,4 @@
-//! Dense algebra by faer. Small matrices are processed on one thread: for some dozen rows the
+//! Dense linear algebra by faer. Small matrices are processed on one thread: for some dozen rows
 //! synchronisation dominates, and callers solve several problems at once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
@@ -9,8 +9,8 @@ use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_uppe
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
-/// Number of rows from which on the threads of the caller are used, except for eigenvectors, which have a
-/// few hundred rows at most.
+/// Number of rows from which the threads of the caller are used, except for eigenvectors, which have a few
+/// hundred rows at most.
 const LARGE: usize = 200;
 
 fn threads(rows: usize) -> Par {
@@ -33,22 +33,22 @@ fn multiplied(a: MatRef<'_, f64>, b: MatRef<'_, f64>) -> DMatrix<f64> {
     result
 }
 
-/// A B.
+/// The product A B.
 pub(crate) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     multiplied(view(a), view(b))
 }
 
-/// A Bᵀ.
+/// The product A Bᵀ.
 pub(crate) fn times_transpose(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     multiplied(view(a), view(b).transpose())
 }
 
-/// Aᵀ B.
+/// The product Aᵀ B.
 pub(crate) fn transpose_times(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     multiplied(view(a).transpose(), view(b))
 }
 
-/// L with A = L Lᵀ.
+/// The factor L with A = L Lᵀ.
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky(Mat<f64>);
 
@@ -64,7 +64,7 @@ impl Cholesky {
         Some(Self(lower))
     }
 
-    /// A⁻¹ B.
+    /// The product A⁻¹ B.
     pub(crate) fn solve(&self, b: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = b.clone();
         self.forward(&mut x);
@@ -72,22 +72,23 @@ impl Cholesky {
         x
     }
 
-    /// L⁻¹ B in place of B.
+    /// Replaces B by L⁻¹ B.
     pub(crate) fn forward(&self, b: &mut DMatrix<f64>) {
         let par = threads(b.ncols());
         solve_lower_triangular_in_place(self.0.as_ref(), view_mut(b), par);
     }
 
-    /// L⁻ᵀ B in place of B.
+    /// Replaces B by L⁻ᵀ B.
     pub(crate) fn backward(&self, b: &mut DMatrix<f64>) {
         let par = threads(b.ncols());
         solve_upper_triangular_in_place(self.0.transpose(), view_mut(b), par);
     }
 }
 
-/// (eigenvalues, increasing; unit eigenvectors as columns) of the symmetric matrix whose lower half is given.
+/// The eigenvalues, in increasing order, and the unit eigenvectors, as columns, of the symmetric matrix whose
+/// lower half is given.
 ///
-/// `None` where the iteration does not converge, as for entries that are not finite. Cost O(n³).
+/// `None` if the iteration does not converge, as for entries that are not finite. Cost O(n³).
 pub(crate) fn symmetric_eigen(a: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let size = a.nrows();
     // faer's own matrices start every column where its kernels are fastest.

@@ -1,5 +1,5 @@
-//! Dense matrices: products, Cholesky factors, eigenvectors, by faer on nalgebra's storage (columns one after the
-//! other). Tests compare with nalgebra's own algorithms.
+//! Dense matrices: products, Cholesky factors, eigenvectors, by faer on nalgebra's column-major storage. Tests
+//! compare with nalgebra's own algorithms.
 
 mod blocked;
 #[cfg(test)]

@@ -1,23 +1,23 @@
-//! Dense algebra by nalgebra, on one thread.
+//! Dense linear algebra by nalgebra, on one thread.
 
 use nalgebra::{DMatrix, SymmetricEigen};
 
-/// A B.
+/// The product A B.
 pub(crate) fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     a * b
 }
 
-/// A Bᵀ.
+/// The product A Bᵀ.
 pub(crate) fn times_transpose(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     a * b.transpose()
 }
 
-/// Aᵀ B.
+/// The product Aᵀ B.
 pub(crate) fn transpose_times(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     a.tr_mul(b)
 }
 
-/// L with A = L Lᵀ.
+/// The factor L with A = L Lᵀ.
 #[derive(Debug, Clone)]
 pub(crate) struct Cholesky(DMatrix<f64>);
 
@@ -27,7 +27,7 @@ impl Cholesky {
         nalgebra::Cholesky::new(a.clone()).map(|factor| Self(factor.unpack_dirty()))
     }
 
-    /// A⁻¹ B.
+    /// The product A⁻¹ B.
     pub(crate) fn solve(&self, b: &DMatrix<f64>) -> DMatrix<f64> {
         let mut x = b.clone();
         self.forward(&mut x);
@@ -35,12 +35,12 @@ impl Cholesky {
         x
     }
 
-    /// L⁻¹ B in place of B.
+    /// Replaces B by L⁻¹ B.
     pub(crate) fn forward(&self, b: &mut DMatrix<f64>) {
         self.0.solve_lower_triangular_unchecked_mut(b);
     }
 
-    /// L⁻ᵀ B in place of B.
+    /// Replaces B by L⁻ᵀ B.
     pub(crate) fn backward(&self, b: &mut DMatrix<f64>) {
         self.0.tr_solve_lower_triangular_unchecked_mut(b);
     }
@@ -49,9 +49,10 @@ impl Cholesky {
 /// Largest number of rotations per row; two or three are typical.
 const ROTATIONS: usize = 60;
 
-/// (eigenvalues, increasing; unit eigenvectors as columns) of the symmetric matrix whose lower half is given.
+/// The eigenvalues, in increasing order, and the unit eigenvectors, as columns, of the symmetric matrix whose
+/// lower half is given.
 ///
-/// `None` where the iteration does not converge, as for entries that are not finite. Cost O(n³).
+/// `None` if the iteration does not converge, as for entries that are not finite. Cost O(n³).
 pub(crate) fn symmetric_eigen(a: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let size = a.nrows();
     if size == 0 || !a.iter().all(|entry| entry.is_finite()) {
