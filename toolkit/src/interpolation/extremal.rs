@@ -1,8 +1,9 @@
-//! The largest quotient of two quadratic forms over the piecewise linears on m cells per element of a mesh.
+//! The largest quotient of two quadratic forms over the piecewise linear functions on m cells per element of a
+//! mesh.
 //!
-//! A lower bound of the supremum over the whole space, which rises as the cells are halved. The increments
-//! under bisection decrease by a factor of at least two, so that the last increment bounds the remaining
-//! error; it is the error returned.
+//! It is a lower bound of the supremum over the whole space and increases as the cells are bisected. The
+//! increments under bisection decrease by a factor of at least two, so that the last increment bounds the
+//! remaining error; it is the error returned.
 
 use super::elements::ElementMesh;
 use super::forms::{MAX_CELLS, without_constants};
@@ -15,10 +16,10 @@ use nalgebra::DMatrix;
 /// Smallest number of cells per element of the finer of two meshes that are compared.
 const FEWEST: usize = 4;
 
-/// The seminorm |·|_r² and the form that is measured against it, on a mesh.
+/// The seminorm |·|_r² and the form that is compared with it, on a mesh.
 pub(super) type Forms = (DMatrix<f64>, DMatrix<f64>);
 
-/// The root of a largest quotient, and the values at the cell nodes of a function with seminorm 1 that
+/// The square root of a largest quotient, and the values at the cell nodes of a function with seminorm 1 that
 /// attains it.
 pub(super) struct Largest {
     pub(super) root: Estimate,
@@ -26,11 +27,12 @@ pub(super) struct Largest {
     pub(super) values: Vec<f64>,
 }
 
-/// The root of the largest quotient on as many cells as the tolerance requires, at least `first` per
+/// The square root of the largest quotient on as many cells as the tolerance requires, at least `first` per
 /// element.
 ///
 /// # Errors
-/// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`] beyond 4096 cells.
+/// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`] if more than 4096 cells
+/// are required.
 pub(super) fn largest(
     mesh: &Mesh,
     first: usize,
@@ -39,7 +41,7 @@ pub(super) fn largest(
 ) -> Result<Largest> {
     let fits = |cells: usize| mesh.len().saturating_mul(cells) <= MAX_CELLS;
     if !fits(FEWEST) {
-        return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "<= 1024" });
+        return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "[1, 1024]" });
     }
     let mut cells = if fits(first) { first } else { FEWEST };
     let mut work = Work { factorizations: 2, ..Work::default() };

@@ -1,15 +1,16 @@
-//! Quadratic forms of continuous piecewise linears on the cells of an [`ElementMesh`]; v ↔ its values at the
-//! cell nodes.
+//! Quadratic forms of continuous piecewise linear functions on the cells of an [`ElementMesh`]; v is
+//! represented by its values at the cell nodes.
 //!
 //! | form | matrix |
 //! | --- | --- |
 //! | ‖v − π^h v‖₀² = ‖(u − I^h u)'‖₀² | E = M − Σ_e m_e m_eᵀ / h_e |
 //! | ‖u − I^h u‖₀² | from the primitive of v − π^h v at Gauss points, exact |
-//! | \|v\|_r², 0 ≤ r ≤ 1, with the constants made positive | A_r + m mᵀ |
-//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linears |
+//! | \|v\|_r², 0 ≤ r ≤ 1, made positive on the constants | A_r + m mᵀ |
+//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linear functions |
 //!
-//! m_e are the integrals of the hat functions over element e, m those over the interval. Dense, for meshes
-//! of some hundred cells. The forms with π^h vanish on constants, so m mᵀ changes no extremal quotient.
+//! m_e are the integrals of the hat functions over element e, m those over the interval. The matrices are
+//! dense, for meshes of some hundred cells. The forms with π^h vanish on constants, so that m mᵀ does not
+//! change the extremal quotients.
 
 use super::elements::ElementMesh;
 use crate::constant::UnitOrder;
@@ -22,7 +23,7 @@ use nalgebra::DMatrix;
 /// Largest number of cells for which dense matrices are built.
 pub(super) const MAX_CELLS: usize = 4096;
 
-/// Integrals of the hat functions over the cells of a range, for all nodes.
+/// The integrals of the hat functions over the cells of a range, for all nodes.
 pub(super) fn hat_integrals(cells: &Mesh, range: std::ops::Range<usize>) -> Vec<f64> {
     let mut integrals = vec![0.0; cells.len() + 1];
     for i in range {
@@ -32,7 +33,7 @@ pub(super) fn hat_integrals(cells: &Mesh, range: std::ops::Range<usize>) -> Vec<
     integrals
 }
 
-/// Gram matrix of L².
+/// The Gram matrix of L².
 pub(super) fn mass_form(cells: &Mesh) -> DMatrix<f64> {
     let (diagonal, off_diagonal) = mass_linears(cells);
     tridiagonal(&diagonal, &off_diagonal)
@@ -46,7 +47,7 @@ fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
     })
 }
 
-/// |v|_r²: r = 0 is ‖v‖₀², r = 1 is ‖v'‖₀², between them the double integral of (1.1).
+/// |v|_r²: ‖v‖₀² for r = 0, ‖v'‖₀² for r = 1, and the double integral of (1.1) for 0 < r < 1.
 pub(super) fn seminorm_form(cells: &Mesh, r: UnitOrder) -> DMatrix<f64> {
     match r {
         UnitOrder::Zero => return mass_form(cells),
@@ -61,13 +62,13 @@ pub(super) fn seminorm_form(cells: &Mesh, r: UnitOrder) -> DMatrix<f64> {
     tridiagonal(&diagonal, &cells.lengths().iter().map(|h| -1.0 / h).collect::<Vec<_>>())
 }
 
-/// The form plus m mᵀ: positive definite.
+/// The form plus m mᵀ, which is positive definite.
 pub(super) fn without_constants(form: &DMatrix<f64>, cells: &Mesh) -> DMatrix<f64> {
     let m = hat_integrals(cells, 0..cells.len());
     DMatrix::from_fn(m.len(), m.len(), |i, j| form[(i, j)] + m[i] * m[j])
 }
 
-/// ‖v − π^h v‖₀².
+/// The form ‖v − π^h v‖₀².
 pub(super) fn projection_form(mesh: &ElementMesh) -> DMatrix<f64> {
     let mut form = mass_form(mesh.cells());
     for (e, range) in mesh.elements().iter().enumerate() {
@@ -82,7 +83,7 @@ pub(super) fn projection_form(mesh: &ElementMesh) -> DMatrix<f64> {
     form
 }
 
-/// ‖u − I^h u‖₀² for the slope v of u.
+/// The form ‖u − I^h u‖₀² for the slope v of u.
 pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     // The primitive is quadratic on a cell, its square of degree four.
     let rule = Rule::gauss_legendre(3)?;
@@ -121,7 +122,7 @@ pub(super) fn lagrange_form(mesh: &ElementMesh) -> Result<DMatrix<f64>> {
     Ok(form)
 }
 
-/// ‖v − π^h v‖²_{1/2,*} over the piecewise linears, dual to |ψ|²_{1/2} + `length` ‖ψ‖².
+/// The form ‖v − π^h v‖²_{1/2,*} over the piecewise linear functions, dual to |ψ|²_{1/2} + `length` ‖ψ‖².
 pub(super) fn dual_projection_form(mesh: &ElementMesh, length: f64) -> Result<DMatrix<f64>> {
     let cells = mesh.cells();
     let size = cells.len() + 1;

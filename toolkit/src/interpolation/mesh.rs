@@ -10,10 +10,10 @@ use crate::error::Result;
 use crate::estimate::Tolerance;
 use nalgebra::DMatrix;
 
-/// Cells per element of the first mesh.
+/// Number of cells per element of the first mesh.
 const FIRST: usize = 8;
 
-/// sup ‖u − I^h u‖ / |u|\_{1+s} on a mesh.
+/// The supremum of ‖u − I^h u‖ / |u|\_{1+s} on a mesh.
 ///
 /// # Errors
 /// As [`crate::interpolation_constant`].
@@ -37,7 +37,7 @@ pub(super) fn on_mesh(
         .with_others(move |norm| on_mesh(mesh.clone(), norm, s, tolerance)))
 }
 
-/// B: the squared error norm as a form of the nodal values of the slope.
+/// The matrix B of the squared error norm as a form of the nodal values of the slope.
 fn error_form(norm: ErrorNorm, mesh: &ElementMesh, total: f64) -> Result<DMatrix<f64>> {
     Ok(match norm {
         ErrorNorm::L2 => lagrange_form(mesh)?,
@@ -73,7 +73,8 @@ mod tests {
     /// Share of the best constant that the power iteration must reach.
     const SHARE: f64 = 0.999;
 
-    /// Power iteration on the quotient from random values: the largest value, and where it is taken.
+    /// The nodal values of the function with the largest quotient found by a power iteration from random
+    /// values.
     fn ascend(norm: ErrorNorm, order: Order, mesh: &ElementMesh, seed: u64) -> Vec<f64> {
         let size = mesh.cells().len() + 1;
         let form = error_form(norm, mesh, mesh.elements().len() as f64).unwrap();
@@ -99,7 +100,7 @@ mod tests {
         (0..size).map(|i| values[(i, 0)]).collect()
     }
 
-    /// Both error norms of a slope on (0, 1) by quadratics on the cells, over its seminorm.
+    /// Both error norms of a slope on (0, 1), by quadratic functions on the cells, divided by its seminorm.
     fn ratios(slope: &[f64], mesh: &ElementMesh, order: Order) -> [f64; 2] {
         let v = Function::linears(mesh.cells(), slope).unwrap();
         let seminorm = v.seminorm(order, 1e-8).unwrap().value;

@@ -1,17 +1,17 @@
 //! Appendix B, (4.6), (4.7) and the embeddings of Sections 3 and 4: constants of
 //! interpolation.
 //!
-//! | paper | here |
+//! | paper | implementation |
 //! | --- | --- |
 //! | I^h u, Lagrange interpolation of degree one | affine on each element, equal to u at the nodes |
-//! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is written in the slope v = u' |
+//! | e = u − I^h u, e' = u' − (mean of u' on the element) | everything is expressed in the slope v = u' |
 //! | \|u\|\_{1+ν} = \|u'\|_ν | [`crate`], double integral over both orders of x and y |
 //! | Lemma 6.1: ‖e‖₀ ≤ h^{1+ν} \|u\|\_{1+ν}, ‖e‖₁ ≤ h^ν \|u\|\_{1+ν} | [`interpolation_constant`] on an interval or a triangle |
 //! | Lemma 6.2: best constants on a mesh | [`interpolation_constant`] on a mesh |
 //! | (4.6), (4.7), (6.2): best constants | [`projection_constant`] |
 //! | C(q) in (3.6), (3.10), (4.12), C(α) in (E3) | [`embedding_constant`] |
 //!
-//! All constants are those of the seminorm (1.1) as the paper defines it.
+//! All constants refer to the seminorm (1.1) as the paper defines it.
 
 mod element;
 mod elements;
@@ -31,8 +31,8 @@ use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::order::SobolevOrder;
 
-/// The best constant in ‖u − Iu‖ ≤ C |∇u|_s, I linear interpolation at the ends of an interval, the nodes of a mesh or
-/// the corners of a triangle, 0 ≤ s ≤ 1.
+/// The best constant in ‖u − Iu‖ ≤ C |∇u|_s, where I is linear interpolation at the ends of an interval, the nodes of
+/// a mesh or the corners of a triangle, 0 ≤ s ≤ 1.
 ///
 /// |∇u|_s is the seminorm of order s of the gradient, for 0 < s < 1 the double integral over the domain; |∇u|₀ = ‖∇u‖,
 /// |∇u|₁ = ‖D²u‖, to which (1−s)^{1/2} |u'|_s tends on an interval and ((1−s) 2/π)^{1/2} |∇u|_s in the plane. The limit
@@ -42,15 +42,15 @@ use crate::order::SobolevOrder;
 ///
 /// **Interval (0, h).** For u with slope v, e = u − Iu has e' = v − v̄ and e(0) = e(1) = 0. The best constants are
 /// h^{1+s} C_L2(s), h^s C_H1(s) with C_H1 = γ₁, and h^s C_1(s, h) for the full norm, C_1(s, h)² = sup (‖e'‖² + h²
-/// ‖e‖²)/|v|²_s on (0, 1), which rises with h.
-/// Extremal slopes are odd about the centre, behave like a constant plus r^a at the ends, 2s < a < 2s + 1, and are
-/// analytic inside: with K odd Legendre polynomials the constant is approached from below like K^{-4(a+1/2−s)}, measured
-/// K^{-5.6}: 1e-9 at K = 16, 1e-13 at K = 64. Cost O(K⁴).
+/// ‖e‖²)/|v|²_s on (0, 1), which increases with h. Extremal slopes are odd about the centre, behave like a constant
+/// plus r^a at the ends, 2s < a < 2s + 1, and are analytic in the interior: with K odd Legendre polynomials the
+/// constant is approached from below like K^{-4(a+1/2−s)}, in experiments like K^{-5.6}: 1e-9 at K = 16, 1e-13 at
+/// K = 64. Cost O(K⁴).
 ///
-/// **Mesh.** At most the constant of its longest element; smaller for several elements, because |u|²\_{1+s}
-/// also holds the pairs of points in different elements. A lower bound from slopes linear on m cells per
-/// element, the best constant at most `error` above it; the error decreases like m^{-1-2s}, at most like
-/// m^{-2}. Dense; cost O((N m)³).
+/// **Mesh.** The constant is at most that of the longest element, and smaller for several elements, because
+/// |u|²\_{1+s} also contains the pairs of points in different elements. The value is a lower bound from slopes
+/// that are linear on m cells per element, and the best constant exceeds it by at most `error`; the error
+/// decreases like m^{-1-2s}, at most like m^{-2}. The matrices are dense; cost O((N m)³).
 ///
 /// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners give
 /// a lower bound: a generalised eigenvalue problem. The bounds of degrees p, p − 2, ... converge like
@@ -94,7 +94,7 @@ pub fn interpolation_constant(
     }
 }
 
-/// The cell of a mesh of (0, 1) that holds x.
+/// The cell of a mesh of (0, 1) that contains x.
 fn cell_of(cells: &Mesh, x: f64) -> Option<usize> {
     let is_inside = (0.0..=1.0).contains(&x);
     let after = cells.from_left().partition_point(|&node| node <= x);

@@ -16,15 +16,16 @@ use crate::{Mesh, Order};
 use nalgebra::DMatrix;
 use std::f64::consts::FRAC_1_PI;
 
-/// Cells per element of the first mesh.
+/// Number of cells per element of the first mesh.
 const FIRST: usize = 4;
 
-/// The best constant in ‖φ − π φ‖ ≤ C |φ|_r, πφ the mean of φ on the interval or on every element of the mesh,
-/// 0 ≤ r ≤ 1; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
+/// The best constant in ‖φ − π φ‖ ≤ C |φ|_r, where πφ is the mean of φ on the interval or on every element of
+/// the mesh, 0 ≤ r ≤ 1; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
 ///
 /// # Method
 ///
-/// On an interval of length h, with Legendre's basis as in [`interpolation_constant`](crate::interpolation_constant):
+/// On an interval of length h, with the Legendre basis as in
+/// [`interpolation_constant`](crate::interpolation_constant):
 ///
 /// ```text
 /// (4.6)  L2      C(r) h^r,  C(r) = γ₁(r) for 0 < r < 1, C(0) = 1, C(1) = 1/π
@@ -32,14 +33,14 @@ const FIRST: usize = 4;
 /// (6.2)  At(x)   κ(x/h) h^{1/2},  κ(t)² = (t³ + (1−t)³)/3, for r = 1
 /// ```
 ///
-/// The dual norm on an interval is that of the seminorm |ψ|\_{1/2}, with which (4.7) follows element by element:
-/// Σ |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal
-/// coordinates; the paper's chain gives γ₁(r) γ₁(1/2) in its place, equal at r = 1/2.
+/// The dual norm on an interval is dual to the seminorm |ψ|\_{1/2}, so that (4.7) follows element by element: Σ
+/// |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal
+/// coordinates; the chain of estimates in the paper gives γ₁(r) γ₁(1/2) instead, which is equal at r = 1/2.
 ///
 /// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower
-/// bound from piecewise linears on cells, and the best constant exceeds it by at most `error`; dense
-/// matrices, at most 4096 cells. Between N and 2N equal elements it falls at the rate r, or r + 1/2 in the
-/// dual norm.
+/// bound from piecewise linear functions on cells, and the best constant exceeds it by at most `error`; the
+/// matrices are dense, with at most 4096 cells. From N to 2N equal elements it decreases at the rate r, or r +
+/// 1/2 in the dual norm.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, Mesh, projection_constant};
@@ -54,7 +55,8 @@ const FIRST: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for r outside [0, 1] or a bad length; [`Error::Incompatible`] for another domain or norm;
+/// [`Error::OutOfRange`] for r outside [0, 1] or an inadmissible length; [`Error::Incompatible`] for another
+/// domain or norm;
 /// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`].
 #[doc(alias("L2 projection", "Poincare-Wirtinger"))]
 pub fn projection_constant(
@@ -95,7 +97,7 @@ fn on_one(h: f64, norm: ErrorNorm, r: UnitOrder, tolerance: Tolerance) -> Result
     }
 }
 
-/// C*(r).
+/// The constant C*(r).
 fn dual(r: UnitOrder, tolerance: Tolerance) -> Result<Estimate> {
     converge("projection constant in the dual norm", tolerance, |count| {
         let degrees = odd_degrees(count);

@@ -1,4 +1,4 @@
-//! Best constants of Lemma 6.1, (6.1), on one element, by an eigenproblem for the slope.
+//! Best constants of Lemma 6.1, (6.1), on one element, from an eigenproblem for the slope.
 
 use super::form::form;
 use super::legendre::{converge, evaluate, odd_degrees, seminorm_gram};
@@ -10,16 +10,16 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 
-/// Largest order for which the constant of the limit ν → 0 is returned; the two differ by less than the
-/// order.
+/// Largest order for which the constant of the limit ν → 0 is returned; the difference of the two constants is
+/// less than the order.
 const LIMIT: f64 = 1e-30;
 
-/// Checks the length of an element; its square must stay finite beside 1.
+/// The length of an element if it is admissible; its square plus 1 must be finite.
 pub(in crate::interpolation) fn require_length(h: f64) -> Result<f64> {
     Error::require("element length h", h, "[1e-150, 1e150]", (1e-150..=1e150).contains(&h))
 }
 
-/// Powers of the length of the element in a constant: s, and one more in L².
+/// The power of the length of the element in a constant: h^s, times h for the L² norm.
 pub(in crate::interpolation) fn scale(norm: ErrorNorm, s: f64, h: f64) -> f64 {
     h.powf(if norm == ErrorNorm::L2 { 1.0 + s } else { s })
 }
@@ -56,7 +56,7 @@ pub(in crate::interpolation) fn on_interval(
     Ok(found.with_others(move |norm| on_interval(h, norm, s, tolerance)))
 }
 
-/// sup ‖v − v̄‖ / |v|_ν on (0, h), the constant of the derivative, with the extremal v.
+/// The supremum of ‖v − v̄‖ / |v|_ν on (0, h), the constant for the derivative, with the extremal v.
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`].
@@ -108,7 +108,7 @@ fn extremal(norm: ErrorNorm, h: f64, order: Order, tolerance: Tolerance) -> Resu
     Ok(ElementExtremal { constant, degrees, coefficients })
 }
 
-/// The vector scaled to |v|_ν = 1 and v(1) > 0.
+/// The vector normalised such that |v|_ν = 1 and v(1) > 0.
 fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
     let size = vector.len();
     let energy: f64 =

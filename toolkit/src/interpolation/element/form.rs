@@ -5,7 +5,7 @@ use crate::constant::ErrorNorm;
 use crate::error::{Error, Result};
 use nalgebra::DMatrix;
 
-/// The form whose quotient with |v|²_ν is maximised, on the unit element.
+/// The form whose quotient by |v|²_ν is maximised, on the unit element.
 ///
 /// # Errors
 /// [`Error::Incompatible`] for a norm without a form.
@@ -23,7 +23,7 @@ pub(super) fn form(norm: ErrorNorm, h: f64, degrees: &[usize]) -> Result<DMatrix
     })
 }
 
-/// The error for a norm without a form.
+/// [`Error::Incompatible`] for a norm without a form.
 pub(in crate::interpolation) fn refused(norm: ErrorNorm) -> Error {
     norm.refused("interpolation", "L2, Derivative or H1")
 }

@@ -1,10 +1,10 @@
-//! Polynomials on one element, in Legendre's basis: Gram matrix of |·|_ν and of the primitive.
+//! Polynomials on one element in the Legendre basis: the Gram matrices of |·|_ν and of the primitives.
 //!
 //! φ_k(x) = √(2k+1) P_k(2x−1), orthonormal in L²(0,1). With x = y + r and y = (1−r)s,
 //! a(φ_j, φ_k) = 2 ∫₀¹ r^{1-2ν} (1−r) ∫₀¹ q_j q_k ds dr,  q_k = (φ_k(y+r) − φ_k(y))/r,
-//! and q_k is a polynomial: Gauss-Jacobi in r and Gauss-Legendre in s integrate exactly. The quotients come
-//! from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without a
-//! difference. Domain 0 < ν < 1. Cost O(d²) points, O(d² K²) operations for K functions of degree at most d.
+//! and q_k is a polynomial: Gauss-Jacobi rules in r and Gauss-Legendre rules in s are exact. The quotients are
+//! computed from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without
+//! cancellation. Domain 0 < ν < 1. Cost: O(d²) points, O(d² K²) operations for K functions of degree at most d.
 
 use crate::Order;
 use crate::error::{Error, Result};
@@ -14,7 +14,8 @@ use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 
-/// Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none zero), and its cost.
+/// The Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none of them zero), and its
+/// cost.
 pub(in crate::interpolation) fn seminorm_gram(
     order: Order,
     degrees: &[usize],
@@ -42,7 +43,7 @@ pub(in crate::interpolation) fn seminorm_gram(
     ))
 }
 
-/// Gram matrix of L² for the primitives ∫₀^x φ_k: they vanish at both ends, since no degree is zero.
+/// The Gram matrix of L² for the primitives ∫₀^x φ_k, which vanish at both ends, since no degree is zero.
 ///
 /// ∫₀^x φ_k = [φ_{k+1}/√(2k+3) − φ_{k−1}/√(2k−1)] / (2√(2k+1)).
 pub(super) fn primitive_gram(degrees: &[usize]) -> DMatrix<f64> {
@@ -62,7 +63,7 @@ pub(super) fn primitive_gram(degrees: &[usize]) -> DMatrix<f64> {
     })
 }
 
-/// Σ c_i φ_{k_i}(x) and its primitive from 0, x ∈ [0, 1].
+/// The sum Σ c_i φ_{k_i}(x) and its primitive from 0, x ∈ [0, 1].
 pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64, f64) {
     let top = degrees.last().copied().unwrap_or(0);
     let t = 2.0 * x - 1.0;
@@ -74,7 +75,7 @@ pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64,
     })
 }
 
-/// Gram matrix of ‖v'‖₀² for degrees of one parity: 2 √((2j+1)(2k+1)) m(m+1), m = min(j, k).
+/// The Gram matrix of ‖v'‖₀² for degrees of one parity: 2 √((2j+1)(2k+1)) m(m+1), m = min(j, k).
 pub(in crate::interpolation) fn stiffness_gram(degrees: &[usize]) -> DMatrix<f64> {
     DMatrix::from_fn(degrees.len(), degrees.len(), |i, j| {
         let [k, l, m] = [degrees[i], degrees[j], degrees[i.min(j)]].map(|d| d as f64);
@@ -87,16 +88,17 @@ pub(in crate::interpolation) fn odd_degrees(count: usize) -> Vec<usize> {
     (0..count).map(|k| 2 * k + 1).collect()
 }
 
-/// Numbers of functions, tried in turn.
+/// Successive numbers of functions.
 const COUNTS: [usize; 5] = [4, 8, 16, 32, 64];
 
 /// Doubling the count divides the error by 2^{5.6} = 48; half of that is assumed.
 const GAIN_OF_DOUBLING: f64 = 24.0;
 
-/// Rounding of an extremal quotient, relative; grows with the number of functions.
+/// Relative rounding error of an extremal quotient, which grows with the number of functions.
 const ROUNDING_PER_FUNCTION: f64 = 4.0 * f64::EPSILON;
 
-/// Raises the number of functions until the value, which rises with it, has the tolerance.
+/// The value for a number of functions that is doubled until the value, which increases with it, meets the
+/// tolerance.
 pub(in crate::interpolation) fn converge(
     what: &'static str,
     tolerance: Tolerance,
@@ -121,7 +123,7 @@ pub(in crate::interpolation) fn converge(
         }
         coarse = Some(value);
     }
-    let why = "rounding grows with the number of polynomials";
+    let why = "rounding, which grows with the number of polynomials, limits the accuracy";
     Err(Error::best_of(what, tolerance.relative(), best, why))
 }
 

@@ -1,13 +1,13 @@
-//! Constants of Lemma 6.1 at both ends of the orders, and the constant of (6.2).
+//! Constants of Lemma 6.1 in the limits of small and large orders, and the constant of (6.2).
 //!
-//! - ν → 0: |v|²_ν → ∫∫ (v(x)−v(y))²/|x−y|, whose eigenfunctions are Legendre's polynomials with eigenvalues
-//!   4 H_k, H_k = 1 + 1/2 + ... + 1/k. Hence C_H1(0) = 1/2, and C_L2(0) from the three-term matrix of the
-//!   primitive.
+//! - ν → 0: |v|²_ν → ∫∫ (v(x)−v(y))²/|x−y|, whose eigenfunctions are the Legendre polynomials with eigenvalues
+//!   4 H_k, H_k = 1 + 1/2 + ... + 1/k. Hence C_H1(0) = 1/2, and C_L2(0) follows from the three-term matrix of
+//!   the primitive.
 //! - ν → 1: (1−ν)|v|²_ν → ‖v'‖₀² (Bourgain, Brezis & Mironescu 2001). Hence C_H1 ~ √(1−ν)/π and C_L2 ~
 //!   √(1−ν)/π².
-//! - (6.2): |v(x) − v̄|² ≤ h κ(x/h)² ‖v'‖₀², best for each x with κ(t)² = (t³ + (1−t)³)/3: v(x) − v̄ = ∫ k v'
-//!   with k(s) = s/h for s < x, s/h − 1 for s > x. Worst at the ends, 1/√3; best in the centre, 1/(2√3). The
-//!   paper has 1.
+//! - (6.2): |v(x) − v̄|² ≤ h κ(x/h)² ‖v'‖₀², the best constant for each x being κ(t)² = (t³ + (1−t)³)/3: v(x) −
+//!   v̄ = ∫ k v' with k(s) = s/h for s < x, s/h − 1 for s > x. It is largest at the ends, 1/√3, and smallest in
+//!   the centre, 1/(2√3). The paper has 1.
 
 use super::form::{form, refused};
 use super::legendre::odd_degrees;
@@ -18,10 +18,10 @@ use crate::numeric::pencil::Factored;
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 
-/// Odd polynomials in C_L2(0); its extremal function is analytic and 12 give 16 digits.
+/// Number of odd polynomials for C_L2(0); its extremal function is analytic, and 12 polynomials give 16 digits.
 const COUNT: usize = 12;
 
-/// lim C(ν) as ν → 0, on an interval of length h scaled to 1.
+/// The limit of C(ν) as ν → 0, on an interval of length h scaled to 1.
 ///
 /// # Errors
 /// [`Error::Incompatible`] for a norm without a form.
@@ -41,7 +41,8 @@ pub(super) fn at_zero(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     Estimate::new(fine, error, Work { factorizations: 4, ..Work::default() })
 }
 
-/// sup ‖e‖/‖u'‖: 1 for the derivative, 1/π in L², (1 + h²/π²)^{1/2} for the full norm; attained by u = sin πx.
+/// The supremum of ‖e‖/‖u'‖: 1 for the derivative, 1/π in L², (1 + h²/π²)^{1/2} for the full norm; attained by
+/// u = sin πx.
 ///
 /// # Errors
 /// As [`at_zero`].
@@ -49,8 +50,8 @@ pub(super) fn zero(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     one(norm, h).and_then(|constant| constant.times(PI))
 }
 
-/// sup ‖e‖/‖u''‖ = lim C(ν)/√(1−ν) as ν → 1: 1/π for the derivative, 1/π² in L², (π² + h²)^{1/2}/π² for the full
-/// norm.
+/// The supremum of ‖e‖/‖u''‖, which is lim C(ν)/√(1−ν) as ν → 1: 1/π for the derivative, 1/π² in L², (π² +
+/// h²)^{1/2}/π² for the full norm.
 ///
 /// # Errors
 /// As [`at_zero`].
@@ -64,7 +65,7 @@ pub(super) fn one(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     Estimate::new(value, 4.0 * f64::EPSILON * value, Work::default())
 }
 
-/// Best constant κ(t) of (6.2) at the point x = t h: |v(x) − v̄| ≤ κ h^{1/2} ‖v'‖₀.
+/// The best constant κ(t) of (6.2) at the point x = t h: |v(x) − v̄| ≤ κ h^{1/2} ‖v'‖₀.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 ≤ t ≤ 1.

@@ -1,5 +1,5 @@
-//! Lemma 6.1 for all functions: best constants on one element, their limits, and the Legendre basis they are
-//! found in.
+//! Lemma 6.1 for all functions: best constants on one element, their limits, and the Legendre basis in which
+//! they are computed.
 
 mod constant;
 mod form;

@@ -10,20 +10,19 @@ use crate::{Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Cache of the last increments, for other α on the same mesh.
+/// Cache of the last increments, for other values of α on the same mesh.
 static LAST: Mutex<Option<Arc<EndIncrements>>> = Mutex::new(None);
 
-/// N(0, θ) at the nodes θ of a mesh.
+/// The norms N(0, θ) at the nodes θ of a mesh.
 ///
 /// # Method
 ///
 /// For a fixed pair of points the best constant is the norm of the functional v ↦ ∫\_y^x v on the slopes v =
-/// u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over
-/// pairs (0, θ), θ the nodes of a mesh geometric to 0, and piecewise linear v this is a lower bound of C(α) =
-/// sup N(x, y)/|x − y|^α.
-/// Upper bound, Hölder: |∫ v| ≤ |x−y|^{1−1/q} ‖v‖_q, so C(α) ≤ C(q) with q = 1/(1−α).
-/// Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α) →
-/// 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost O(N³) once, then O(N) per α.
+/// u', by one solve: N(x, y)² = ℓᵀ K⁻¹ ℓ with K the matrix of min_c ‖u + c‖₀² + ‖v‖₀² + |v|²_{1/2}. Over pairs
+/// (0, θ), θ the nodes of a mesh graded geometrically towards 0, and piecewise linear v this is a lower bound
+/// of C(α) = sup N(x, y)/|x − y|^α. An upper bound follows from Hölder's inequality: |∫ v| ≤ |x−y|^{1−1/q}
+/// ‖v‖_q, so that C(α) ≤ C(q) with q = 1/(1−α). Growth: N(0, θ)² θ^{-2} ~ (3/(2π²)) ln(1/θ), hence C(α)² (1−α)
+/// → 3/(4π²e) = 0.0279.., attained near ln(1/θ) = 1/(2(1−α)). Cost: O(N³) once, then O(N) per α.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct EndIncrements {
     nodes: Vec<f64>,
@@ -31,8 +30,8 @@ pub(super) struct EndIncrements {
 }
 
 impl EndIncrements {
-    /// The increments at the nodes of a mesh of (0, 1), which should be geometric to 0; cached for the last
-    /// mesh.
+    /// The increments at the nodes of a mesh of (0, 1), which should be graded geometrically towards 0; cached
+    /// for the last mesh.
     ///
     /// # Errors
     /// As [`EndIncrements::new`].
@@ -50,7 +49,7 @@ impl EndIncrements {
     /// The increments at the nodes of a mesh of (0, 1).
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] when the Gram matrix breaks down to rounding.
+    /// [`Error::NotPositiveDefinite`] if rounding makes the Gram matrix indefinite.
     fn new(partition: &Mesh) -> Result<Self> {
         let size = partition.len() + 1;
         let norm = gram_linears(partition, Order::HALF) + mass_form(partition) + primitive_form(partition)?;
@@ -72,7 +71,7 @@ impl EndIncrements {
         Ok(Self { nodes, norms })
     }
 
-    /// max over θ of N(0, θ)/θ^α, a lower bound of C(α), and the θ where it is attained.
+    /// The maximum over θ of N(0, θ)/θ^α, a lower bound of C(α), and the θ at which it is attained.
     ///
     /// # Errors
     /// None.
@@ -90,7 +89,8 @@ impl EndIncrements {
     }
 }
 
-/// min_c ‖∫₀^x v + c‖₀² as a form of the nodal values of v, exact: the primitive is quadratic on a cell.
+/// min_c ‖∫₀^x v + c‖₀² as a form of the nodal values of v; it is exact, since the primitive is quadratic on a
+/// cell.
 fn primitive_form(partition: &Mesh) -> Result<DMatrix<f64>> {
     let rule = Rule::gauss_legendre(3)?;
     let (lengths, total) = (partition.lengths(), partition.total());

@@ -1,5 +1,5 @@
-//! (3.6), (3.10), (4.12), (E3): the constants of H^ν(0,1) ⊂ L^q(0,1) and of H^{3/2}(0,1) ⊂ C^{0,α}, from both
-//! sides.
+//! (3.6), (3.10), (4.12), (E3): lower and upper bounds of the constants of H^ν(0,1) ⊂ L^q(0,1) and of
+//! H^{3/2}(0,1) ⊂ C^{0,α}.
 
 mod hoelder;
 mod trial;
@@ -25,9 +25,9 @@ use upper::upper_bound;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
-    /// L^q(0, 1).
+    /// The space L^q(0, 1).
     Lq(f64),
-    /// C^{0,α}\[0, 1\] with |u(x) − u(y)|/|x − y|^α.
+    /// The space C^{0,α}\[0, 1\], with the seminorm sup |u(x) − u(y)|/|x − y|^α.
     Hoelder(f64),
 }
 
@@ -43,7 +43,7 @@ impl Given<Target> for f64 {
     }
 }
 
-/// The embeddings with a method.
+/// The embeddings for which there is a method.
 #[derive(Clone, Copy)]
 enum Embedding {
     Lq(Order, f64),
@@ -77,8 +77,8 @@ impl Embedding {
     }
 }
 
-/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or
-/// in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; rounded up. It is the upper bound of
+/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or in
+/// |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; it is rounded up. It is the upper bound of
 /// [`embedding_constant`], in closed form up to a maximum over k.
 ///
 /// ```
@@ -88,7 +88,7 @@ impl Embedding {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] and [`Error::Incompatible`] for any other embedding.
+/// [`Error::OutOfRange`] and [`Error::Incompatible`] for all other embeddings.
 #[doc(alias("Sobolev inequality"))]
 pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) -> Result<f64> {
     Embedding::new(s.given()?, into.given()?)?.bound().map(|bound| bound.value)
@@ -97,23 +97,23 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 /// The best constant in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), with the full norm (1.1), 0 < s ≤ 1/2, 2 ≤ q ≤
 /// 2/(1−2s), q ≤ 1e6; or in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1.
 ///
-/// `lower` and `upper` are known to the tolerance; `constant` is the midpoint of the interval between the
-/// two, whose width does not depend on the tolerance: the best constant is known only where `upper` is 1,
-/// the quotient of u = 1. At s = 1/2 both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672
-/// √q, `upper` like (q/8)^{1/2}.
+/// `lower` and `upper` are accurate to the tolerance; `constant` is the midpoint of the interval between them,
+/// whose width does not depend on the tolerance: the best constant is known only if `upper` is 1, the quotient
+/// of u = 1. At s = 1/2 both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672 √q, `upper` like
+/// (q/8)^{1/2}.
 ///
 /// # Method
 ///
-/// Domain of q: 2 ≤ q < ∞ for s = 1/2. C ≥ 1 by u = 1.
+/// For s = 1/2 the range of q is 2 ≤ q < ∞. C ≥ 1, as u = 1 shows.
 ///
-/// **From below.** Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s:
-/// the quotient rises. For Hölder's constant the norm of the functional v ↦ ∫₀^θ v on the slopes v = u', by one solve,
-/// at all nodes θ. Cost O(N³) once, N of some hundred, O(N²) a step;
-/// the factorized matrix of the last order is kept.
+/// **Lower bound.** Piecewise linear functions on a mesh graded geometrically towards 0 and the iteration u ← B⁻¹ ∫
+/// |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s, which increases the quotient. For the Hölder constant the norm of the
+/// functional v ↦ ∫₀^θ v on the slopes v = u', by one solve, at all nodes θ. Cost: O(N³) once, with N some hundred,
+/// and O(N²) per step; the factorized matrix of the last order is cached.
 ///
-/// **From above.** The even reflection of u on the circle, the double integral there in closed form, and Beckner's
-/// sharp inequality (Ann. of Math. 138 (1993) 213-242): C² ≤ max_k m_k/w_k over the frequencies k. Hölder's inequality
-/// gives C(α) ≤ C(q), q = 1/(1−α). Cost: one pass over k.
+/// **Upper bound.** The even reflection of u to the circle, the double integral there in closed form, and Beckner's
+/// sharp inequality (Ann. of Math. 138 (1993) 213-242): C² ≤ max_k m_k/w_k over the frequencies k. Hölder's
+/// inequality gives C(α) ≤ C(q), q = 1/(1−α). Cost: one pass over k.
 ///
 /// ```
 /// use fractional_sobolev::{Target, embedding_constant};
@@ -127,8 +127,8 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] and [`Error::Incompatible`] for another embedding; [`Error::ToleranceNotMet`] from the norms of
-/// `lower`.
+/// [`Error::OutOfRange`] and [`Error::Incompatible`] for another embedding; [`Error::ToleranceNotMet`] if the norms
+/// of `lower` do not meet the tolerance.
 #[doc(alias("Sobolev embedding", "Sobolev inequality"))]
 pub fn embedding_constant(
     s: impl Given<SobolevOrder>,
@@ -152,7 +152,7 @@ pub fn embedding_constant(
     }
 }
 
-/// The interval between two bounds as an estimate; the upper bound where it is 1 and attained.
+/// The interval between two bounds as an estimate; the upper bound if it is 1, which is attained.
 fn between(lower: Estimate, upper: Estimate) -> Result<Estimate> {
     let work = lower.work + upper.work;
     if upper.value <= 1.0 && lower.value + lower.error >= upper.value {

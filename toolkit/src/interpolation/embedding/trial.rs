@@ -1,4 +1,4 @@
-//! C(q) from below: the quotient ‖u‖\_{L^q}/‖u‖_ν of functions found by an ascent.
+//! A lower bound of C(q): the quotient ‖u‖\_{L^q}/‖u‖_ν of functions computed by an ascent.
 
 use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
@@ -10,17 +10,17 @@ use crate::{Function, Mesh, Order, gram_linears};
 use nalgebra::DMatrix;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// Largest number of steps of the ascent; some dozens suffice if the maximum is isolated.
+/// Largest number of steps of the ascent; some dozen steps suffice if the maximum is isolated.
 const STEPS: usize = 400;
 
 /// Relative increase per step below which the ascent has converged.
 const RISE: f64 = 1e-12;
 
-/// Gauss points per cell in the ascent; the quotient that is returned is integrated anew, to its tolerance.
+/// Gauss points per cell in the ascent; the quotient that is returned is integrated again, to its tolerance.
 const POINTS: usize = 12;
 
-/// Largest exponent for which the layers of a mesh are chosen; for larger ones they would leave the range
-/// of binary64.
+/// Largest exponent for which the layers of a mesh are chosen; for larger ones they would exceed the range of
+/// binary64.
 const LARGEST: f64 = 1000.0;
 /// The same for a critical exponent.
 const LARGEST_CRITICAL: f64 = 800.0;
@@ -34,8 +34,8 @@ static LAST: Mutex<Option<(usize, Arc<EmbeddingSpace>)>> = Mutex::new(None);
 /// Grading towards the end of the interval.
 const RATIO: f64 = 0.6;
 
-/// Number of layers that resolve the extremal functions for exponents up to q: down to e^{-0.6 q}, beyond
-/// ln(1/θ) = q/2 where these functions are cut off.
+/// The number of layers that resolve the extremal functions for exponents up to q: down to e^{-0.6 q}, beyond
+/// ln(1/θ) = q/2, where these functions are cut off.
 fn layers(q: f64) -> usize {
     (30.0 + 0.6 * q.clamp(USUAL, LARGEST) / -RATIO.ln()) as usize
 }
@@ -48,15 +48,16 @@ pub(super) fn graded(q: f64) -> Result<Mesh> {
 /// A function and its quotient ‖u‖\_{L^q}/‖u‖_ν: a lower bound of C(q).
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Trial {
-    /// The quotient; its error is that of evaluating it.
+    /// The quotient; its error is that of its evaluation.
     pub(super) quotient: Estimate,
     pub(super) mesh: Mesh,
     /// Values at the nodes.
     pub(super) values: Vec<f64>,
 }
 
-/// Piecewise linears on a mesh geometric to 0, and u ← B⁻¹ ∫ |u|^{q−2} u φ_i, B the matrix of ‖·‖²_ν: the
-/// quotient rises, ‖·‖_q being convex. Cost O(N³) once, O(N²) a step.
+/// Piecewise linear functions on a mesh graded geometrically towards 0, and the iteration u ← B⁻¹ ∫ |u|^{q−2} u
+/// φ_i, B the matrix of ‖·‖²_ν: the quotient increases, since ‖·‖_q is convex. Cost: O(N³) once, O(N²) per
+/// step.
 #[derive(Debug, Clone)]
 pub(super) struct EmbeddingSpace {
     order: Order,
@@ -66,8 +67,8 @@ pub(super) struct EmbeddingSpace {
 }
 
 impl EmbeddingSpace {
-    /// A space for the exponent q, the last one where order and layers are the same. Below ν = 1/2 it serves four times
-    /// the critical exponent, where that is allowed.
+    /// A space for the exponent q; the last one if order and number of layers are the same. For ν < 1/2 the layers
+    /// are chosen for four times the critical exponent, or for LARGEST_CRITICAL if that is smaller.
     ///
     /// # Errors
     /// As [`EmbeddingSpace::new`].
@@ -89,11 +90,11 @@ impl EmbeddingSpace {
         Ok(space)
     }
 
-    /// Elements shrink by `ratio` from 1/4 to 1/4 ratio^layers at the end 0; equal ones on the rest of (0,
-    /// 1).
+    /// The space on elements that shrink by `ratio` from 1/4 to 1/4 ratio^layers towards the end 0, and equal
+    /// elements on the rest of (0, 1).
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for a ratio outside (0, 1), or elements too short.
+    /// [`Error::OutOfRange`] for a ratio outside (0, 1), or if elements are too short.
     fn new(order: Order, layers: usize, ratio: f64) -> Result<Self> {
         let mut lengths = Mesh::geometric(layers, ratio, 0.25)?.lengths().to_vec();
         let rest = (3.0 * ratio / (1.0 - ratio)).ceil().max(4.0) as usize;
@@ -106,7 +107,7 @@ impl EmbeddingSpace {
         Ok(Self { order, partition, norm, factor })
     }
 
-    /// The best quotient found by ascents from functions concentrated at 0 to several degrees, and from u =
+    /// The best quotient obtained by ascents from functions concentrated at 0 to several degrees, and from u =
     /// 1.
     ///
     /// # Errors
@@ -155,7 +156,7 @@ impl EmbeddingSpace {
         self.trial(q, &values, tolerance)
     }
 
-    /// (∫ |u|^{q−2} u φ_i, ∫ |u|^q).
+    /// The integrals (∫ |u|^{q−2} u φ_i, ∫ |u|^q).
     fn load(&self, q: f64, values: &[f64], rule: &Rule) -> (DMatrix<f64>, f64) {
         let mut load = DMatrix::zeros(values.len(), 1);
         let mut power = 0.0;

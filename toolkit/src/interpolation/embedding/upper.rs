@@ -9,17 +9,17 @@ use std::f64::consts::PI;
 /// Number of terms of the maximum that are computed; the tail is bounded.
 const TERMS: usize = 100_000;
 
-/// Rounding of products of this many factors.
+/// Rounding error of products of this many factors.
 const ROUNDING: f64 = 1e-10;
 
 /// Checks ν ≤ 1/2 and 2 ≤ q ≤ 2/(1−2ν), q < ∞.
 pub(super) fn check(order: Order, q: f64) -> Result<()> {
     let nu = order.value();
-    Error::require("nu", nu, "(0, 1/2] for the embedding in L^q", order.offset() <= 0.0)?;
+    Error::require("nu", nu, "(0, 1/2] for the embedding into L^q", order.offset() <= 0.0)?;
     // q = 2/(1−2ν) itself is rounded.
     let admissible =
         (2.0..=1e6).contains(&q) && q * order.one_minus_twice() <= 2.0 * (1.0 + 4.0 * f64::EPSILON);
-    Error::require("q", q, "[2, 2/(1-2 nu)] and at most 1e6", admissible).map(|_| ())
+    Error::require("q", q, "[2, min(2/(1-2 nu), 1e6)]", admissible).map(|_| ())
 }
 
 /// The critical exponent 2/(1−2ν), infinite at ν = 1/2.
@@ -28,19 +28,18 @@ pub(super) fn critical_exponent(order: Order) -> f64 {
     2.0 / (order.one_minus_twice() + 0.0)
 }
 
-/// An upper bound of C(q), for every function of H^ν(0,1); rounded up.
+/// An upper bound of C(q) for every function of H^ν(0,1), rounded up.
 ///
-/// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best this method gives, lies at most `error` below it:
-/// rounding, and what terms beyond the 100 000th could add. The distance to C(q) is bounded by the
-/// functions of [`super::trial`].
+/// `value` is the bound; max_k (m_k/w_k)^{1/2}, the best bound of this method, is smaller by at most `error`:
+/// rounding, and the possible contribution of the terms beyond the 100 000th. The distance to C(q) is bounded
+/// by the functions of [`super::trial`].
 ///
 /// # Method
 ///
-/// Domain: 2 ≤ q < ∞ for ν = 1/2, 2 ≤ q ≤ 2/(1−2ν) for ν < 1/2. C(q) ≥ 1 by u = 1.
+/// For ν = 1/2 the range of q is 2 ≤ q < ∞, for ν < 1/2 it is 2 ≤ q ≤ 2/(1−2ν). C(q) ≥ 1, as u = 1 shows.
 ///
-/// **From above**, for all functions. The even reflection U of u on the circle (−1, 1) has ‖U‖_q = ‖u‖_q
-/// (normalised measure); let c_k be its Fourier coefficients, p = 1 + 2ν ≤ 2 and K(t) = |2 sin(πt/2)/π|^{-p}.
-/// Then
+/// For all functions, the even reflection U of u to the circle (−1, 1) has ‖U‖_q = ‖u‖_q (normalised measure);
+/// let c_k be its Fourier coefficients, p = 1 + 2ν ≤ 2 and K(t) = |2 sin(πt/2)/π|^{-p}. Then
 /// ```text
 /// ∫∫_{(−1,1)²} (U(x)−U(y))² K(x−y) = 2 ∫∫_{(0,1)²} (u(x)−u(y))² [K(x−y) + K(x+y)],
 /// ```
@@ -56,7 +55,7 @@ pub(super) fn critical_exponent(order: Order) -> f64 {
 /// ```text
 /// ‖U‖²_q ≤ Σ m_k |c_k|²,  m_k = Γ(1/q) Γ(k+1−1/q) / (Γ(1−1/q) Γ(k+1/q)).
 /// ```
-/// Hence C(q)² ≤ max_k m_k/w_k. m_k/R_k falls with k, which bounds the tail. Where the maximum is 1, C(q) = 1
+/// Hence C(q)² ≤ max_k m_k/w_k. m_k/R_k decreases with k, which bounds the tail. If the maximum is 1, C(q) = 1
 /// exactly. Cost: one pass over k, up to the term from which the tail is below the maximum.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! Functions on a triangle: orthonormal polynomials, and powers about the corners.
+//! Functions on a triangle: orthonormal polynomials, and powers at the corners.
 //!
 //! Polynomials (Koornwinder 1975, Dubiner 1991), from a corner with τ, a of [`super::shape`]:
 //! w_km = (2|T|)^{-1/2} P_k(a) R_km(τ), P_k Legendre's polynomials orthonormal on (0, 1) and R_km =

@@ -17,7 +17,7 @@ use std::sync::Arc;
 const FROM_POLYNOMIALS: f64 = 0.004;
 /// Angular polynomials of the powers.
 const ANGULAR: usize = 8;
-/// Degrees, tried in turn, from the second one for tolerances below [`COARSE`].
+/// Successive degrees, from the second one for tolerances below [`COARSE`].
 const DEGREES: [usize; 6] = [10, 14, 18, 22, 26, 30];
 const COARSE: f64 = 1e-5;
 /// The search ends at a degree whose error exceeds this share of the previous error.

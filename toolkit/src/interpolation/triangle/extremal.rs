@@ -11,7 +11,7 @@ const CUT: f64 = 1e-11;
 /// The largest λ with B x = λ A x on the span of the `kept` functions, and its vector with xᵀ A x = 1.
 ///
 /// # Errors
-/// [`Error::NotPositiveDefinite`] when A is not.
+/// [`Error::NotPositiveDefinite`] if A is not positive definite.
 pub(super) fn largest_quotient(
     a: &DMatrix<f64>,
     b: &DMatrix<f64>,

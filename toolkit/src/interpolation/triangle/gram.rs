@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 /// ∫∫ (w(x)−w(y)) (v(x)−v(y)) |x−y|^{-2-2s} over the triangle.
 pub(super) struct CornerGram {
-    /// Polynomials with polynomials, seen from this corner.
+    /// Entries of polynomials with polynomials, seen from this corner.
     pub(super) polynomials: DMatrix<f64>,
     /// Polynomials with τ^{μ−1} P_k(a).
     pub(super) mixed: DMatrix<f64>,
@@ -61,7 +61,7 @@ impl Radial {
 
 impl CornerGram {
     /// Polynomials of that degree and powers τ^{μ−1} P_k, k < `count`, seen from a corner; polynomials with
-    /// polynomials only where wanted.
+    /// polynomials only if requested.
     ///
     /// # Errors
     /// As the rules.

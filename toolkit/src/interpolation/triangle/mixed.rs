@@ -13,7 +13,7 @@ use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 
-/// Points in each direction.
+/// Number of points in each direction.
 const POINTS: usize = 14;
 /// m.
 const GRADE: i32 = 3;

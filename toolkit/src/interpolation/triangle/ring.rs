@@ -16,12 +16,12 @@ use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use nalgebra::DMatrix;
 
-/// Quotient of neighbouring cells in ε.
+/// Ratio of neighbouring cells in ε.
 const SHRINK: f64 = 0.15;
-/// Cells towards ε = 0 and towards q = 0.
+/// Number of cells towards ε = 0 and towards q = 0.
 const TOWARDS_ONE: i32 = 9;
 const TOWARDS_ZERO: i32 = 6;
-/// Points on each.
+/// Number of points on each cell.
 const POINTS: usize = 10;
 /// Cells in |a − b| grow by this, beyond the first of length ε.
 const GROWTH: f64 = 3.0;

@@ -49,17 +49,17 @@ impl TriangleShape {
         Ok(Self { corners: unit, size, twice: signed.abs(), gradients })
     }
 
-    /// Length of the longest edge.
+    /// The length of the longest edge.
     pub(super) fn size(&self) -> f64 {
         self.size
     }
 
-    /// 2|T| in units of the longest edge.
+    /// The number 2|T| in units of the longest edge.
     pub(super) fn twice(&self) -> f64 {
         self.twice
     }
 
-    /// Gradients of the barycentric coordinates, in those units.
+    /// The gradients of the barycentric coordinates, in those units.
     pub(super) fn gradients(&self) -> [[f64; 2]; 3] {
         self.gradients
     }
@@ -76,7 +76,7 @@ impl TriangleShape {
     }
 }
 
-/// Barycentric coordinates of the point (τ, a) seen from a corner.
+/// The barycentric coordinates of the point (τ, a) seen from a corner.
 pub(super) fn barycentric(apex: usize, tau: f64, a: f64) -> Barycentric {
     let mut beta = [1.0 - tau; 3];
     beta[(apex + 1) % 3] = tau * (1.0 - a);
@@ -98,7 +98,7 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Barycentric coordinates of a point.
+/// The barycentric coordinates of a point.
 pub(super) fn at_point(corners: &[[f64; 2]; 3], x: [f64; 2]) -> Barycentric {
     let [a, b, c] = *corners;
     let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];

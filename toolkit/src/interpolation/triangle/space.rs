@@ -17,7 +17,7 @@ use nalgebra::DMatrix;
 /// Number of points of each half in the rules for powers, beyond the degree.
 const MORE: usize = 16;
 
-/// Functions w of the space by their values and gradients, less those of their interpolant where wanted.
+/// Functions w of the space by their values and gradients, less those of their interpolant if requested.
 pub(super) struct Space {
     shape: TriangleShape,
     polynomials: Polynomials,
@@ -46,13 +46,13 @@ impl Space {
         space
     }
 
-    /// Values of all functions.
+    /// The values of all functions.
     pub(super) fn values(&self, beta: Barycentric) -> Vec<f64> {
         let powers = (0..3).flat_map(|apex| self.powers.values(apex, beta));
         self.polynomials.values(&self.shape, 0, beta).into_iter().chain(powers).collect()
     }
 
-    /// Values of all functions less their interpolants.
+    /// The values of all functions minus their interpolants.
     pub(super) fn errors(&self, beta: Barycentric) -> Vec<f64> {
         let interpolant = |corners: &[f64; 3]| (0..3).map(|k| corners[k] * beta[k]).sum::<f64>();
         self.values(beta).iter().zip(&self.corners).map(|(value, c)| value - interpolant(c)).collect()
@@ -76,7 +76,7 @@ impl Space {
         self.polynomials.index().iter().map(|(k, m)| (k + m, false)).chain(powers).collect()
     }
 
-    /// All three forms for an order s < 1.
+    /// The three forms for an order s < 1.
     ///
     /// # Errors
     /// As the rules.
@@ -113,7 +113,7 @@ impl Space {
         Ok(Forms { seminorm: whole, derivative, l2 })
     }
 
-    /// ‖D²w‖² in place of the seminorm, for polynomials alone.
+    /// The forms with ‖D²w‖² instead of the seminorm, for polynomials alone.
     ///
     /// # Errors
     /// As the rules.
@@ -172,7 +172,7 @@ impl Space {
         Ok(matrix)
     }
 
-    /// ‖∇(w − Iw)‖² and ‖w − Iw‖².
+    /// The forms ‖∇(w − Iw)‖² and ‖w − Iw‖².
     fn masses(&self, size: usize) -> Result<[DMatrix<f64>; 2]> {
         let rule = if self.powers.count == 0 {
             let n = self.polynomials.0 + 2;
@@ -197,7 +197,7 @@ impl Space {
     }
 }
 
-/// A G Bᵀ.
+/// The product A G Bᵀ.
 fn between_slopes(a: &DMatrix<f64>, gram: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     times_transpose(&product(a, gram), b)
 }

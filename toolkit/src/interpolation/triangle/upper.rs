@@ -22,7 +22,7 @@ use std::f64::consts::PI;
 
 /// k is a polynomial over τ²: analytic on both halves.
 const POINTS: usize = 20;
-/// Rounding of the whole.
+/// Relative rounding error of the result.
 const ROUNDING: f64 = 1e-12;
 
 /// Upper bounds of sup ‖∇(u − Iu)‖/|∇u|_s and sup ‖u − Iu‖/|∇u|_s for a triangle with longest edge 1.
@@ -48,7 +48,7 @@ pub(super) fn bounds(shape: &TriangleShape, order: Order) -> Result<[f64; 2]> {
     Ok([derivative, l2].map(|bound| bound * (1.0 + ROUNDING)))
 }
 
-/// N for a corner.
+/// The norm N for a corner.
 fn kernel(shape: &TriangleShape, apex: usize) -> Result<f64> {
     let area = 0.5 * shape.twice();
     let [f, t] = shape.frame(apex);
