@@ -25,7 +25,7 @@ pub enum Ends {
     Joined,
 }
 
-/// { w : B w ≤ g } for the nodal values w on an edge.
+/// The set { w : B w ≤ g } of nodal values w on an edge.
 ///
 /// A closed convex polyhedral set; for g = 0 a cone. The matrix B is never stored.
 ///
@@ -98,7 +98,7 @@ impl EdgeCone {
         }
     }
 
-    /// B w: the nodal values, or the means over the segments. On an open edge this also maps the positions of the
+    /// The vector B w: the nodal values, or the means over the segments. On an open edge this also maps the positions of the
     /// nodes to those of the constraints.
     ///
     /// On a closed edge the last mean is that of the closing segment, (w_{n−1} + w_0)/2. Each value is halved before
@@ -113,7 +113,7 @@ impl EdgeCone {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn apply(self, w: &[f64]) -> Vec<f64> {
-        // Halves first: the sum of two huge values must not overflow.
+        // Each value is halved first, so that the sum of two huge values does not overflow.
         let mean = |left: f64, right: f64| 0.5 * left + 0.5 * right;
         match self.cone {
             Cone::Nodal => w.to_vec(),
@@ -127,7 +127,7 @@ impl EdgeCone {
         }
     }
 
-    /// B'λ: the nodal forces that correspond to the multipliers.
+    /// The vector B'λ: the nodal forces that correspond to the multipliers.
     ///
     /// Nodal: (B'λ)_i = λ_i; midpoint: (B'λ)_i = (λ_{i−1} + λ_i)/2, with λ_{−1} = λ_{n−1} = 0 at the ends of an open
     /// edge. The rows of B sum to 1, so that the resultant is preserved: Σ_i (B'λ)_i = Σ_i λ_i = −∫ σ_N.
@@ -231,7 +231,7 @@ impl EdgeCone {
             }));
         }
         Ok(ContactSet::new(match self.cone {
-            // Old nodes and, between two active ones, the new node.
+            // Coarse nodes and, between two active ones, the new node.
             Cone::Nodal => (0..given).map(|i| set[i / 2] && set[i.div_ceil(2) % set.len()]).collect(),
             Cone::Midpoint => set.iter().flat_map(|&active| [active; 2]).collect(),
         }))

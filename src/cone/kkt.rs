@@ -37,15 +37,16 @@ pub const KKT_ROUNDING: f64 = 1e-13;
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct KktTerms<'a> {
-    /// K u − F + B'λ at all unknowns that are not prescribed.
+    /// The residual K u − F + B'λ at all unknowns that are not prescribed.
     pub residual: &'a [f64],
-    /// λ, one per constraint.
+    /// The multipliers λ, one per constraint.
     pub multiplier: &'a [f64],
-    /// B u − g, one per constraint; feasible if ≤ 0.
+    /// The gaps B u − g, one per constraint; feasible if ≤ 0.
     pub gap: &'a [f64],
-    /// max_i (|K||u| + |F|)_i.
+    /// The force scale max_i (|K||u| + |F|)_i.
     pub force: f64,
-    /// max(|u|, |g|), or the displacement due to the load alone if contact prevents all displacement.
+    /// The displacement scale max(|u|, |g|), or the displacement due to the load alone if contact prevents all
+    /// displacement.
     pub displacement: f64,
 }
 
@@ -106,7 +107,7 @@ impl KktResiduals {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
-    /// min λ_i over the active constraints, relative to the λ scale; `None` if no constraint is active.
+    /// The smallest λ_i over the active constraints, relative to the λ scale; `None` if no constraint is active.
     pub pressure: Option<f64>,
     /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` if all
     /// constraints are active.

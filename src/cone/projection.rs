@@ -92,7 +92,7 @@ where
 {
     let mut derivative = Derivative::flat();
     let mut minimisers = Vec::with_capacity(z.len());
-    // Of the first node of a chain; the nodes after it are bounded through the derivative.
+    // For the first node of a chain; the nodes after it are bounded through the derivative.
     let mut limit = Some(f64::INFINITY);
     for (i, &value) in z.iter().enumerate() {
         if (data.is_fixed)(i) {
@@ -162,8 +162,7 @@ where
         );
         let back = |i: usize| (i + n - (cut + 1) % n) % n;
         if x[n - 1] + x[0] <= 2.0 * (data.bound)(cut) {
-            // A closed ring determines its multipliers up to ±c, and the chain shows those with a zero at the
-            // cut.
+            // The multipliers on a closed edge are determined up to ±c; those of the chain vanish at the cut.
             let closed = (0..n).all(|i| x[i] + x[(i + 1) % n] == 2.0 * (data.bound)(at(i)));
             let flags = (0..n).map(|s| closed || (s != cut && active[back(s)])).collect();
             return ((0..n).map(|i| x[back(i)]).collect(), flags);

@@ -86,7 +86,7 @@ impl EdgeCone {
                 previous = 2.0 * force[node] - previous;
                 multiplier[node] = previous;
             }
-            // Between two fixed ends the last segment is the one left open.
+            // Between two fixed ends the last segment is left open.
             let open = usize::from(!from_left && !from_right);
             let mut previous = 0.0;
             for pair in list[meeting..].windows(2).rev().skip(open) {

@@ -73,7 +73,7 @@ pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
     let mut one_at_a_time = false;
     let mut single_steps = 0;
     let mut is_dual_tried = false;
-    // The sets from which one constraint changed sides, with their steps.
+    // The sets from which a single constraint was exchanged, with their steps.
     let mut changed_one: HashMap<ContactSet, usize> = HashMap::new();
     loop {
         let state = problem.solve_with(&set)?;

@@ -219,7 +219,7 @@ impl<'a> Iterate<'a> {
         let fixed = self.problem.fixed;
         let active = |i: usize| !fixed[i] && self.force[i] > self.problem.stiffness[(i, i)] * self.gap[i];
         let set = ContactSet::new((0..fixed.len()).map(active).collect());
-        // Nowhere in contact: what the barrier leaves has no force beside it to be small against.
+        // Without contact, small forces left by the barrier are set to zero.
         let sizes = self.problem.sizes(&self.displacement);
         let is_left = |i: usize| fixed[i] || self.force[i] <= LEFT * sizes.force(i);
         let is_free = set.count() == 0 && (0..fixed.len()).all(is_left);

@@ -32,7 +32,7 @@ pub(super) fn guess(problem: &EdgeProblem<'_>) -> Result<ContactSet> {
     if n <= COARSEST || is_ring && n % 2 == 1 || is_held_inside {
         return Ok(ContactSet::empty(constraints));
     }
-    // The fine nodes that know a coarse one, with their weights.
+    // The fine nodes on which a coarse hat function is nonzero, with their weights.
     let support = |a: usize| {
         let i = stays[a];
         let beside = [i.checked_sub(1).or(is_ring.then_some(n - 1)), Some(i + 1)];

@@ -44,7 +44,7 @@ pub(super) fn edge_interior_point(problem: &EdgeProblem<'_>) -> Result<EdgeOutco
     let active = |i: usize| multiplier[i] > stiffness(i) * gap[i].abs();
     let set = ContactSet::new((0..gap.len()).map(active).collect());
     if set.count() == 0 && largest(&multiplier) <= LEFT * largest(problem.load) {
-        // No force beside it for it to be small against; the balance shows it.
+        // Without contact, small multipliers left by the barrier are set to zero; the balance verifies this.
         multiplier.iter_mut().for_each(|l| *l = 0.0);
     }
     let state = EdgeState { displacement, multiplier, gap };

@@ -27,7 +27,7 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     if contact_set.count() == 0
         && largest(&answer.multiplier) <= LEFT * force_scale(problem, &answer.unknowns)
     {
-        // No force beside it for it to be small against; the balance shows it.
+        // Without contact, small multipliers left by the barrier are set to zero; the balance verifies this.
         answer.multiplier.iter_mut().for_each(|l| *l = 0.0);
     }
     let mut solution = conclude(

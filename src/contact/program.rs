@@ -66,8 +66,7 @@ impl Program {
     /// The solution and the termination status, without residuals.
     pub(super) fn solve(&self) -> Result<Answer> {
         let force = largest(&self.load).max(self.stiff * largest(&self.bound));
-        // Nothing to move, or nothing that moves it: no scale of forces for the solver to work in, and
-        // nothing to solve.
+        // Without unknowns, or without loads and with g ≥ 0, there is no force scale, and the solution is zero.
         if self.load.is_empty() || largest(&self.load) == 0.0 && self.bound.iter().all(|&bound| bound >= 0.0)
         {
             let (unknowns, multiplier) = (vec![0.0; self.load.len()], vec![0.0; self.bound.len()]);

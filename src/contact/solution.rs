@@ -78,22 +78,22 @@ pub struct ContactSolution {
     /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i),
     /// prescribed nodes included, in the unit of length of the mesh.
     pub displacement: Vec<f64>,
-    /// u_N (scalar: u) at the nodes of the contact edge, in order.
+    /// The normal displacement u_N (scalar: u) at the nodes of the contact edge, in order.
     ///
     /// One value per contact node from left to right, n outward; u_N ≤ g in the nodal cone.
     pub normal_displacement: Vec<f64>,
-    /// λ, one per constraint.
+    /// The multipliers λ, one per constraint.
     ///
     /// A force, not a density: λ_i = −∫ σ_N φ_i (nodal) or −∫ σ_N over segment i (midpoint); ≥ 0 up to `kkt.sign`.
     pub multiplier: Vec<f64>,
-    /// B u − g, one per constraint.
+    /// The gaps B u − g, one per constraint.
     ///
     /// It has the dimension of a length and is ≤ 0 up to `kkt.gap`; it is 0 up to rounding where the constraint is
     /// active.
     pub gap: Vec<f64>,
     /// The arc length at every constraint: at its node or at the midpoint of its segment.
     pub positions: Vec<f64>,
-    /// −σ_N at the nodes of the contact edge.
+    /// The contact pressure −σ_N at the nodes of the contact edge.
     ///
     /// (B'λ)_i / ∫ φ_i, one per contact node, ≥ 0 in compression.
     pub pressure: Vec<f64>,

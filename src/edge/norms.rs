@@ -16,11 +16,11 @@ use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 /// Sobolev-Slobodeckij seminorm (1.1) on the edge of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EdgeNorms {
-    /// (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2}.
+    /// The norm (‖u_N‖²_{τ−1/2} + ‖σ_N‖²_{τ−3/2})^{1/2}.
     pub norm: f64,
-    /// |u_N'|_{τ−3/2}.
+    /// The seminorm |u_N'|_{τ−3/2}.
     pub slope: f64,
-    /// |σ_N|_{τ−3/2}.
+    /// The seminorm |σ_N|_{τ−3/2}.
     pub pressure: f64,
 }
 
@@ -47,7 +47,7 @@ pub fn edge_norms(edge_data: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let h = 1.0 / cells as f64;
     let next = |i: usize| if i + 1 < values.len() { i + 1 } else { 0 };
     let slopes: Vec<f64> = (0..cells).map(|i| (values[next(i)] - values[i]) / h).collect();
-    // Half of each nodal force belongs to either cell.
+    // One half of each nodal force belongs to each adjacent cell.
     let share = |i: usize| {
         let at_side = edge_data.sides() == LateralCondition::Natural && (i == 0 || i == cells);
         edge_data.forces()[i] * if at_side { 1.0 } else { 0.5 } / h

@@ -50,7 +50,7 @@ impl Traces {
     }
 }
 
-/// u_N and −σ_N on N equal cells of (0, 1), complementary at every point.
+/// A pair (u_N, σ_N) on N equal cells of (0, 1), complementary at every point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactPair {
     traces: Traces,
@@ -85,7 +85,7 @@ impl ContactPair {
         let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
         if edge_data.sides() == LateralCondition::Periodic {
             values.push(values[0]);
-            // The force at the common node belongs to the cells on its two sides.
+            // The force at a common node belongs to the cells on both sides.
             forces[0] *= 0.5;
             forces.push(forces[0]);
         }

@@ -19,7 +19,7 @@ pub struct RadialInterval {
 }
 
 impl RadialInterval {
-    /// log₁₀ of the ratio of its outer and inner radius.
+    /// The number of decades: log₁₀ of the ratio of outer and inner radius.
     ///
     /// ```
     /// use signorini::edge::RadialInterval;
@@ -62,7 +62,7 @@ pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInt
         match found.last_mut() {
             Some(last) if last.in_contact == in_contact => last.to = radius,
             Some(last) => {
-                // Roots first: products of tiny radii underflow.
+                // Square roots first: products of tiny radii underflow.
                 let border = last.to.sqrt() * radius.sqrt();
                 last.to = border;
                 found.push(RadialInterval { from: border, to: radius, in_contact });

@@ -28,17 +28,17 @@ use rayon::prelude::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SegmentNorms {
-    /// h_e.
+    /// The length h_e.
     pub length: f64,
-    /// ∫ σ_N (I^h u)_N, ≥ 0.
+    /// The nodal consistency term ∫ σ_N (I^h u)_N ≥ 0.
     pub nodal_term: f64,
     /// ∫ σ_N ((I^h u)_N − u_N).
     pub interpolation_term: f64,
     /// −∫ (σ_N − π^h σ_N) u_N.
     pub projection_term: f64,
-    /// ∫ (σ_N − π^h σ_N)(π^h u_N − u_N).
+    /// The midpoint consistency term ∫ (σ_N − π^h σ_N)(π^h u_N − u_N).
     pub midpoint_term: f64,
-    /// ‖σ_N‖_{L¹} = −∫ σ_N.
+    /// The contact force ‖σ_N‖_{L¹} = −∫ σ_N.
     pub force: f64,
     /// Norms of σ_N.
     pub stress: TraceNorms,
@@ -99,12 +99,12 @@ impl TraceNorms {
         })
     }
 
-    /// |v|_ν.
+    /// The seminorm |v|_ν.
     pub fn seminorm(&self) -> f64 {
         self.seminorm_squared.value.sqrt()
     }
 
-    /// ‖v‖²_ν = ‖v‖₀² + |v|²_ν.
+    /// The squared norm ‖v‖²_ν = ‖v‖₀² + |v|²_ν.
     pub fn norm_squared(&self) -> f64 {
         self.l2 * self.l2 + self.seminorm_squared.value
     }
@@ -144,14 +144,14 @@ impl SegmentNorms {
         })
     }
 
-    /// ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν.
+    /// The squared norm ‖u_N‖²_{τ−1/2} = ‖u_N‖₀² + ‖u_N'‖₀² + |u_N'|²_ν.
     ///
     /// With ν = τ − 3/2 the seminorm of order τ − 1/2 of u_N is that of order ν of u_N'.
     pub fn displacement_norm_squared(&self) -> f64 {
         self.displacement.powi(2) + self.slope.norm_squared()
     }
 
-    /// diam C_T, the diameter of the contact set of the segment; `None` without contact.
+    /// The diameter diam C_T of the contact set of the segment; `None` without contact.
     ///
     /// h_e minus the distances from both end points to the nearest zeros of u_N; 0 for a single contact point.
     ///
@@ -259,7 +259,7 @@ impl Integrals {
             let largest = extremes.iter().fold(0.0, |m: f64, u| m.max((u - means[1]).abs()));
             sums.largest_deviation = sums.largest_deviation.max(largest);
         }
-        // An empty or full segment gives −0 or rounding.
+        // On a segment without contact, or entirely in contact, this is −0 or rounding.
         sums.nodal = sums.nodal.max(0.0);
         Ok(sums)
     }

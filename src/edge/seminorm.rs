@@ -60,7 +60,7 @@ impl SeminormForm {
         };
         let mean = x.iter().sum::<f64>() / x.len() as f64;
         let product = operator.apply(&x)?;
-        // A maps constants to zero: subtracting the mean costs nothing and saves digits.
+        // The form vanishes on constants: subtracting the mean is exact and reduces rounding errors.
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
         let size: f64 = operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
         let scale = segment.length().powf(-2.0 * self.order.offset());

@@ -92,7 +92,7 @@ impl EdgeTrace {
         &self.nodes
     }
 
-    /// u_N at the nodes.
+    /// The normal displacement u_N at the nodes.
     pub fn displacement(&self) -> &[f64] {
         &self.displacement
     }
@@ -102,7 +102,7 @@ impl EdgeTrace {
         &self.force
     }
 
-    /// −σ_N at the nodes: each force divided by half the total length of the adjacent cells.
+    /// The contact pressure −σ_N at the nodes: each force divided by half the total length of the adjacent cells.
     ///
     /// These are the lumped densities λᵢ / ∫ φᵢ, φᵢ the hat function of node i: Σ pressureᵢ ∫ φᵢ is the total force.
     ///
@@ -134,7 +134,7 @@ impl EdgeTrace {
         &self.pressed
     }
 
-    /// u_N at any point of the edge (linear between nodes, constant beyond the ends).
+    /// The normal displacement u_N at a point of the edge (linear between nodes, constant beyond the ends).
     pub fn displacement_at(&self, x: f64) -> f64 {
         let right = self.nodes.partition_point(|&node| node < x);
         if right == 0 {

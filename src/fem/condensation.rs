@@ -63,7 +63,7 @@ pub struct Reduced {
 }
 
 impl Reduced {
-    /// b = F_k − K_ki K_ii⁻¹ F_i, in the order of the kept unknowns.
+    /// The condensed load b = F_k − K_ki K_ii⁻¹ F_i, in the order of the kept unknowns.
     pub fn kept(&self) -> &[f64] {
         &self.values[self.interior..]
     }
@@ -105,7 +105,7 @@ impl Condensation {
         let interior_at = |node: usize| {
             (node * c..(node + 1) * c).filter(|&unknown| !prescribed[unknown] && !is_kept[unknown])
         };
-        // Interior unknowns beside kept ones wait until the tree is done.
+        // Interior unknowns adjacent to kept ones are eliminated after the tree.
         let has_kept = |node: usize| (node * c..(node + 1) * c).any(|unknown| is_kept[unknown]);
         let (late, early): (Vec<u32>, Vec<u32>) = (0..matrix.nodes() as u32)
             .filter(|&node| interior_at(node as usize).next().is_some())
@@ -134,7 +134,7 @@ impl Condensation {
         Ok(Self { positions, unknowns, fronts, interior, schur })
     }
 
-    /// S, symmetric, in the order of the kept unknowns.
+    /// The Schur complement S, symmetric, in the order of the kept unknowns.
     pub fn schur(&self) -> &Mat<f64> {
         &self.schur
     }

@@ -15,11 +15,11 @@ pub type Gradient<'a> = &'a dyn Fn(Point) -> [Point; 2];
 /// of the cubature rule.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ErrorNorms {
-    /// (∫ |u − u_h|²)^{1/2}.
+    /// The L² norm (∫ |u − u_h|²)^{1/2}.
     pub l2: f64,
-    /// (∫ |∇(u − u_h)|²)^{1/2}, the seminorm.
+    /// The H¹ seminorm (∫ |∇(u − u_h)|²)^{1/2}.
     pub h1: f64,
-    /// a(u − u_h, u − u_h)^{1/2}.
+    /// The energy norm a(u − u_h, u − u_h)^{1/2}.
     pub energy: f64,
 }
 

@@ -21,7 +21,7 @@ impl Pool {
                 buffer.resize(length, 0.0);
                 buffer
             }
-            // Written at once: zero pages that are first read and then written cost two page faults each.
+            // Written immediately: zero pages that are first read and then written cost two page faults each.
             None => std::iter::repeat_n(0.0, length).collect(),
         }
     }
@@ -30,7 +30,7 @@ impl Pool {
         if length < WORTH_KEEPING {
             return None;
         }
-        // The list is in a usable state whatever happened to another thread that held it.
+        // The list is valid even if another thread panicked while holding the lock.
         let mut waiting = self.waiting.lock().unwrap_or_else(PoisonError::into_inner);
         let best = waiting
             .iter()

@@ -29,7 +29,7 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         }
         let corners = triangle.map(|node| nodes[node]);
         let diameter = (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
-        // Divided by the diameter first: tiny and huge triangles have their shape, too.
+        // Divided by the diameter first, so that the shape of tiny and huge triangles is computed accurately.
         let doubled = doubled_area(
             corners.map(|[x, y]| [(x - corners[0][0]) / diameter, (y - corners[0][1]) / diameter]),
         );
@@ -39,7 +39,7 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         if doubled.is_nan() || doubled <= FLATNESS {
             return Err(bad_triangle(t, "is degenerate: twice its scaled area is", doubled));
         }
-        // Gradients are of the size of diameter over area, stiffness of their squares times area.
+        // Gradients are of the size of diameter/area, entries of the stiffness matrix of their squares times area.
         let area = doubled_area(corners);
         if !area.is_normal() || !(diameter / area).powi(2).is_finite() || !(diameter * diameter).is_finite() {
             return Err(bad_triangle(t, "is beyond the range of binary64: twice its area is", area));

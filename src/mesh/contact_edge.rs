@@ -228,13 +228,13 @@ impl ContactEdge {
         let (first, last) = (points[0], points[points.len() - 1]);
         let length = distance(first, last);
         let normal = [(last[1] - first[1]) / length, (first[0] - last[0]) / length];
-        // Points of a line are off it by the rounding of their coordinates, however short the piece.
+        // Nodes on a line deviate from it by the rounding of their coordinates, however short the piece.
         let rounded = ROUNDING * self.size;
         let allowed = STRAIGHTNESS * length + rounded;
         for i in 1..points.len() {
             let d = [points[i][0] - first[0], points[i][1] - first[1]];
             let off = (d[0] * normal[0] + d[1] * normal[1]).abs();
-            // Written so that a closed chain (length zero, normal not a number) fails, too.
+            // Negated so that a closed chain (length zero, normal NaN) fails as well.
             let straight = off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
             if !straight {
                 return Err(Error::Toolkit(ToolkitError::Edge {

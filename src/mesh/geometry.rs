@@ -23,7 +23,7 @@ pub enum Part {
 pub struct BoundaryEdge {
     /// Start and end node.
     pub nodes: [usize; 2],
-    /// Its label.
+    /// The boundary condition on the edge.
     pub part: Part,
 }
 

@@ -88,7 +88,7 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     for k in 1..rings {
         for j in 0..angles {
             let [a, b, c, d] = [node(k, j), node(k - 1, j), node(k - 1, j + 1), node(k, j + 1)];
-            // Diagonals mirrored at the vertical axis.
+            // Diagonals reflected at the vertical axis.
             triangles.extend(if j < angles / 2 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
         }
     }

@@ -18,13 +18,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SideParts {
-    /// y = 0.
+    /// The side y = 0.
     pub bottom: Part,
-    /// x = 1.
+    /// The side x = 1.
     pub right: Part,
-    /// y = 1.
+    /// The side y = 1.
     pub top: Part,
-    /// x = 0.
+    /// The side x = 0.
     pub left: Part,
 }
 

@@ -37,7 +37,8 @@ pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) ->
 /// Fails unless there are `expected` values, all finite.
 ///
 /// # Errors
-/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch), [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+/// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
 pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
     require_length(name, values.len(), expected)?;
     require_finite(name, values)

@@ -178,7 +178,7 @@ fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Opt
     let (count, set) = (nodes.len(), &solution.contact_set);
     let segments = if is_loop { count } else { count - 1 };
     let clamped = problem.mesh().nodes_on(Part::Dirichlet);
-    // A clamped node says nothing of its edge.
+    // A clamped node does not determine the state of its edge.
     let may_close = |i: usize| clamped[nodes[i]] || set.contains(i);
     let is_closed = |i: usize| match solution.cone {
         Cone::Midpoint => set.contains(i),

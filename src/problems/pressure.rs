@@ -29,7 +29,7 @@ pub(crate) fn contact_forces(
         let force = if q == 0.0 || !a.is_finite() {
             h
         } else if a == b {
-            // The middle of a contact piece lies inside this cell.
+            // The midpoint of a contact interval lies inside this cell.
             2.0 * integral(a * h, (a + 0.5) * h)
         } else {
             integral(a.min(b) * h, a.max(b) * h)

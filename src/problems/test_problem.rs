@@ -144,7 +144,7 @@ const SCALAR: Body = Body {
 /// The square leaning at the angle ω, in degrees, at the left end of its bottom.
 fn leaning_square(n: usize, angle: f64) -> Result<Triangulation> {
     Error::require("angle in degrees", angle, "[20, 160]", (20.0..=160.0).contains(&angle))?;
-    // The left side leans by cot ω; the right one with it when it leans inwards.
+    // The left side is inclined by cot ω; so is the right one if the left one leans inwards.
     let lean = 1.0 / angle.to_radians().tan();
     mapped_grid(n, n, LEFT_HELD, |[x, y]| [x + y * ((1.0 - x) * lean + x * lean.max(0.0)), y])
 }

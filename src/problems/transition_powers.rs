@@ -86,7 +86,7 @@ impl TransitionPowers {
             forces[i + 1] += 0.5 * force;
             last = i + 1;
         }
-        // What lies between the last contact node and a: no force is lost.
+        // The part between the last contact node and a, so that no force is lost.
         let rest = position - last as f64 * h;
         forces[last] += if rest > 0.0 { integral(0.0, rest) } else { 0.0 };
         EdgeData::new(cells, LateralCondition::Natural, values, forces)

@@ -35,13 +35,13 @@ pub struct ProofConstants {
     q: f64,
     /// An upper bound of the constant C(q) of the embedding H^ν(0,1) ⊂ L^q(0,1), with the full norm.
     pub embedding: f64,
-    /// C_L2(ν) of Lemma 6.1.
+    /// The constant C_L2(ν) of Lemma 6.1.
     pub interpolation: f64,
-    /// γ₁(ν) of (4.6).
+    /// The constant γ₁(ν) of (4.6).
     pub projection: f64,
-    /// 1/π of (4.6) for r = 1.
+    /// The constant 1/π of (4.6) for r = 1.
     pub wirtinger: f64,
-    /// 1/√3 of (6.2).
+    /// The constant 1/√3 of (6.2).
     pub pointwise: f64,
     /// The constants C of the printed law and of the corrected law; for τ > 2 the constant itself.
     factors: TwoLaws,

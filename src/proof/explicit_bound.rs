@@ -50,7 +50,7 @@ pub struct MeshShape {
     /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For arbitrary triangles the ratio of the largest circumradius
     /// and h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
     pub interpolation: f64,
-    /// H: the rectangle of height H h on each contact segment lies in Ω.
+    /// The relative height H: the rectangle of height H h on each contact segment lies in Ω.
     pub height: f64,
 }
 

@@ -40,7 +40,7 @@ use fractional_sobolev::{Estimate, Given, Moment, MomentConstant, Order, Toleran
 pub struct SegmentConstant {
     /// The constant.
     pub value: Estimate,
-    /// |E|, accurate to about 1e-6.
+    /// The measure |E| of the contact set, accurate to about 1e-6.
     pub contact: f64,
     /// The two moments whose product it is: on E and on N.
     pub moments: [MomentConstant; 2],

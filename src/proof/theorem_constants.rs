@@ -66,7 +66,7 @@ impl TheoremConstants {
         let interpolation = match interpolation_constant(triangle, ErrorNorm::Derivative, tau - 1.0, asked) {
             Ok(BestConstant { upper: Some(bound), .. }) if tau == 2.0 => ROUND_UP * bound.value,
             Ok(found) => up(found.constant),
-            // The error is added: any will do.
+            // The error estimate is added, so any tolerance is admissible.
             Err(error) => up(error.best().ok_or(error)?),
         };
         let unit = Domain::Interval(1.0);

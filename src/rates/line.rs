@@ -3,9 +3,9 @@
 /// The line ln y = a + s ln x, by least squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Line {
-    /// s: the exponent of a power law.
+    /// The slope s: the exponent of a power law.
     pub slope: f64,
-    /// a.
+    /// The intercept a.
     pub intercept: f64,
 }
 

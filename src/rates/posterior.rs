@@ -246,7 +246,7 @@ fn likelihood(
     &(terms, size, share): &Model,
 ) -> f64 {
     let (count, twice) = (levels.len(), 2.0 * p);
-    // A positive power of a reference that is 0 is 0; there is none otherwise.
+    // A positive power of a zero reference is 0; other powers do not occur.
     let leading = |x: f64| if x == 0.0 { 0.0 } else { x.powf(twice) };
     let column = |x: f64, square: f64| {
         let (at, from) = (beside(terms, x, p), beside(terms, reference, p));
@@ -265,14 +265,14 @@ fn likelihood(
     let (Some(directions), Some(rows)) = (decomposition.u, decomposition.v_t) else {
         return f64::NEG_INFINITY;
     };
-    // Far below the finest level: the model there is ahead + Σ of what each direction adds.
+    // Far below the finest level the model is the leading part plus the sum of the contributions of all directions.
     let (finest, square) = levels[count - 1];
     let far = FAR * finest;
     let ahead: Vec<f64> = std::iter::once(LEADING * leading(far))
         .chain(beside(terms, far, p).into_iter().map(|g| size * g))
         .collect();
     let needed = CONTINUED * square * FAR.powf(2.0 * p.min(cap));
-    // Of each direction: its singular value, what it holds of the rest, what it adds far below.
+    // For each direction: its singular value, its component of the residual, its contribution far below.
     let parts: Vec<(f64, f64, f64)> = decomposition
         .singular_values
         .iter()

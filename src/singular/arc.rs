@@ -31,9 +31,9 @@ const DEGREES: usize = 200;
 /// An eigenvalue λ of the problem on the arc.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArcExponent {
-    /// Re λ.
+    /// The real part Re λ.
     pub re: f64,
-    /// Im λ, of either sign.
+    /// The imaginary part Im λ, of either sign.
     pub im: f64,
 }
 

@@ -73,7 +73,7 @@ impl Mode {
         let rays = (0..=RAYS).map(|k| wedge.angle() * k as f64 / RAYS as f64);
         let sizes = rays.flat_map(|theta| mode.rows(theta).into_iter().take(2));
         let largest = sizes.fold(zero, |m, u| if u.norm() > m.norm() { u } else { m });
-        // As a complex number, so that the largest displacement becomes real, too.
+        // Divided as a complex number, so that the largest displacement becomes real.
         let is_usable = largest.norm() > 0.0 && largest.norm().is_finite();
         Error::require("norm of the angular function", largest.norm(), "(0, inf)", is_usable)?;
         mode.coefficients = mode.coefficients.map(|c| c / largest);

@@ -109,7 +109,7 @@ impl Wedge {
             if !exponent.is_polynomial() {
                 return Ok(CornerRegularity { tau: 1.0 + exponent.re.value, exponent: Some(exponent) });
             }
-            // A polynomial that presses or opens may lead, and all that follow are free.
+            // A polynomial with a strict sign may lead, and the following terms are then free of conditions.
             is_decided |= condition == SignCondition::Signed;
         }
         Ok(CornerRegularity { tau: 1.0 + LARGEST, exponent: None })

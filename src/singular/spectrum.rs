@@ -25,9 +25,9 @@ pub const LARGEST: f64 = 3.0;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exponent {
-    /// Re λ.
+    /// The real part Re λ.
     pub re: Estimate,
-    /// Im λ ≥ 0; exactly zero for a real exponent.
+    /// The imaginary part Im λ ≥ 0; exactly zero for a real exponent.
     pub im: Estimate,
     /// Multiplicity as a zero of the characteristic function.
     pub multiplicity: usize,

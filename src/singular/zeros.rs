@@ -87,7 +87,7 @@ fn search(f: &Factor, area: Rectangle, count: usize, points: &mut u64, found: &m
         let parts = if height > width { lying(area, cut) } else { standing(area, cut) };
         let counts: Option<Vec<usize>> = parts.iter().map(|part| zeros(f, part, points)).collect();
         let Some(counts) = counts else { continue };
-        // What lies below the axis mirrors what lies above.
+        // Zeros below the axis are the reflections of those above.
         let is_mirrored = area.is_symmetric() && height > width;
         let total = counts[0] + counts[1] * if is_mirrored { 2 } else { 1 };
         if total != count {
@@ -133,7 +133,7 @@ fn iterate(f: &Factor, area: &Rectangle, count: usize) -> Option<Vec<Zero>> {
     let (a, b) = (a?, b?);
     let apart = narrow(a - b).norm();
     if apart <= SAME * narrow(a).norm() {
-        // Twice the same zero, unless the parabola there says that it is double.
+        // The same zero twice, unless the parabola at that point shows that it is double.
         let both = parabola(f, a)?.map(|step| narrow(step).norm());
         let is_double = both[0].max(both[1]) <= SAME * narrow(a).norm();
         return is_double.then(|| vec![zero(f, real_if(area, a), 2)]);
@@ -141,7 +141,7 @@ fn iterate(f: &Factor, area: &Rectangle, count: usize) -> Option<Vec<Zero>> {
     if !area.is_symmetric() {
         return Some(vec![zero(f, a, 1), zero(f, b, 1)]);
     }
-    // Two zeros and their mirror images are the same two: both real, or conjugates.
+    // Two zeros and their complex conjugates coincide as sets: both are real, or they are conjugates.
     let is_pair = (a.im - b.im).0.abs() > (a.re - b.re).0.abs();
     if is_pair {
         let upper = if a.im.0 > 0.0 { a } else { b };

@@ -131,12 +131,12 @@ impl EdgeData {
         self.sides
     }
 
-    /// u_N at the nodes.
+    /// The normal displacement u_N at the nodes.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// λ at the nodes, as forces.
+    /// The contact forces λ at the nodes.
     pub fn forces(&self) -> &[f64] {
         &self.forces
     }

@@ -155,7 +155,7 @@ pub struct MultigridLevel {
 /// ```
 #[derive(Debug, Clone)]
 pub struct MultigridReport {
-    /// |u_h|_a, with the estimated error of u_h in the same norm; `None` for the direct solver.
+    /// The energy norm |u_h|_a, with the estimated error of u_h in the same norm; `None` for the direct solver.
     pub error: Option<Estimate>,
     /// The estimated discretisation error in the energy norm.
     pub discretisation: Option<f64>,

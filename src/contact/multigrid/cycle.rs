@@ -70,8 +70,8 @@ impl<'a, L: Level> Cycle<'a, L> {
         let size = largest(r);
         if size > 0.0 && size.is_finite() {
             rounded(&mut self.work[top].b, 1.0 / size, r);
-            // On a run r is the contact force, and what is left for the amplitude may be below its rounding
-            // in f32.
+            // On a contact interval r is the contact force, and its component along the amplitude may be below
+            // rounding in f32.
             for saw in &self.sawtooths {
                 saw.force(r, 1.0 / size, &mut self.work[top].b);
             }

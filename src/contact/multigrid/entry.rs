@@ -71,7 +71,7 @@ impl ContactProblem {
         if coarsest.is_none() {
             return self.directly(cone, Fallback::NoLevels);
         }
-        // Inside the pool, so that short tasks need no other thread.
+        // Inside the thread pool, so that short tasks are not passed to another thread.
         let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
         let found = found?;
         if found.status.is_converged() || self.unknowns() > LARGEST_DIRECT {

@@ -86,7 +86,7 @@ impl FreePart {
         let mut held: Vec<bool> = amplitude.iter().map(Option::is_none).collect();
         let mut sawtooths = Vec::new();
         for run in runs.into_iter().filter(|run| run.len() > 1) {
-            // The smallest change that does it.
+            // The smallest change that satisfies the constraints.
             let mean = run.iter().map(|&(k, sign)| sign * change[k]).sum::<f64>() / run.len() as f64;
             for &(k, sign) in &run {
                 change[k] -= sign * mean;

@@ -61,7 +61,7 @@ impl Gradients {
         level.multiply(&self.direction, &mut self.image);
         let curvature = dot(&self.direction, &self.image);
         let length = self.rho / curvature;
-        // The negation catches what is not a number.
+        // The negated comparison also holds for NaN.
         if !(curvature > 0.0 && length > 0.0 && length.is_finite()) {
             return false;
         }

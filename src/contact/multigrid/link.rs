@@ -52,7 +52,7 @@ impl Link {
         let mut active: Vec<bool> = Vec::with_capacity(constraints);
         let mut before = None;
         for k in 0..constraints {
-            // The segment between the first and the last coarse node that the ends of the fine segment know.
+            // The segment between the first and the last coarse parent of the ends of the fine segment.
             let ends = [self.parents[k], self.parents[k + 1]];
             let segment = ends.as_flattened().iter().min().copied().filter(|&s| s < coarse.constraints());
             let turn = segment.and_then(|segment| turns[segment]);

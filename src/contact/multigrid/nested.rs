@@ -172,7 +172,7 @@ impl<'a> Job<'a> {
         let work = Work { iterations, factorizations: 1, ..Work::default() };
         let error = outcome.error + rounding(problem, &unknowns);
         // (K e)_i² ≤ K_ii |e|_a² and |u|_a² ≤ N max|u| max(|K||u| + |F|): an error of this size leaves a residual below √N times
-        // its share. A larger one says that the cycle is no preconditioner.
+        // this fraction of the terms. A larger residual means that the cycle is not a suitable preconditioner.
         let share = if outcome.norm > 0.0 { error / outcome.norm } else { 0.0 };
         let accepted = SPARE * (unknowns.len() as f64).sqrt() * share.max(f64::EPSILON);
         let solution = conclude(

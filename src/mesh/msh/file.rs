@@ -35,7 +35,7 @@ use std::path::Path;
 /// # Errors
 /// [`File`](crate::Error::File) if the file cannot be read, and the errors of [`parse_msh`].
 pub fn read_msh(path: &Path) -> Result<Triangulation> {
-    // A binary file has its format in a line of text, too.
+    // Binary files also state their format in a line of text.
     parse_msh(&read_text(path)?)
 }
 

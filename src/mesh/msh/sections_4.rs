@@ -21,7 +21,7 @@ impl Raw {
                         let why = format!("{what} {tag} is in {groups} physical groups, expected one");
                         return Err(lines.fault(&why));
                     }
-                    // A negative tag says that the curve is turned.
+                    // A negative tag means reversed orientation of the curve.
                     self.groups.insert((dimension, tag as i64), group.abs() as i64);
                 }
             }

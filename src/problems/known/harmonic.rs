@@ -57,7 +57,7 @@ impl Harmonic {
         if p != 1.0 {
             let power = Complex::from_polar(p * r.powf(p - 1.0), (p - 1.0) * phi);
             let slope = Complex::<f64>::I * power / (p * PI).sin();
-            // z^p → 0 where z^{p−1} is no number.
+            // z^p → 0 where z^{p−1} is not finite.
             let value = if r == 0.0 { Complex::ZERO } else { slope * z / p };
             return [value, slope];
         }

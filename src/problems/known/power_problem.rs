@@ -30,7 +30,7 @@ impl Power {
                 let distances = [low, high].map(|x| side * (x - TRANSITION));
                 let (near, far) = (distances[0].min(distances[1]).max(0.0), distances[0].max(distances[1]));
                 let (whole, first) = (moment(1.0, near, far), moment(2.0, near, far));
-                // The hat of the right node is (x − left)/h, x = a ± r.
+                // The hat function of the right node is (x − left)/h, x = a ± r.
                 let right_part = ((TRANSITION - left) * whole + side * first) / h;
                 load[(i + 2) * c - 1] += normal * size * right_part;
                 load[(i + 1) * c - 1] += normal * size * (whole - right_part);

@@ -181,7 +181,7 @@ fn displacement(
 ) -> Result<[Vec<Complex<f64>>; 2]> {
     let modes = operator.modes(normal)?;
     let mut x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
-    // A real displacement has real mean and real top mode.
+    // A real displacement has real zeroth and highest modes.
     if let [first, .., last] = &mut x[..] {
         (first.im, last.im) = (0.0, 0.0);
     }

@@ -51,7 +51,7 @@ fn coth_difference(a: f64, d: f64) -> f64 {
     if a > DEEP {
         return 0.0;
     }
-    // sinh d / (sinh a sinh(a+d)) with the growing factor taken out.
+    // sinh d / (sinh a sinh(a+d)) with the exponential growth factored out.
     let decay = -(-2.0 * d).exp_m1() / -(-2.0 * (a + d)).exp_m1();
     decay * (-a).exp() / a.sinh()
 }

@@ -220,7 +220,7 @@ impl Column {
         self.released = (y[0].conj() * z[0] + y[1].conj() * z[1]).re;
         let pulled = apply(&carried, y);
         self.load = [y[0] - pulled[0], y[1] - pulled[1]];
-        // The Hermitian part: the rest is rounding, which the recursion would let grow.
+        // Only the Hermitian part is kept: the rest is rounding, which the recursion would amplify.
         self.above = t.add(p).sub(carried.mul(coupling.adjoint())).hermitian();
     }
 }

@@ -54,7 +54,7 @@ impl RealFourier {
 
     /// real ← P times the function with the modes in spectrum, which are overwritten.
     pub(crate) fn backward(&self, work: &mut Workspace) -> Result<()> {
-        // A real function has real mean and real top mode; rounding must not make the transform refuse.
+        // A real function has real zeroth and highest modes; rounding must not cause an error of the transform.
         if let Some(last) = work.spectrum.len().checked_sub(1) {
             work.spectrum[0].im = 0.0;
             work.spectrum[last].im = 0.0;

@@ -81,8 +81,8 @@ impl<'a> Preconditioner<'a> {
         plan.fourier.fit(work);
         work.real.fill(0.0);
         let value = |j: usize| r[(gap.start + j) % nodes];
-        // Position 1 + j on the odd grid; the end node of a natural side is the centre of the mirrored gap
-        // and its dual value counts twice there.
+        // Position 1 + j on the odd grid; the end node of a natural side is the centre of the reflected interval, and
+        // its dual value counts twice there.
         for j in 0..gap.len {
             let v = value(j);
             if !mirrored {
@@ -126,7 +126,7 @@ impl GapPlan {
         let last = symbol.len() - 1;
         let factor = (0..=half)
             .map(|k| {
-                // The symbol between its grid values, linearly.
+                // The symbol interpolated linearly between its grid values.
                 let place = k as f64 * last as f64 / half as f64;
                 let i = (place as usize).min(last - 1);
                 let t = place - i as f64;

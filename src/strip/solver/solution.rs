@@ -17,12 +17,12 @@ use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct EdgeSolution {
-    /// u_N at the edge nodes.
+    /// The normal displacement u_N at the edge nodes.
     ///
     /// One value per edge node, ordered by x = i/n. In the nodal cone they are ≤ 0, in the midpoint cone their means
     /// over segments are.
     pub values: Vec<f64>,
-    /// λ ≥ 0, one per node (nodal cone) or per segment (midpoint cone).
+    /// The multipliers λ ≥ 0, one per node (nodal cone) or per segment (midpoint cone).
     ///
     /// These are forces, λ_i = −∫ σ_N φ_i or −∫ σ_N over segment i, not scaled by h.
     pub multiplier: Vec<f64>,

@@ -69,7 +69,7 @@ impl EdgeOperator {
     ) -> Result<EdgeSolution> {
         let tolerance = tolerance.given()?.relative();
         self.check_field("edge load", force)?;
-        // The problem is homogeneous: solved for a load of size one, whatever the size of the data.
+        // The problem is positively homogeneous: it is solved for a load of size one.
         let size = largest(force);
         let scale = if size > 0.0 { size } else { 1.0 };
         let unit: Vec<f64> = force.iter().map(|b| b / scale).collect();
@@ -133,7 +133,7 @@ impl<'a> Iteration<'a> {
         self.active = match (start.cone == self.cone.kind(), start.values.len() == nodes) {
             (true, true) => start.contact.as_slice().to_vec(),
             (true, false) => self.cone.refined_set(&start.contact)?.as_slice().to_vec(),
-            // From the other cone: a constraint is taken as active where the values leave no room.
+            // For a start from the other cone, a constraint counts as active if (B w)_i ≥ 0.
             (false, _) => self.cone.apply(&self.values).iter().map(|&mean| mean >= 0.0).collect(),
         };
         Ok(())
@@ -158,7 +158,7 @@ impl<'a> Iteration<'a> {
                 accurate = true;
                 continue;
             }
-            // A set that comes back: first more accurate linear problems, then a descent that cannot cycle.
+            // If a set recurs: first more accurate linear problems, then a descent that cannot cycle.
             if !visited.insert(fingerprint(&next)) {
                 if accurate {
                     return self.descend();
@@ -244,7 +244,7 @@ impl<'a> Iteration<'a> {
             residual: &residual,
             multiplier: &multiplier,
             gap: &gap,
-            // ‖A‖ max|g| + max|b|: the size of what cancels in the balance.
+            // ‖A‖ max|g| + max|b|: the size of the terms of the balance.
             force: self.operator.norm() * displacement + largest(self.b),
             displacement,
         };
