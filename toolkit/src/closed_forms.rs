@@ -37,7 +37,7 @@ const SQUARE_POINTS: usize = 20;
 /// − 1,
 /// - below: Σ_k (1+2ν)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all
 ///   terms positive;
-/// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated against τ^{1-2ν}.
+/// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated with the weight τ^{1-2ν}.
 ///
 /// Neither cancels at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///

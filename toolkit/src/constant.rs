@@ -265,9 +265,13 @@ impl Extremal {
     /// As [`Function::interpolate`]; [`Error::Incompatible`] for a function without graded cells.
     pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
         let Kind::Interval(u) = &self.0 else {
-            let (given, expected) =
-                ("of a function without cells".to_owned(), "an extremal function of gamma or moment");
-            return Err(Error::Incompatible { what: "interpolant", given, with: "graded cells", expected });
+            let (given, expected) = ("on graded cells".to_owned(), "an extremal function of gamma or moment");
+            return Err(Error::Incompatible {
+                what: "interpolant",
+                given,
+                with: "a function without such cells",
+                expected,
+            });
         };
         let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
         let mut nodes: Vec<f64> = u.profile(pieces).into_iter().map(|(x, _)| x).collect();

@@ -80,7 +80,7 @@ pub enum Error {
         expected: &'static str,
     },
     /// Two choices that cannot be combined.
-    #[error("{what} {given} cannot be combined with {with}: expected {expected}")]
+    #[error("{what} {given} is not available for {with}: expected {expected}")]
     Incompatible {
         /// Name of the choice.
         what: &'static str,

@@ -1,5 +1,5 @@
-//! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))² of piecewise linears
-//! or constants.
+//! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))², u piecewise
+//! linear or piecewise constant.
 //!
 //! - an element with itself: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
 //! - neighbours of lengths p, q, on one side or across a corner: the integrand is homogeneous about the common

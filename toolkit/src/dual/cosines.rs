@@ -5,7 +5,7 @@
 //! interval it is (1.1) with the kernel of all even images. Its dual form has two representations:
 //! - exactly, by resolvents ([`super::resolvent`]):
 //!   1/(β + cλ^ν) = (sin πν / π) ∫_0^∞ c s^ν / (β² + 2βc s^ν cos πν + c² s^{2ν}) ds / (s + λ);
-//! - over the piecewise linears on M equal elements: they are spanned by the interpolants of cos kπx, whose
+//! - over the piecewise linear functions on M equal elements: they are spanned by the interpolants of cos kπx, whose
 //!   coefficients at the aliases k + 2Mm are (sin φ/(φ+πm))², φ = kπ/2M, so that the Gram matrix is diagonal,
 //!   μ_k = sin⁴φ/2 Σ_m (β + c (2M)^{2ν} |φ+πm|^{2ν}) |φ+πm|^{-4}, twice that for k = M, β for k = 0.
 //!   The sums are (2 + cos 2φ)/3 for β and Hurwitz's zeta functions for c; a transform costs O(M log M).

@@ -26,7 +26,7 @@ use crate::piecewise::PiecewisePolynomial;
 /// First and largest number of equal elements.
 const FIRST: usize = 64;
 const MOST: usize = 1 << 20;
-/// Number of elements from which on a mesh is refined only if the tolerance can be met within SPARE
+/// Number of elements from which a mesh is refined only if the tolerance can be met within SPARE
 /// bisections.
 const LARGE: usize = 1 << 18;
 const SPARE: f64 = 0.0;

@@ -211,7 +211,7 @@ impl<'a> SingularFunction<'a> {
     /// (S, u/S) with S a power of two near the largest value at some points of every side, so that squares
     /// and powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
     ///
-    /// Evaluations of u/S count against the work limit of the tolerance.
+    /// Evaluations of u/S are counted in the work limit of the tolerance.
     pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
@@ -298,7 +298,7 @@ impl<'a> SingularFunction<'a> {
         self.value_at(arm.anchor, offset, depth)
     }
 
-    /// True when the function can be evaluated at any depth.
+    /// True if the function can be evaluated at any depth.
     pub(crate) fn is_known_at_any_depth(&self) -> bool {
         self.sight == Sight::LogDistance
     }

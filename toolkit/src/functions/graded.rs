@@ -1,5 +1,5 @@
 //! Functions with structure on many scales as piecewise polynomials: layers far below the interval at a
-//! breakpoint, short intervals beside long ones, undeclared kinks and peaks.
+//! breakpoint, short intervals next to long ones, undeclared kinks and peaks.
 //!
 //! Every side is cut at R/2^k towards its breakpoint, down to the scale below which u agrees with a single
 //! polynomial to the tolerance at all scales ([`Profile`]); cells away from the breakpoint are bisected by the

@@ -42,7 +42,7 @@ const FALLS: f64 = 0.3;
 /// The estimate from levels of increasing accuracy, until two agree to `factor` times the tolerance, the
 /// accuracy of the integral for which the derived quantity meets the tolerance.
 ///
-/// Stops when finer rules do not help: when the total error does not decrease, or when the part independent
+/// The iteration ends if finer rules do not help: if the total error does not decrease, or if the part independent
 /// of the rules (rounding and the limit at a breakpoint) stays above the tolerance.
 pub(super) fn refine(
     u: &SingularFunction,

@@ -18,7 +18,7 @@ use crate::numeric::scale::power_of_two;
 
 /// End of the first cells, which every rule resolves.
 const BEGUN: f64 = 3.0;
-/// ln of the factor by which a profile rises after a significant local minimum.
+/// ln of the factor by which a profile increases after a significant local minimum.
 const RISE: f64 = 2.0;
 /// Depth from which the cells of a rule may be wide, and the second difference of ln e for which they are too
 /// wide.

@@ -24,7 +24,7 @@ impl<'a> SingularFunction<'a> {
         self.sight == Sight::Coordinate && self.breaks().iter().any(|&at| at != 0.0)
     }
 
-    /// Counts kernel values against the work limit.
+    /// Deducts kernel values from the work limit.
     ///
     /// # Errors
     /// [`crate::Error::ToleranceNotMet`] if the limit is exceeded.

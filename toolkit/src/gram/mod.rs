@@ -1,4 +1,5 @@
-//! Gram matrices of |·|_ν and of L² for piecewise constants and linears: dense, and as fast products.
+//! Gram matrices of |·|_ν and of L² for piecewise constant and piecewise linear functions: dense, and as fast
+//! products.
 
 mod band;
 mod circulant;

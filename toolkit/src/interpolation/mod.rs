@@ -56,7 +56,7 @@ use crate::order::SobolevOrder;
 /// a lower bound: a generalised eigenvalue problem. The bounds of degrees p, p − 2, ... converge like
 /// p^{-k}, with k estimated from three of them; the constant is their extrapolated limit, and its error the
 /// sum of the change of that limit from p − 2 to p, a part of its distance from the bound, and the
-/// contribution of the last direction of the powers. p rises from 10, or from 14 for tolerances below 1e-5,
+/// contribution of the last direction of the powers. p increases from 10, or from 14 for tolerances below 1e-5,
 /// to 30 at most. `upper` is proved by telescoping over halved triangles; for the gradient at s = 1 it is
 /// Kobayashi's (Proc. Symp. RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
 ///

@@ -1,4 +1,4 @@
-//! The kernel |x−z|^{-2-2s}, integrated over the radii against r^{s−1+iτ}.
+//! The kernel |x−z|^{-2-2s}, multiplied by r^{s−1+iτ} and integrated over the radii.
 //!
 //! K_τ(a) = ∫_{−∞}^∞ cos(τu) (2cosh u − 2cos a)^{-1-s} du,
 //! D_τ(a) = ∫_{−∞}^∞ (cosh((1−s)u) − cos(τu)) (2cosh u − 2cos a)^{-1-s} du, 0 < a ≤ π.

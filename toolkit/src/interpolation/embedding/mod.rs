@@ -14,7 +14,7 @@ use hoelder::EndIncrements;
 use trial::{EmbeddingSpace, Trial};
 use upper::upper_bound;
 
-/// The space into which H^s(0, 1) is embedded. A plain number q stands for L^q.
+/// The space into which H^s(0, 1) is embedded. A plain number q denotes L^q.
 ///
 /// ```
 /// use fractional_sobolev::{Target, embedding_bound};
