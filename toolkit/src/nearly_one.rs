@@ -84,7 +84,12 @@ fn met(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Esti
     if found.error <= tolerance.relative() * found.value {
         return Ok(found);
     }
-    Err(Error::not_met(what, tolerance.relative(), found, "rounding of the exponent and of the value"))
+    Err(Error::not_met(
+        what,
+        tolerance.relative(),
+        found,
+        "rounding of the exponent and of the value limits the accuracy",
+    ))
 }
 
 #[cfg(test)]

@@ -60,7 +60,12 @@ impl BoundaryFunction {
         // Each node may be displaced by ONE_NODE L, which counts as much as an element of that length.
         let displaced = ONE_NODE * self.curve().len() as f64 * found.value;
         let found = Estimate::new(found.value, found.error + displaced, found.work)?;
-        accept("dual norm", found, tolerance, "the dual norms of the even and the odd part")
+        accept(
+            "dual norm",
+            found,
+            tolerance,
+            "the dual norms of the even and the odd part limit the accuracy",
+        )
     }
 
     /// The function of the arc length on (0, L).

@@ -53,7 +53,7 @@ impl BoundaryFunction {
                 best = Some(best.filter(|best| best.error <= found.error).unwrap_or(found));
             }
             if 2 * curve.len() > MOST {
-                let why = "1500 elements do not suffice; grade the mesh towards corners and jumps";
+                let why = "1500 elements do not suffice: grade the mesh towards the corners and the jumps";
                 return Err(Error::best_of("dual norm", tolerance.relative(), best, why));
             }
             curve = curve.halved()?;

@@ -57,7 +57,7 @@ impl MeshFunctional {
             solve_iteratively(&self.partition, order, &load, tolerance)
                 .map_err(|e| e.carry("dual norm", root))?
         };
-        let why = "rounding of the matrix and of its factorization";
+        let why = "rounding of the matrix and of its factorization limits the accuracy";
         accept("dual norm", squared.sqrt()?.times(size)?, tolerance, why)
     }
 }

@@ -190,7 +190,7 @@ impl PiecewisePolynomial {
         if found.relative_error() <= tolerance.relative() {
             return Ok(found);
         }
-        let why = "rounding of the sums over the elements";
+        let why = "rounding of the sums over the elements limits the accuracy";
         Err(Error::not_met("dual norm", tolerance.relative(), found, why))
     }
 }

@@ -26,8 +26,8 @@ use super::Result;
 /// ```
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a plain number or a value for this parameter",
-    note = "orders, tolerances and places are `f64`: write 0.5 (not 1/2, an integer, nor 0.5_f32), \
-            zones are ranges: 0.2..0.25, from start to end"
+    note = "orders, tolerances and positions are `f64`: write 0.5 (not the integer 1/2 or 0.5_f32); \
+            zones are ranges from start to end: 0.2..0.25"
 )]
 pub trait Given<T> {
     /// The parameter.

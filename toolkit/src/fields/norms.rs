@@ -19,7 +19,7 @@ const SHARE: f64 = 0.2;
 const ROUNDING_SAFETY: f64 = 4.0;
 /// Message: what limits the accuracy.
 pub(super) const LIMIT: &str =
-    "rounding of the function dominates a small difference, or the limit at a breakpoint is not resolved";
+    "rounding of the function dominates the small difference, or the limit at a breakpoint is not resolved";
 
 /// The difference u − u_h of a function with declared breakpoints and a piecewise polynomial on many elements:
 /// an interpolant or a finite element solution. Its norms are those of other functions.

@@ -43,7 +43,7 @@ const FLOOR: f64 = 64.0 * f64::EPSILON;
 
 /// Message: the oscillations are not resolved.
 const TOO_MANY: &str =
-    "the structure of the function between its breakpoints is not resolved by 100000 cells";
+    "the structure of the function between its breakpoints is not resolved by 131072 cells";
 /// Message: the oscillations are not resolved to the tolerance.
 const LIMIT: &str = "rounding of the values dominates the error";
 

@@ -57,7 +57,7 @@ pub(super) fn largest(
         best = Some(root);
         (coarse, cells) = (fine, 2 * cells);
     }
-    let why = "more than 4096 cells would be required";
+    let why = "more than 4096 cells are required";
     Err(Error::best_of("best constant on a mesh", tolerance.relative(), best, why))
 }
 

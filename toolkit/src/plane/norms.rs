@@ -20,7 +20,7 @@ const LEAST_SHARPER: f64 = 1e-4;
 /// Default limit of kernel evaluations per triangle.
 const PER_TRIANGLE: u64 = 1 << 26;
 /// Message: what limits the accuracy of a sum over pairs.
-const LIMIT: &str = "rounding dominates: finer rules and clusters do not help";
+const LIMIT: &str = "rounding limits the accuracy: more quadrature points do not reduce the error";
 
 impl PlaneFunction {
     /// The seminorm |w|_s.

@@ -57,7 +57,8 @@ pub(crate) struct SectorPower {
 /// Number of points in each direction, and that of the rule for the error estimate.
 const POINTS: [usize; 2] = [16, 22];
 /// Message: what limits the accuracy.
-const LIMIT: &str = "the largest number of quadrature points is reached, or rounding of a + 1 - s dominates";
+const LIMIT: &str =
+    "the largest number of quadrature points is reached, or rounding of a + 1 - s limits the accuracy";
 /// Largest width of a cell.
 const CELL: f64 = 0.5;
 /// Largest opening angle; beyond it the two sides come close to each other.

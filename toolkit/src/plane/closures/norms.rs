@@ -11,7 +11,7 @@ use crate::root::{accept, root_of_squares, scaled, scaled_root};
 
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the largest number of quadrature points is reached: the function is less smooth than declared, or \
-     rounding dominates";
+     rounding limits the accuracy";
 
 /// The estimate if it meets the tolerance, otherwise [`Error::ToleranceNotMet`].
 fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
