@@ -10,8 +10,8 @@
 //! t up to where c holds, (c'w − g)/|d₂|², or to where a multiplier of the working set changes its sign; that
 //! constraint is then dropped. The minimal energy subject to the working set increases from one set to the next, so
 //! that no set recurs: the method terminates for every symmetric positive definite S and all loads, in exact
-//! arithmetic. The constraint added is the one with the largest violation in the energy norm, (c'w −
-//! g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the square root of that of B S⁻¹B', n^{3/2} in the
+//! arithmetic. The constraint added is the one with the largest violation in the energy norm,
+//! (c'w − g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the square root of that of B S⁻¹B', n^{3/2} in the
 //! midpoint cone.
 //!
 //! No initial guess is needed: sawtooths of multipliers, which slow down an exchange method, are dropped one by one.

@@ -8,13 +8,13 @@
 //! | [`Traces::Linears`] | quadratic on cells, C¹ | linear, continuous | as u_N' | ν < 3/2; used for 2 ≤ τ < 5/2 |
 //!
 //! *Constants.* u_N interpolates the nodal values. A nodal force λ_i is distributed evenly over those of the adjacent
-//! cells (one or two) whose end points are both in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or σ_N
-//! = 0.
+//! cells (one or two) whose end points are both in contact, so that ∫ σ_N = −Σ λ_i, and on every cell u_N = 0 or
+//! σ_N = 0.
 //!
-//! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i +
-//! u_{i+1})/4: the quadratic spline of the data, which is ≤ 0 and vanishes on a cell only when four nodal
-//! values do (at the ends of the edge the data are extrapolated linearly). σ_N takes the nodal densities where
-//! both adjacent cells are in contact, and 0 at all other nodes.
+//! *Linears.* u_N' has the nodal values (u_{i+1} − u_{i−1})/(2δ), hence u_N(x_i) = (u_{i−1} + 2u_i + u_{i+1})/4: the
+//! quadratic spline of the data, which is ≤ 0 and vanishes on a cell only when four nodal values do (at the ends of
+//! the edge the data are extrapolated linearly). σ_N takes the nodal densities where both adjacent cells are in
+//! contact, and 0 at all other nodes.
 //!
 //! In both cases u_N ≤ 0, σ_N ≤ 0 and σ_N u_N = 0 hold exactly at every point: the pair is the exact solution of a
 //! contact problem on a strip, and every inequality of the proof applies to it with the norms of the continuous

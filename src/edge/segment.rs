@@ -13,9 +13,8 @@ use rayon::prelude::*;
 /// The norms of a pair (u_N, σ_N) on one segment.
 ///
 /// On a segment T of length h_e with end points a₁ < a₂: I^h is the linear interpolant at the end points, π^h the
-/// mean over T, ν the
-/// order of the seminorms (1.1). Because σ_N u_N = 0, `interpolation_term` = `nodal_term` (3.11) and `projection_term` =
-/// `midpoint_term`, up to rounding.
+/// mean over T, ν the order of the seminorms (1.1). Because σ_N u_N = 0, `interpolation_term` = `nodal_term` (3.11)
+/// and `projection_term` = `midpoint_term`, up to rounding.
 ///
 /// ```
 /// use signorini::edge::ContactPair;

@@ -1,10 +1,10 @@
 //! Integration over triangles: conical products of Gauss rules, graded toward declared singular points.
 //!
-//! The map (s, t) ↦ a + s ((b − a) + t (c − b)) takes the unit square to the triangle with Jacobian 2A s, so
-//! n points of the Gauss-Jacobi rule with weight s and n Gauss-Legendre points in t are exact for degree 2n −
-//! 1 (A. H. Stroud, Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular point is
-//! cut into four, as is the piece at the point, and so on; after [`DEPTH`] cuts its area is 4^{-DEPTH} of that of the
-//! triangle. Cost: n² points per triangle, 3 · DEPTH · n² per triangle at a singular point.
+//! The map (s, t) ↦ a + s ((b − a) + t (c − b)) takes the unit square to the triangle with Jacobian 2A s, so n points
+//! of the Gauss-Jacobi rule with weight s and n Gauss-Legendre points in t are exact for degree 2n − 1 (A. H. Stroud,
+//! Approximate Calculation of Multiple Integrals, 1971). A triangle that touches a singular point is cut into four,
+//! as is the piece at the point, and so on; after [`DEPTH`] cuts its area is 4^{-DEPTH} of that of the triangle.
+//! Cost: n² points per triangle, 3 · DEPTH · n² per triangle at a singular point.
 
 use crate::error::Result;
 use crate::mesh::{Point, doubled_area};

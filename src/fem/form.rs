@@ -39,8 +39,8 @@ impl Lame {
         Ok(Self { lambda, mu })
     }
 
-    /// The constants of plane strain for Young's modulus E and Poisson's ratio ν: λ = E ν / ((1+ν)(1−2ν)), μ = E /
-    /// (2(1+ν)).
+    /// The constants of plane strain for Young's modulus E and Poisson's ratio ν: λ = E ν / ((1+ν)(1−2ν)),
+    /// μ = E / (2(1+ν)).
     ///
     /// λ tends to infinity as ν → 1/2.
     ///

@@ -50,10 +50,9 @@ pub enum Outline {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of
-/// 4 in [4, 512] and there are at most four million nodes;
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤
-/// `smallest` ≤ 1/2: areas of smaller rings underflow.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of 4 in [4,
+/// 512] and there are at most four million nodes; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
+/// unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: areas of smaller rings underflow.
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "multiples of 4 in [4, 512]";

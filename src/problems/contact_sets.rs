@@ -40,8 +40,8 @@ pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
         .collect())
 }
 
-/// The gaps of `depth` generations of the Cantor construction that keeps two intervals of relative length `ratio`. d
-/// = ln 2 / ln(1/ratio).
+/// The gaps of `depth` generations of the Cantor construction that keeps two intervals of relative length `ratio`.
+/// d = ln 2 / ln(1/ratio).
 pub(crate) fn cantor(cells: usize, ratio: f64, depth: usize) -> Vec<Gap> {
     let mut gaps = Vec::new();
     let length = |_: usize, piece: f64| piece * (1.0 - 2.0 * ratio);

@@ -33,8 +33,8 @@ registry! {
     #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
     #[non_exhaustive]
     pub enum TestProblem: Body {
-        /// An elastic square hanging from its top, pushed down on the left and up on the right: plane strain, λ = μ =
-        /// 1, f = (0, −cos πx).
+        /// An elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
+        /// λ = μ = 1, f = (0, −cos πx).
         #[default]
         Block("block") => Body { load: Load::Volume(|[x, _]| -(PI * x).cos()), ..ELASTIC };
 

@@ -1,7 +1,7 @@
 //! One transition with given powers and logarithms: test problems at τ = 2, and outside 3/2 < τ ≤ 2.
 //!
-//! Contact for x < a, no contact for x > a, extended by reflection at x = 1. With δ = (x − a)(b − x)/(b − a), b = 2 −
-//! a, and ℓ(r) = 2 + ln(1/r):
+//! Contact for x < a, no contact for x > a, extended by reflection at x = 1. With δ = (x − a)(b − x)/(b − a),
+//! b = 2 − a, and ℓ(r) = 2 + ln(1/r):
 //!
 //! u_N = −δ^p ℓ(δ)^{−α},  −σ_N = (a − x)^q ℓ(a − x)^{−α}.
 //!
@@ -46,8 +46,8 @@ impl TransitionPowers {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }
     }
 
-    /// The data of the test problem on an edge of `cells` cells with natural sides and a transition at `position` ∈
-    /// (0, 1).
+    /// The data of the test problem on an edge of `cells` cells with natural sides and a transition at
+    /// `position` ∈ (0, 1).
     ///
     /// u_N is evaluated at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of
     /// each assigned to each node, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).

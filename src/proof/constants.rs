@@ -50,8 +50,8 @@ pub struct ProofConstants {
 }
 
 impl ProofConstants {
-    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, to which 2^{−1}, ..., 2^{−16} are added; q
-    /// ≥ 2 is used only at τ = 2 (q = 2 in the paper), for τ < 2 q = 1/(2 − τ).
+    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, to which 2^{−1}, ..., 2^{−16} are added;
+    /// q ≥ 2 is used only at τ = 2 (q = 2 in the paper), for τ < 2 q = 1/(2 − τ).
     ///
     /// The constants C of the laws are the largest ratios over all these zones. Cost: one eigenvalue problem per
     /// zone.

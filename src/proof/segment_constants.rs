@@ -25,8 +25,8 @@
 //! ∫_N u ∫ σ, ∫_N u = −∫ x w: each is a product of two moments, A(1−b) B(b) and A(b) B(1−b), with the same maximum.
 //!
 //! **κ̄.** On an interior non-contact interval ∫ w = 0, so ∫_N |u| ≤ ∫ ρ |w| with ρ the distance from the midpoint of
-//! the interval, or from the free end of an interval at an end of T. |{ρ > s}| = Σ (a − s)_+ + Σ (l − 2s)_+ ≤ (n −
-//! s)_+, and by rearrangement ∫ ρ |w| ≤ D(n) |w|.
+//! the interval, or from the free end of an interval at an end of T. |{ρ > s}| = Σ (a − s)_+ + Σ
+//! (l − 2s)_+ ≤ (n − s)_+, and by rearrangement ∫ ρ |w| ≤ D(n) |w|.
 //!
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 

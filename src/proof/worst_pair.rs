@@ -6,15 +6,15 @@
 //!
 //! 2|N| ‖σ_N‖² ≤ |σ_N|²_ν,  2|E| ‖u_N'‖² ≤ |u_N'|²_ν.
 //!
-//! Hence ‖σ_N‖_{L¹} ≤ (|E|/2|N|)^{1/2} |σ_N|_ν and, as u_N vanishes somewhere, max|u_N| ≤ ‖u_N'‖_{L¹} ≤
-//! (|N|/2|E|)^{1/2} |u_N'|_ν. In the product the measures cancel:
+//! Hence ‖σ_N‖_{L¹} ≤ (|E|/2|N|)^{1/2} |σ_N|_ν and, as u_N vanishes somewhere,
+//! max|u_N| ≤ ‖u_N'‖_{L¹} ≤ (|N|/2|E|)^{1/2} |u_N'|_ν. In the product the measures cancel:
 //!
 //! ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_{τ−3/2,T} |u_N'|_{τ−3/2,T},
 //!
-//! and the same bound holds for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, for every E and 3/2 < τ ≤
-//! 2: the optimal rate without distinction of cases, without θ and without a logarithm. (The use of both measures is
-//! due to Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor separately, with a
-//! factor θ^{τ−2} for the first.
+//! and the same bound holds for ∫_T (σ_N − π^h σ_N)(π^h u_N − u_N) ≤ ‖σ_N‖_{L¹} max|u_N|, for every E and
+//! 3/2 < τ ≤ 2: the optimal rate without distinction of cases, without θ and without a logarithm. (The use of both
+//! measures is due to Drouet and Hild, SIAM J. Numer. Anal. 53 (2015) 1488-1507.) The paper bounds each factor
+//! separately, with a factor θ^{τ−2} for the first.
 //!
 //! Is ½ sharp? For the nodal cone I^h u is nonzero only because of non-contact intervals at the ends of T; closing
 //! the others enlarges the space of σ_N and, as u_N ≤ 0, does not increase the norm of u_N': the worst set is the

@@ -5,8 +5,8 @@ use crate::error::{Error, Result};
 
 /// An a priori bound of the H¹ error.
 ///
-/// Each bound is C times the given function of h, C independent of h. For small h and 3/2 < τ ≤ 2, Optimal ≤
-/// Sharpened ≤ Paper ≤ Earlier; at τ = 3/2 all are h^{1/2}.
+/// Each bound is C times the given function of h, C independent of h. For small h and 3/2 < τ ≤ 2,
+/// Optimal ≤ Sharpened ≤ Paper ≤ Earlier; at τ = 3/2 all are h^{1/2}.
 ///
 /// ```
 /// use signorini::rates::Bound;

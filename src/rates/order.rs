@@ -87,8 +87,8 @@ impl ConvergenceOrder {
 
     /// The order as in [`ConvergenceOrder::of`], for distances to a discrete solution of mesh size `reference`.
     ///
-    /// The measured square is e(h)² − e(h_r)², h_r = `reference`, so that every term h^q of the model becomes h^q −
-    /// h_r^q.
+    /// The measured square is e(h)² − e(h_r)², h_r = `reference`, so that every term h^q of the model becomes
+    /// h^q − h_r^q.
     ///
     /// ```
     /// use signorini::rates::ConvergenceOrder;

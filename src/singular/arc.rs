@@ -9,9 +9,9 @@
 //! additional unknown. Scalar: U' = T, T' = −λ² U. U, V, S, T are polynomials of degree N, the equations hold at the
 //! N Gauss points, and two conditions at each end (one in the scalar case) complete the system: (A − λB) y = 0. The
 //! unknowns are the Legendre coefficients of the derivatives: A is the sum of the identity and an integral operator,
-//! and no digits are lost by differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of (A −
-//! sB)⁻¹B. The characteristic functions are not used: the computation is independent of the list of zeros. Simple
-//! eigenvalues converge exponentially in N; nearly double ones have half the digits, their mean has all. Cost:
+//! and no digits are lost by differentiation. With a shift s the finite λ are s + 1/m, m the eigenvalues of
+//! (A − sB)⁻¹B. The characteristic functions are not used: the computation is independent of the list of zeros.
+//! Simple eigenvalues converge exponentially in N; nearly double ones have half the digits, their mean has all. Cost:
 //! O((5N)³).
 
 use super::wedge::{Medium, SideCondition, Wedge};

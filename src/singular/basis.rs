@@ -1,7 +1,7 @@
 //! Displacements r^λ U(θ) of an elastic wedge, and their tractions.
 //!
-//! Muskhelishvili: 2μ (u_x + i u_y) = κ φ − z conj φ′ − conj ψ, σ_θθ + i σ_rθ = φ′ + conj φ′ + e^{2iθ}(z̄ φ″ +
-//! ψ′). With φ = (a₁ + i a₂) z^λ, ψ = (b₁ + i b₂) z^λ, c, s = cos, sin (λ−1)θ and C, S = cos, sin (λ+1)θ:
+//! Muskhelishvili: 2μ (u_x + i u_y) = κ φ − z conj φ′ − conj ψ, σ_θθ + i σ_rθ = φ′ + conj φ′ + e^{2iθ}(z̄ φ″ + ψ′).
+//! With φ = (a₁ + i a₂) z^λ, ψ = (b₁ + i b₂) z^λ, c, s = cos, sin (λ−1)θ and C, S = cos, sin (λ+1)θ:
 //!
 //! | | a₁ | a₂ | b₁ | b₂ |
 //! | --- | --- | --- | --- | --- |

@@ -1,8 +1,8 @@
 //! The contact interval at an end on the Dirichlet boundary, in closed form.
 //!
 //! Half-plane y > 0 in plane strain, κ = 3 − 4ν, ε = ln κ/(2π): clamped for x < 0, in frictionless contact on (0, ℓ),
-//! free for x > ℓ, loaded only by the far field. With Muskhelishvili's potential, σ_yy − iσ_xy = Φ⁺ − Φ⁻ and 2μ(u' +
-//! iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real factor,
+//! free for x > ℓ, loaded only by the far field. With Muskhelishvili's potential, σ_yy − iσ_xy = Φ⁺ − Φ⁻ and
+//! 2μ(u' + iv') = κΦ⁺ + Φ⁻ on the axis, the field without a singularity at ℓ is, up to a real factor,
 //!
 //! Φ(z) = z^{−1/2} exp(2iε arcosh √(z/ℓ)),
 //!

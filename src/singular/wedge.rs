@@ -1,8 +1,7 @@
 //! The wedge: opening, medium, boundary conditions on its two sides, and the factors of its characteristic
 //! function.
 //!
-//! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3
-//! − 4 ν_P
+//! Sides: clamped D (u = 0), free N (σ n = 0), frictionless contact, closed C (u_N = 0, σ_T = 0). With κ = 3 − 4 ν_P
 //!
 //! | sides | characteristic equation | factors |
 //! | --- | --- | --- |
@@ -15,8 +14,8 @@
 //!
 //! u_N = 0 and σ_T = 0 on the line θ = 0 mean that u is symmetric about it, hence the even halves. The equations are
 //! those of M. L. Williams, J. Appl. Mech. 19 (1952) 526-528; each is the determinant of the four conditions in the
-//! basis of module `basis`, as verified by the tests. λ = 0 of the even and odd parts is a translation or no field. λ
-//! = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes the constant pressure, with u → 0.
+//! basis of module `basis`, as verified by the tests. λ = 0 of the even and odd parts is a translation or no field.
+//! λ = 1 is the rigid rotation for N-N; as κ → 1 the zero of D-D near 1 becomes the constant pressure, with u → 0.
 //!
 //! Scalar (Laplace): closed contact means u = 0, as for a clamped side; D-D and N-N sin λω = 0, D-N cos λω = 0.
 

@@ -22,8 +22,9 @@ struct Work {
 
 /// The levels up to a given one, with the unknowns fixed by a contact set.
 ///
-/// One V-cycle C with a forward sweep M before and M' after the correction: I − C K = (I − M⁻ᵀK)(I − P C_c P'K)(I −
-/// M⁻¹K), C_c the cycle of the coarser level and the exact inverse on the coarsest; C is symmetric positive definite.
+/// One V-cycle C with a forward sweep M before and M' after the correction: I − C K = (I − M⁻ᵀK)(I − P C_c
+/// P'K)(I − M⁻¹K), C_c the cycle of the coarser level and the exact inverse on the coarsest; C is symmetric positive
+/// definite.
 pub(super) struct Cycle<'a, L> {
     levels: &'a [L],
     links: &'a [Link],
@@ -63,8 +64,8 @@ impl<'a, L: Level> Cycle<'a, L> {
         self.coarsest.hold(&held)
     }
 
-    /// An approximation z ≈ K⁻¹ r on the free unknowns: the returned vector times the returned factor. Zero for r =
-    /// 0.
+    /// An approximation z ≈ K⁻¹ r on the free unknowns: the returned vector times the returned factor. Zero for
+    /// r = 0.
     pub(super) fn apply(&mut self, r: &[f64]) -> (&[f32], f64) {
         let top = self.work.len() - 1;
         let size = largest(r);

@@ -2,9 +2,10 @@
 //!
 //! A step makes the next direction conjugate to the last one by z'q/p'q, which accounts for the rounding errors of
 //! the cycle. The coefficients are those of a Lanczos process: the smallest eigenvalue of its matrix is an upper
-//! estimate of the smallest eigenvalue κ of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|²
-//! ≥ ρ for exact coarse spaces. Unlike `numeric::ConjugateGradients`, the plain method in f64, the preconditioned
-//! residual is in f32, the update of the direction uses a different quotient, and the coefficients are stored.
+//! estimate of the smallest eigenvalue κ of cycle times K, and ρ = r'z estimates the energy of the error,
+//! ρ/κ ≥ |e|² ≥ ρ for exact coarse spaces. Unlike `numeric::ConjugateGradients`, the plain method in f64, the
+//! preconditioned residual is in f32, the update of the direction uses a different quotient, and the coefficients are
+//! stored.
 
 use super::cycle::Cycle;
 use super::level::Level;

@@ -1,8 +1,8 @@
 //! Contact problems on the unit square with known solution and one transition of given regularity, scalar and
 //! elastic.
 //!
-//! 1/2 < p < 3/2, p ≠ 1; r, φ are polar coordinates at the transition (a, 0), φ = 0 on the contact side x < a, and ζ
-//! = (a−x) + iy.
+//! 1/2 < p < 3/2, p ≠ 1; r, φ are polar coordinates at the transition (a, 0), φ = 0 on the contact side x < a, and
+//! ζ = (a−x) + iy.
 //!
 //! * *Scalar*: u = ± Im ζ^p = ± r^p sin(pφ), harmonic, u = 0 in contact and u = −|sin(pπ)| r^p outside contact.
 //!   With σ_N = −p |sin(pπ)| r^{p−1} in contact and 0 outside, the edge also carries the load ∂u/∂n − σ_N,

@@ -1,10 +1,9 @@
 //! The edge operator: a translation-invariant symmetric operator on the contact edge, diagonal in Fourier
 //! modes.
 //!
-//! Periodic sides: n nodes, (A g)^(k) = S(θ_k) ĝ(k), θ_k = 2πk/n. Natural sides: n + 1 nodes; the even
-//! extension of g has period 2n, so that the same formula holds with θ_k = πk/n (type-I cosine modes) and A =
-//! W · (restriction), W = diag(½, 1, ..., 1, ½). In both cases the stored symbol S(θ) covers θ = 2πk/P, k = 0
-//! ... P/2, P the period, and
+//! Periodic sides: n nodes, (A g)^(k) = S(θ_k) ĝ(k), θ_k = 2πk/n. Natural sides: n + 1 nodes; the even extension of g
+//! has period 2n, so that the same formula holds with θ_k = πk/n (type-I cosine modes) and A = W · (restriction),
+//! W = diag(½, 1, ..., 1, ½). In both cases the stored symbol S(θ) covers θ = 2πk/P, k = 0 ... P/2, P the period, and
 //!
 //! g'A g = (γ/P) Σ_{k mod P} S(θ_k) |ĝ(k)|²,  γ = 1 (periodic), ½ (natural).
 //!
