@@ -138,8 +138,7 @@ impl KktTerms<'_> {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if `multiplier` and `gap` differ in
-    /// length,
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for values that are not finite.
+    /// length, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for values that are not finite.
     pub fn residuals(&self) -> Result<KktResiduals> {
         self.check()?;
         let force_of_contact = self.multiplier_scale();

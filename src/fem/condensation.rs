@@ -9,7 +9,6 @@
 //! factorization is computed once. Every node of the tree is a dense front (faer: Cholesky, triangular solve,
 //! symmetric product); independent subtrees are processed in parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)).
 //! Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N) memory.
-//! memory.
 
 use super::dissection::{Tree, dissect};
 use super::front::{Front, Update};

@@ -5,7 +5,6 @@ use crate::strip::LateralCondition;
 /// Nodal forces of the density dist^q ℓ(dist)^{−α} on the contact cells (both ends in contact), ℓ(r) = 2 + ln(1/r),
 /// dist the distance to the nearest non-contact interval; half of the integral over each cell is assigned to each of
 /// its ends. ℓ is evaluated at the midpoint of the cell.
-/// of the cell.
 ///
 /// ∫_{r_0}^{r_1} r^q dr = (r_1^{q+1} − r_0^{q+1})/(q + 1) per cell, finite for q > −1.
 pub(crate) fn contact_forces(

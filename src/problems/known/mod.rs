@@ -142,8 +142,7 @@ impl KnownSolution {
     /// conditions on the other three sides.
     ///
     /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); no contact for 0 ≤ x < a,
-    /// contact for a ≤ x ≤ 1;
-    /// u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
+    /// contact for a ≤ x ≤ 1; u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
     ///
     /// ```
     /// use signorini::problems::{KnownSolution, TransitionPowers};
@@ -444,8 +443,7 @@ impl KnownSolution {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is that of
     /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`] if
-    /// the
-    /// largest number of points does not meet the tolerance.
+    /// the largest number of points does not meet the tolerance.
     pub fn second_seminorm(&self, n: usize, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match self.formula {

@@ -129,7 +129,7 @@ impl ExactEdge {
     /// |u − u_h|_a, the energy norm of the error of the discrete solution with edge values `values` on `cells` cells.
     ///
     /// # Errors
-    /// As [`ExactEdge::load`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
+    /// As for [`ExactEdge::load`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch).
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;

@@ -39,9 +39,8 @@ impl<'a> Preconditioner<'a> {
 
     /// z ← B r on the face.
     ///
-    /// On a non-contact interval of L nodes
-    /// z = Σ_k (2/(L + 1)) S(πk/(L + 1))⁻¹ ⟨r, s_k⟩ s_k with s_k(j) = sin(πkj/(L + 1));
-    /// on a contact interval of the midpoint cone z = Π r/‖A‖.
+    /// On a non-contact interval of L nodes z = Σ_k (2/(L + 1)) S(πk/(L + 1))⁻¹ ⟨r, s_k⟩ s_k with
+    /// s_k(j) = sin(πkj/(L + 1)); on a contact interval of the midpoint cone z = Π r/‖A‖.
     pub(crate) fn apply(
         &mut self,
         face: &Face,
