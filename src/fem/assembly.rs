@@ -52,7 +52,7 @@ struct Rows {
 /// The stiffness matrix of `form` in the unknowns of `frame`, boundary rows included.
 ///
 /// K_ij = a(φ_j, φ_i), symmetric, node-major, without boundary conditions: constants lie in the kernel of the Laplacian,
-/// rigid motions in that of elasticity. It is invariant under scaling of the mesh (two dimensions, no reaction term).
+/// rigid motions in that of elasticity. The matrix does not change when the mesh is scaled (two dimensions, no reaction term).
 ///
 /// ```
 /// use signorini::fem::{Form, Frame, Lame, stiffness};
