@@ -30,7 +30,7 @@ use signorini::mesh::{Hierarchy, Part, SideParts, Triangulation, unit_square};
 use std::f64::consts::PI;
 
 example! { seconds "A bound from the data", "‖∇(u − u^h)‖ ≤ C h ‖f‖, C = 0.843, for every f and every contact set";
-    /// N = 8 · 2^meshes, the reference mesh
+    /// number of refinements; the reference mesh has N = 8 · 2^meshes squares per side
     meshes: usize = "6" in "[6, 8]",
 }
 
@@ -95,14 +95,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (bound, seminorm) = (constant * h * f, second_seminorm(problem.mesh(), u, n));
         let over_error = (error.recip() * bound).value;
         out.row(cells! { h => seminorm, error, bound, interpolation: (error.recip() * (interpolation * h * f)).value, over_error });
-        out.check("error over C h ‖f‖").at_most(error / bound, 1.0, "C by proof");
+        out.check("error/(C h ‖f‖)").at_most(error / bound, 1.0, "proved");
     }
     let finest = second_seminorm(fine.mesh(), exact, 8 << levels) / f;
     out.note("seminorm_over_f", finest);
     out.check("|u|₂/‖f‖ on the reference mesh").at_most(finest, 1.0, "|u|₂ ≤ ‖f‖");
-    out.check("the same from below").at_least(finest, 0.98, "equality for continuous ∇u");
+    out.check("lower bound of |u|₂/‖f‖").at_least(finest, 0.98, "equality for continuous ∇u");
     let order = out.exponent("h", "error"); // between the last two rows, without a ±: both errors lack the same part
-    out.check("order of the error").near(order, 1.0, 0.1, "h^(τ−1), τ = 2");
+    out.check("order of ‖∇(u − u^h)‖").near(order, 1.0, 0.1, "h^(τ−1), τ = 2");
     out.plot("bound_from_the_data", "Error and bound", Axes::LogLog("h", "‖∇(u − u^h)‖"))
         .curve("h", "error")
         .dashed("h", "bound");

@@ -35,7 +35,7 @@ use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripPr
 example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1/2),  both cones";
     /// contact sets on the edge
     problem: Vec<StripData> = "transition,transitions:11,cantor:0.25",
-    /// slopes and pressures like |ln r|^-alpha
+    /// exponents α: slopes and pressures behave like |ln r|^(−α)
     alpha: Vec<f64> = "0,0.75,1" in "[0, 4]" slider "0 to 2",
     /// meshes of 8, 16, .. 2^finest cells along the edge
     finest: u32 = "14" in "[10, 18]",
@@ -93,14 +93,14 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("e/(h L^1/2) in H², {cone} cone")).at_most(growth, 0.5, "bounded: (3.2), (4.3)");
-        out.stronger(format!("q in H², {cone} cone")).at_most(q, 0.0, "no logarithm");
-        out.observe("e/h in H²").at_least(optimal, 1.0, "order h, no more");
+        out.check(format!("ratios of e/(h √L), {cone} cone")).at_most(growth, 0.5, "bounded: (3.2), (4.3)");
+        out.stronger(format!("{cone} cone, H²: exponent q")).at_most(q, 0.0, "no logarithm");
+        out.observe("ratio of e/h in H², finest meshes").at_least(optimal, 1.0, "order 1 is optimal");
     } else if alpha == 0.0 {
-        out.observe("q for α = 0, not in H²").at_least(q, 0.0, "|ln h|^(q/2)");
+        out.observe("α = 0, u not in H²: exponent q").at_least(q, 0.0, "|ln h|^(q/2)");
     }
     if problem.moves() {
-        out.observe("q − (1 − 2α), transition").near(q - expected, 0.0, 0.2, "sum over the cells");
+        out.observe("transition: q − (1 − 2α)").near(q - expected, 0.0, 0.2, "sum over the cells");
         if cone == Cone::Nodal {
             let relative = |&p: &(f64, f64)| (p.0, over(0.0, p) / over(0.0, points[0]));
             chart(out).line(&format!("α = {alpha}"), points.iter().map(relative).collect());

@@ -70,13 +70,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let slopes: Vec<f64> = k.iter().map(|k| best * k + size * random()).collect();
             tried = tried.max(quotient(&k, &slopes));
         }
-        out.check("κ(x)").at_most(kappa, 1.0, "printed");
-        out.check("random functions, over κ(x)").at_most(kappa.recip() * tried, 1.0, "best constant");
-        out.check("12 N² (κ² − best of N slopes)").near(missed, 1.0, 1e-3, "κ² less Σ kᵢ² N = 1/(12N²)");
-        out.stronger("constant 0.5774").at_most(kappa, 0.5774, "1/√3");
+        out.check("best constant κ(x)").at_most(kappa, 1.0, "(6.2)");
+        out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v").at_most(kappa.recip() * tried, 1.0, "best constant");
+        out.check("12 N² (κ² − κ_N²), N constants").near(missed, 1.0, 1e-3, "κ² − κ_N² = 1/(12 N²)");
+        out.stronger("max κ(x)").at_most(kappa, 0.5774, "1/√3");
         out.row(cells! { x => kappa, of_steps, tried, missed: missed.value });
     }
-    out.observe("κ(1/2) over κ(0)").near(kappa(0.5)? / kappa(0.0)?, 0.5, 1e-12, "(x³+(1−x)³)/3");
+    out.observe("κ(1/2)/κ(0)").near(kappa(0.5)? / kappa(0.0)?, 0.5, 1e-12, "(x³+(1−x)³)/3");
     out.column("of_steps", "N slopes", "the largest quotient of functions with N constant slopes");
     out.column("tried", "random", "the largest of random ones");
     out.column("missed", "missed", "12 N² times what N slopes miss of κ²");

@@ -128,7 +128,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         let (found, expected) = compute()?;
         let error = (found / expected - 1.0).abs();
         out.row(cells! { planted, beside => answer: format!("{found:.9e}"), error });
-        out.check("distance to the value found another way").at_most(error, 1e-9, "see the header");
+        out.check("relative difference from the reference value").at_most(error, 1e-9, "accuracy required");
     }
     for (planted, kind, ask) in BAD {
         let (is_named, answer) = match ask() {
@@ -137,7 +137,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
             }
             other => (false, format!("{other:?}")),
         };
-        out.check("refused, and the error names what is wrong").holds(is_named, "its kind");
+        out.check("invalid inputs without the expected error").holds(is_named, "kind of error");
         out.row(cells! { planted, beside: "" => answer, error: None::<f64> });
     }
     let zones: Vec<f64> = (20..=290).step_by(45).map(|k| 10f64.powi(-k)).collect();
@@ -148,7 +148,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         curve.push((theta, found.value));
         dashed.push((theta, law.value));
         let ratio = found / law;
-        out.check("ν = 1/2: γ over its law, θ from 1e-20 to 1e-290").near(ratio, 1.0, 2e-3, "both to 1e-3");
+        out.check("ν = 1/2: γ/asymptotic law, θ = 1e-20 .. 1e-290").near(ratio, 1.0, 2e-3, "both to 1e-3");
     }
     let axes = Axes::LogLinear("θ, length of the zone", "γ");
     out.plot("extremes_zone", "Poincaré constant of order 1/2", axes)

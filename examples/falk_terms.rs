@@ -34,7 +34,7 @@ use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, Stri
 use std::f64::consts::PI;
 
 example! { quick "Falk's lemma, (4.5), (4.8)", "‖u−u^h‖² ≤ C (‖u−I^hu‖² + ∫σ(I^hu−u)); midpoint cone: −∫σu^h added";
-    /// a contact set chosen on the edge
+    /// prescribed contact set on the edge
     problem: StripData = "transition",
     /// regularity τ of the solution
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
@@ -121,7 +121,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let exact = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
             let u = solve(&exact, 8, cone)?;
             let quotient = by_definition(edge.values(), &u.values) / exact.error(8, &u.values)?.value.powi(2);
-            out.check("‖u−u^h‖² by definition, n = 8").near(quotient, 1.0, 1e-9, "`by_definition`");
+            out.check("‖u−u^h‖², n = 8: by_definition/library").near(quotient, 1.0, 1e-9, "`by_definition`");
         }
         let exact = fine.iter().map(|edge| StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8));
         let exact = exact.collect::<signorini::Result<Vec<StripProblem>>>()?;
@@ -142,12 +142,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs());
             out.check(format!("C, {cone} cone")).at_most(rounded(constant), 2.0, "Young's inequality");
             let ratio = rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency));
-            out.check("‖u−v‖²+2∫σ(v−u) at u^h over I^hu").at_most(ratio, 1.0, "u^h minimises it");
+            out.check("ratio of ‖u−v‖²+2∫σ(v−u), v=u^h to v=I^hu").at_most(ratio, 1.0, "u^h minimises it");
             let excess = (second - part_one - part_two) / (error + interpolation);
-            out.check("(4.8), left less right side").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
+            out.check("(4.8): left − right side, relative").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
             let sign = second / (error + interpolation); // over squares, as the excess
             match cone {
-                Cone::Nodal => out.check("−∫σu^h, nodal cone").at_most(sign, 1e-9, "u^h ≤ 0"),
+                Cone::Nodal => out.check("nodal cone: −∫σu^h, relative").at_most(sign, 1e-9, "u^h ≤ 0"),
                 Cone::Midpoint => out.observe("−∫σu^h, midpoint cone").at_most(sign, 1e-9, "either sign"),
             }
         }

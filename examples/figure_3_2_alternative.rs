@@ -11,11 +11,11 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
 
 example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both ends, or σ_N = 0 on a piece θh at one end";
-    /// a body, or a contact set chosen on an edge
+    /// test problem: a body, or a prescribed contact set on an edge
     problem: NamedProblem = "block",
     /// numbers of segments
     n: Vec<usize> = "8,16,32" in "[2, 16384]",
-    /// regularity τ in θ, and that of a chosen contact set
+    /// regularity τ in θ = h^(2τ−3), also that of a prescribed contact set
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
 }
 
@@ -52,7 +52,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let d = Measured::from(carry.first().map(|(t, (_, d), _)| (d / t.length(), 1.0 / k as f64)));
         out.row(cells! { n => theta, first, second, both, integral, carried_by: carry.len(), d });
         out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments that carry the integral").at_most(carry.len(), u.transitions(), "contact ends");
+        out.check("segments with ∫ σ_N I^h u_N ≠ 0").at_most(carry.len(), u.transitions(), "contact ends");
         out.chart(format!("figure_3_2_alternative_h_{n}"), edge_trace(&u, shown));
     }
     out.column("d", "d/h", "d of the first segment that carries the integral; ±: a cell of u");

@@ -13,11 +13,11 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
 
 example! { quick "Figure 4.1", "each segment: contact set and pressure no wider than θh, or contact set at least θh";
-    /// a body, or a contact set chosen on an edge
+    /// test problem: a body, or a prescribed contact set on an edge
     problem: NamedProblem = "block",
     /// numbers of segments
     n: Vec<usize> = "8,16,32" in "[2, 16384]",
-    /// regularity τ in θ, and that of a chosen contact set
+    /// regularity τ in θ = h^(2τ−3), also that of a prescribed contact set
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
 }
 
@@ -53,7 +53,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let carried_by = found.iter().filter(|found| found.2 > 1e-12 * integral).count();
         out.row(cells! { n => theta, first, second, both, integral, carried_by });
         out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments that carry the integral").at_most(carried_by, u.transitions(), "contact ends");
+        out.check("segments with nonzero term (4.9)").at_most(carried_by, u.transitions(), "contact ends");
         out.chart(format!("figure_4_1_alternative_h_{n}"), edge_trace(&u, shown));
     }
     Ok(())

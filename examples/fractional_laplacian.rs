@@ -93,10 +93,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 }
                 out.row(cells! { s, mesh: mesh_name, n => error, steps });
                 measured.push(([n as f64, seconds], error));
-                out.check("iterations").at_most(steps, 25, "for every n");
+                out.check("CG iterations").at_most(steps, 25, "uniform in n");
                 if n <= ELIMINATED {
                     let definition = by_definition(&mesh, s, &load)?;
-                    out.check("by_definition over energy").near(
+                    out.check("energy: by_definition/library").near(
                         definition / energy.value,
                         1.0,
                         1e-9,

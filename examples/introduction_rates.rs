@@ -97,16 +97,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let order = order(&squares(problem, tau, cone, options.finest)?);
             for &(label, exponent) in printed {
                 let above = order.value + order.error - exponent;
-                let claim = format!("{label}: order + ± − exponent");
+                let claim = format!("{label}: order + error − exponent");
                 let claim = if order.error <= 0.1 { out.check(claim) } else { out.observe(claim) };
                 claim.at_least(above, 0.0, "printed exponent");
             }
             if tau == 1.75 && problem == "transition" {
-                let claim = "τ = 7/4, transition: order − (N1)";
-                out.stronger(claim).at_least(order - 0.6875, 0.0, "11/16");
+                let claim = "τ = 7/4, transition: order less (N1)";
+                out.stronger(claim).at_least(order - 0.6875, 0.0, "exponent 11/16");
             }
             let above = order.value - optimal - order.error;
-            out.observe("order − min(τ − 1, 1) − ±").at_most(above, 0.0, "no linear element does more");
+            out.observe("order − min(τ − 1, 1) − error").at_most(above, 0.0, "no linear element does more");
             orders.push(order);
         }
         let name = problem.split(':').next().unwrap_or(problem);

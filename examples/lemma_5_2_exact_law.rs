@@ -28,9 +28,9 @@ use fractional_sobolev::{Constraint, gamma, law};
 use std::f64::consts::PI;
 
 example! { seconds "(5.2), exact", "mean zero on (0, θ), ν = 1/2:  γ² / ln(1/θ) → 3/(2π²) as θ → 0";
-    /// zones θ, longest first
+    /// lengths θ of the zone, longest first
     theta: Vec<f64> = "1e-2,1e-5,1e-10,1e-30,1e-100,1e-200,1e-300" in "[1e-300, 0.36]",
-    /// L = ln(1/θ) at which only the two bounds are evaluated
+    /// values of L = ln(1/θ) at which only the two bounds are evaluated
     log: Vec<f64> = "1e4,1e6,1e9,1e12" in "[1, 1e15]",
 }
 
@@ -97,19 +97,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         off: square.map(|g| (g.value / scale - 1.0).abs()), above: upper / scale - 1.0,
         rest: rest.map(|r| r.value), explained: explained.map(|r| r.value) });
         if let Some(square) = square {
-            out.check("γ² over the quotient of the ramp").at_least(square / lower, 1.0, "proved");
-            out.check("γ² over the bound along chains").at_most(square / upper, 1.0, "proved");
+            out.check("γ²/lower bound from the ramp").at_least(square / lower, 1.0, "proved");
+            out.check("γ²/upper bound from chains").at_most(square / upper, 1.0, "proved");
         }
         if theta == options.theta.last().copied() && theta.is_some() {
             let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
-            out.check("rest γ² − A L − c: power of L").near(power, -1.0, 0.05, "d/γ²");
-            out.check("rest over d/γ² + e/γ⁴").near(explained, 1.0, 1e-3, "next term, 1/L²");
+            out.check("exponent of L in γ² − A L − c").near(power, -1.0, 0.05, "d/γ²");
+            out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)").near(explained, 1.0, 1e-3, "next term O(1/L²)");
         }
         let [known_lower, known_upper] = end.bracket(log)?; // the same two bounds, their integral by Gauss rules
         let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
-        out.check("both bounds, against the library's").at_most(agreement, 1e-4, "Gauss rules");
+        out.check("bounds: relative difference from library").at_most(agreement, 1e-4, "Gauss quadrature");
         if theta.is_none() && log == options.log.iter().copied().fold(0.0, f64::max) {
-            out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "L^(−1/2)");
+            out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "O(L^(−1/2))");
         }
     }
     let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");

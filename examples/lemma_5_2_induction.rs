@@ -33,9 +33,9 @@ use std::f64::consts::SQRT_2;
 example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1 + θ^(ν−1/2)), and the product of these factors";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
-    /// the first zone
+    /// length t of the first zone
     theta: f64 = "0.5" in "(0, 1)",
-    /// how often it is squared
+    /// number of times the length is squared
     steps: u32 = "5" in "[1, 9]",
 }
 
@@ -99,7 +99,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("product_59", "(5.9)", "γ over γ(t) and the product");
     out.column("last_lines", "end", "γ over γ(t) and its bound in the last lines");
     for &nu in &options.nu {
-        out.check("(5.5), quotients of norms − 1").at_most(scaling(nu, options.theta)?, 1e-6, "x' = θx");
+        out.check("(5.5): max |ratio of norms − 1|").at_most(scaling(nu, options.theta)?, 1e-6, "x' = θx");
         let mut theta = options.theta;
         let first = solved(nu, theta)?.0;
         let (mut before, mut product, mut given) = (first, 1.0, Vec::new());
@@ -115,11 +115,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { nu, step => theta, gamma: gamma.value, step_58: step_58.value,
             poincare_57: poincare_57.value, kept: kept.value, stretched_56: stretched_56.value,
             product_59: product_59.value, last_lines: last_lines.value });
-            out.check("(5.6), left over right side").at_most(stretched_56, 1.0, "the line");
-            out.check("(5.7), ‖u‖₀ over γ(θ) |u|_ν").at_most(poincare_57, 1.0, "the line");
-            out.check("(5.8), γ(θ²)/γ(θ) over bound").at_most(step_58, 1.0, "the line");
-            out.check("(5.9), γ over γ(t) ∏").at_most(product_59, 1.0, "the line");
-            out.check("γ over bound of last lines").at_most(last_lines, 1.0, "the line");
+            out.check("(5.6): left/right side").at_most(stretched_56, 1.0, "inequality (5.6)");
+            out.check("(5.7): ‖u‖₀/(γ(θ) |u|_ν)").at_most(poincare_57, 1.0, "second inequality");
+            out.check("(5.8): γ(θ²)/(γ(θ) (1 + θ^(ν−1/2)))").at_most(step_58, 1.0, "inequality (5.8)");
+            out.check("(5.9): γ/(γ(t) ∏ (1 + t^(2^i (ν−1/2))))").at_most(product_59, 1.0, "inequality (5.9)");
+            out.check("γ/final bound of the proof").at_most(last_lines, 1.0, "bound of the product");
             given.push(step_58.recip());
             before = gamma;
         }
@@ -127,11 +127,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.note(format!("given.nu{nu}"), *b);
             if nu.offset() == 0.0 {
                 let last = Measured::new(b.value, b.error + (b.value - a.value).abs());
-                out.not_sharp("ν = 1/2: given away in a step").near(last, SQRT_2, 0.02, "2/√2");
+                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²) in the last step").near(last, SQRT_2, 0.02, "2/√2");
             }
         }
     }
-    out.proof("(5.7), first and last ≤", "lemma_5_2_induction");
+    out.proof("(5.7): first and last inequality", "lemma_5_2_induction");
     let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "constant over its bound");
     out.plot("lemma_5_2_induction", "γ over the bound (5.9), as the zone is squared again and again", axes)
         .curve_by("nu", "theta", "product_59");

@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 example! { quick "Lemma 5.2", "mean zero on (0, θ):  ‖u‖₀ ≤ γ |u|_ν,  γ ≤ C θ^(ν−1/2), C ln(1/θ), C  for ν <, =, > 1/2";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
-    /// lengths θ of the zone, the longest first
+    /// lengths θ of the zone, longest first
     theta: Vec<f64> = "0.5,1e-1,1e-2,1e-3,1e-4,1e-5,1e-6" in "[1e-10, 1)" slider "1e-6 to 0.9 by factors",
 }
 
@@ -36,7 +36,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (gamma, definition) = (Measured::from(found.constant), by_definition(nu, theta)?);
             let over_printed = (gamma / if is_half { -theta.ln() } else { theta.powf(power) }).value;
             out.row(cells! { nu, theta => gamma, definition, over_printed });
-            out.check("by_definition over γ").near(gamma.recip() * definition, 1.0, 5e-3, "M, A");
+            out.check("γ: by_definition/library").near(gamma.recip() * definition, 1.0, 5e-3, "M, A");
             // ‖u‖₀² = ‖u − m‖₀² + m², m the mean of u on (0, 1), |m| ≤ N |u|_ν: the best N by one linear solve.
             out.check("γ/√(γ₁² + N²)").at_most(gamma / found.bounds()?.upper, 1.0 + 1e-9, "γ₁, N");
             let (name, curve) = (format!("lemma_5_2_extremal_{theta:e}"), found.extremal().profile(6));
@@ -45,9 +45,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let [.., longer, _] = options.theta[..] else { continue };
         if is_half {
             let slope = out.slope("theta", "gamma", |theta| -theta.ln(), |gamma| gamma * gamma);
-            out.not_sharp("slope of γ² over ln(1/θ)").near(slope, 1.5 / PI.powi(2), 0.01, "3/(2π²)");
+            out.not_sharp("slope of γ² against ln(1/θ)").near(slope, 1.5 / PI.powi(2), 0.01, "3/(2π²)");
             let gamma_1 = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
-            out.as_printed("(5.2), θ → 1: γ₁").at_most(gamma_1, 0.0, "for θ ≤ 1/2");
+            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(gamma_1, 0.0, "for θ ≤ 1/2");
         } else {
             let next = longer.powf(2.0 * nu.value().min(nu.offset().abs())); // relative size of the law's next term
             let exponent = out.exponent("theta", "gamma");

@@ -28,9 +28,9 @@ use nalgebra::{DMatrix, Matrix2, Vector2};
 use std::f64::consts::FRAC_PI_2;
 
 example! { seconds "Lemma 6.1, triangles", "‖∇(u − I u)‖₀ ≤ C |∇u|_s on a triangle; flat angles raise C, for s < 1 sharp ones too";
-    /// orders s of the gradient; s = 1 is added
+    /// orders s of the seminorm of ∇u; s = 1 is always included
     s: Vec<f64> = "0.25,0.75" in "[0.02, 1]" slider "0.1 to 0.98",
-    /// angles α in degrees; 60 is added
+    /// angles α in degrees; 60 is always included
     angle: Vec<f64> = "20,90,135" in "(6, 174)" slider "10 to 160",
 }
 
@@ -109,19 +109,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let quadratics = of_quadratics(corners(angle), s)?;
             let upper = (s == 1.0).then(|| kobayashi(corners(angle)));
             if let Some(upper) = upper {
-                out.check("C over its upper bound, s = 1").at_most(c / upper, 1.0, "Kobayashi");
+                out.check("s = 1: C/Kobayashi's bound").at_most(c / upper, 1.0, "Kobayashi 2011");
             }
             let quotient = c.recip() * quadratics;
-            out.check("quotient of quadratics, over C").at_most(quotient, 1.0, "3 × 3 matrices");
+            out.check("max ‖∇(u − I u)‖₀/(C |∇u|_s), u quadratic").at_most(quotient, 1.0, "3 × 3 matrices");
             if s == 1.0 && angle == 90.0 {
-                out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška and Aziz");
+                out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška, Aziz 1976");
             }
             let ratio = c_h(k) / equilateral;
             if angle >= 135.0 {
-                out.check("α ≥ 135°: C_h over C_h at 60°").at_least(ratio, 2.0, "twice");
+                out.check("α ≥ 135°: C_h(α)/C_h(60°)").at_least(ratio, 2.0, "flat angles raise C");
             }
             if angle <= 20.0 && s <= 0.75 {
-                out.check("α ≤ 20°, s ≤ 3/4: C_h over C_h at 60°").at_least(ratio, 1.0, "once");
+                out.check("α ≤ 20°, s ≤ 3/4: C_h(α)/C_h(60°)").at_least(ratio, 1.0, "once");
             }
             out.row(cells! { s, angle => c, quadratics, upper, c_h: c_h(k), c_l2 });
         }

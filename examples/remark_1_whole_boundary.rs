@@ -97,11 +97,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     let error = u.error_norms(&problem, &discrete.displacement)?.energy;
                     squares[k] += 0.5 * error * error;
                     let worst = discrete.kkt.worst();
-                    out.check("conditions of contact, scaled").at_most(worst, 1e-10, "rounding");
+                    out.check("largest scaled KKT residual").at_most(worst, 1e-10, "rounding errors");
                     if n == 8 && at == 0 {
                         let definition = by_definition(u, &problem, &discrete.displacement)?;
                         let over = definition / error;
-                        out.check("by_definition/library, h = 1/8").near(over, 1.0, 5e-3, "midpoint rule");
+                        out.check("error: by_definition/library, 1/8").near(over, 1.0, 5e-3, "midpoint rule");
                         first[k] = Some((error, definition));
                     }
                 }
@@ -117,16 +117,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             finest: a.1, order, printed, optimal });
             if tau <= 2.0 {
                 let growth = a.1 / bound_a.1 / (b.1 / bound_b.1);
-                out.check("τ ≤ 2: growth of error/bound").at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
+                out.check("τ ≤ 2: ratio of error/bound").at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
                 if tau < 2.0 {
                     let steeper = a.1 / b.1 * 2f64.powf(0.5 * (printed + optimal)); // growth of error/h^q
-                    out.stronger("τ < 2: growth of error/h^q").at_most(steeper, 1.0, "q half way to τ − 1");
+                    out.stronger("τ < 2: ratio of error/h^q").at_most(steeper, 1.0, "q midway to τ − 1");
                 }
             } else {
                 // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.
                 let [c, b, a] = [c, b, a].map(|(h, e)| e / h);
                 let growth = ((a - b) / (b - c)).abs();
-                out.check("τ > 2: growth of increments of error/h").at_most(growth, 0.99, "(4.4): bounded");
+                out.check("τ > 2: ratio of increments of error/h").at_most(growth, 0.99, "(4.4): bounded");
             }
             drawn.push((format!("τ = {tau}, {cone}"), points));
         }
@@ -138,7 +138,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             [problem.solve(cone, Solver::ActiveSet)?, problem.solve(cone, Solver::InteriorPoint)?];
         let rounding = (one.energy_rounding + other.energy_rounding) / one.energy.abs();
         let change = ((other.energy / one.energy - 1.0).abs(), rounding);
-        out.check("two solvers, change of J").at_most(change, 1e-8, "eight digits");
+        out.check("two solvers: relative difference of J").at_most(change, 1e-8, "eight digits");
     }
     let plot =
         out.plot("remark_1_whole_boundary", "Contact on the whole boundary", Axes::LogLog("h", "‖u − u^h‖"));

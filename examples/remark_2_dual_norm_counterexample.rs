@@ -31,9 +31,9 @@ use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
 example! { quick "Remark 2", "‖u − I u‖_(1/2,*) is no better than h^(3/2) ‖u‖_(3/2), so Falk's lemma leaves h^(3/4)";
-    /// elements of the coarsest mesh
+    /// number of elements of the coarsest mesh
     elements: usize = "16" in "[4, 32]",
-    /// meshes, each with twice the elements of the one before
+    /// number of meshes, each with twice the elements of the previous one
     meshes: usize = "5" in "[2, 5]",
 }
 
@@ -102,17 +102,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let falk = before.map(|(_, longer)| 0.5 * (longer / wave.value).log2());
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
-        out.check("‖u − I u‖ of the wave, less 1").near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
-        out.check("wave over bound").at_most(wave / bound, 1.0, "Lemma 6.2");
+        out.check("wave: ‖u − I u‖_(1/2,*) − 1").near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
+        out.check("wave: dual norm/bound").at_most(wave / bound, 1.0, "Lemma 6.2");
         let limit = 1.0 / (8f64.sqrt() * PI.powi(2));
-        out.check("wave over h^(3/2)").at_least(wave / h.powf(1.5), 0.5 * limit, "half of 1/(√8 π²)");
+        out.check("wave: norm/h^(3/2)").at_least(wave / h.powf(1.5), 0.5 * limit, "half the limit 1/(√8 π²)");
     }
     let [order, order_of_smooth] = ["wave", "smooth"].map(|column| -out.exponent("elements", column)); // of h, last two
     let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;
-    out.check("order of the wave").near(order, 1.5, 0.02, "Remark 2");
-    out.check("order of one function, at best").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
-    out.check("order that Falk's lemma gives").near(order / 2.0, 0.75, 0.02, "half of 3/2");
-    out.observe("order of the smooth function").near(order_of_smooth, 2.0, 0.02, "no aliasing");
+    out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");
+    out.check("fixed u: order of the lower bound").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
+    out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
+    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(order_of_smooth, 2.0, 0.02, "no aliasing");
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
     out.plot("remark_2_dual_norm_counterexample", "Remark 2: aliasing in a dual norm", axes)
         .dashed("elements", "bound")

@@ -28,7 +28,7 @@ use fractional_sobolev::{Function, Mesh, Triangles, gauss_legendre};
 example! { seconds "Remark 3, a face", "gaps of size r at the corners of a face:  ∫ σ I u / (|σ|_ν |∇u|_ν) grows like r^(2ν−1)";
     /// orders ν = τ − 3/2
     nu: Vec<Order> = "0.25,0.4" in "[0.1, 0.45]" slider "0.1 to 0.45",
-    /// the gaps have legs 1/4, 1/8, .. 2^(−halvings−1)
+    /// number of gap sizes: legs 1/4, 1/8, .. 2^(−halvings−1)
     halvings: u32 = "14" in "[8, 40]" slider "8 to 20",
 }
 
@@ -114,11 +114,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over = (pressure * slope).recip();
             let r = 0.5f64.powi(halvings as i32 + 1);
             let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
-            out.check("`of_gaps`/|σ|_ν").near(ratio, 1.0, 1e-3, "sides of gaps");
+            out.check("|σ|_ν: of_gaps/library").near(ratio, 1.0, 1e-3, "sides of gaps");
             let (nodal, mean) = (over * -of_sigma, over * (of_sigma * of_u / areas.iter().sum::<f64>()));
             if let Some([last, _]) = before.last() {
-                out.check("nodal: quotient over the one of 2r").at_least(nodal / *last, 1.0, "no bound");
-                out.check("means: quotient over the first").at_most(mean / before[0][1], 1.0, "bounded");
+                out.check("nodal cone: quotient, r to 2r").at_least(nodal / *last, 1.0, "no bound");
+                out.check("means: quotient, r to 1/4").at_most(mean / before[0][1], 1.0, "bounded");
             }
             before.push([nodal, mean]);
             out.row(cells! { nu, r => nodal, mean: mean.value, sigma: pressure.value, slope: slope.value });
@@ -130,7 +130,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let last = limit(before.len() - 1);
         let measured = Measured::new(last.value, last.error + (last - limit(before.len() - 2)).value.abs());
         let off = measured - (2.0 * nu.value() - 1.0);
-        out.check("exponent of r, r → 0, less 2ν − 1").near(off, 0.0, 0.01, "scaling");
+        out.check("nodal cone, r → 0: exponent of r − (2ν − 1)").near(off, 0.0, 0.01, "scaling");
     }
     out.column("nodal", "nodal", "∫ σ I u over both seminorms");
     out.column("mean", "means", "(1/|T|) ∫ σ ∫ u over both");

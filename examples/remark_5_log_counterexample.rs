@@ -26,9 +26,9 @@ use fractional_sobolev::{Constraint, Function, Mesh, gamma};
 use std::f64::consts::PI;
 
 example! { quick "Remark 5", "ν = 1/2: no C in ‖w‖₀ ≤ C |w| for all w that vanish on an interval (0, θ)";
-    /// exponents α; those of the paper are below 1/2
+    /// exponents α; the paper has α < 1/2
     alpha: Vec<f64> = "0.25,0.4,0.45,0.75,1" in "[0.2, 1]" slider "0.2 to 1",
-    /// L = ln(1/θ)
+    /// values of L = ln(1/θ)
     log: Vec<f64> = "4,16,64,256" in "[1, 690]",
 }
 
@@ -89,26 +89,26 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { alpha, log => quotient: quotient.value, definition, gamma: gamma.value,
             share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
             printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
-            out.check("q over γ of the zone").at_most(quotient / gamma, 1.0, "γ is the supremum");
+            out.check("q/γ, γ best constant for (0, θ)").at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
-            out.check("q by its definition, over q").near(ratio, 1.0, 3e-3, "midpoint rules");
+            out.check("q: by_definition/library").near(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
-                out.check("|w| ≤ |u|/n: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
-                out.as_printed("‖w‖ ≤ 1/n: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
+                out.check("seminorms: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
+                out.as_printed("full norms: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
             }
         }
         if let [.., long, short] = logs.as_slice() {
             // Exponent of L in q between the last two L, for this α; of all α the smallest is shown.
             let growth = out.exponent("log", "quotient");
-            out.check("exponent of L in q, smallest α").at_least(growth, 0.0, "a bound as in (5.3)");
+            out.check("exponent of L in q, minimum over α").at_least(growth, 0.0, "0 if q were bounded");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
-                out.check("α = 1: slope of q² over L").near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
+                out.check("α = 1: slope of q² against L").near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };
                 let power = (*b / *a).ln() / (short / long).ln();
-                out.check("power of L in γ").near(power, 0.5, 0.02, "law at ν = 1/2");
+                out.check("exponent of L in γ").near(power, 0.5, 0.02, "γ² ~ 3L/(2π²)");
             }
         }
     }

@@ -24,7 +24,7 @@ use std::f64::consts::PI;
 example! { quick "Remark 6", "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν with γ₀ finite;  γ₀² ≈ 3/(2π²) / (2ν − 1) as ν → 1/2";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.55,0.6,0.75,0.9,0.99" in "(0.5, 1)" slider "0.52 to 0.99",
-    /// a point inside, beside a = 0
+    /// an interior point a, in addition to a = 0
     point: f64 = "0.5" in "(0, 1)" slider "0.01 to 0.99",
 }
 
@@ -59,14 +59,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let scaled = end.squared() * (delta * PI.powi(2) / 1.5);
         out.row(cells! { nu => end, definition, short: short.value, scaled: scaled.value,
         inside: inside.value, over_end: (inside / end).value });
-        out.check("γ₀ by its definition, over γ₀").near(end.recip() * definition, 1.0, 1e-2, "hat functions");
-        out.check("(0, 1e-12): γ(θ) over γ₀").at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
+        out.check("γ₀: by_definition/library").near(end.recip() * definition, 1.0, 1e-2, "hat functions");
+        out.check("θ = 1e-12: γ(θ)/γ₀, upper bound").at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
         let correction = SHORT.powf(delta).max(4e-8);
-        out.check(format!("ν = {nu}: γ(θ)/γ₀ at θ = 1e-12")).near(short / end, 1.0, correction, "θ^(2ν−1)");
-        out.check("point inside: constant over γ₀").at_most(inside / end, 1.0 + 4e-8, "the end is worst");
+        out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀")).near(short / end, 1.0, correction, "θ^(2ν−1)");
+        out.check("interior point: best constant/γ₀").at_most(inside / end, 1.0 + 4e-8, "the end is worst");
         if delta <= 0.2 + 1e-12 {
-            let claim = format!("ν = {nu}: (2ν − 1) γ₀² over 3/(2π²)");
-            out.check(claim).near(scaled, 1.0, delta, "1 as ν → 1/2, to 2ν − 1");
+            let claim = format!("ν = {nu}: (2ν − 1) γ₀²/(3/(2π²))");
+            out.check(claim).near(scaled, 1.0, delta, "1 + O(2ν − 1) as ν → 1/2");
         }
     }
     let axes = Axes::LinearLog("ν, order", "γ₀, Poincaré constant");

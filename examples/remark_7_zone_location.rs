@@ -35,11 +35,11 @@ example! { seconds "Remark 7", "mean zero on a set E of measure θ:  ‖u‖₀ 
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
     /// length θ of the zone
     theta: f64 = "1e-3" in "[1e-12, 0.9]" slider "1e-6 to 0.5 by factors",
-    /// places a/(1 − θ)
+    /// positions a/(1 − θ) of the zone (a, a + θ)
     at: Vec<f64> = "0,1e-4,1e-2,0.1,0.25,0.5" in "[0, 1]",
-    /// random sequences, and random functions
+    /// number of random sequences and of random functions
     functions: usize = "1000" in "[1, 1000000]",
-    /// random unions of intervals
+    /// number of random unions of intervals
     unions: usize = "60" in "[1, 100000]",
 }
 
@@ -115,21 +115,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over_end = gamma / end;
             out.row(cells! { nu, at => gamma, definition, over_end: over_end.value, repair: repair.value });
             if at > 0.0 {
-                out.check("γ inside over γ of (0, θ)").at_most(over_end, 1.0 + 1e-7, "the end is worst");
+                out.check("γ((a, a + θ))/γ((0, θ)), a > 0").at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
             }
-            out.check("γ over √(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "no cut");
+            out.check("γ/√(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
             let hats = gamma.recip() * definition;
-            out.check("γ by its definition, over γ").near(hats, 1.0, 5e-3, "hat functions");
+            out.check("γ: by_definition/library").near(hats, 1.0, 5e-3, "hat functions");
         }
         // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
-        out.observe("cut with C(θ) = γ of (0, θ): left/right").at_least(needed, 1.0, "an odd function");
+        out.observe("cut of (0, 1), C(θ) = γ((0, θ)): left/right").at_least(needed, 1.0, "an odd function");
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
     let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
-    out.as_printed("cut, sgn(x − 1/2): right/left").at_least(over, 1e-12, "without the cut");
+    out.as_printed("cut of (0, 1), u = sgn(x − 1/2): right/left").at_least(over, 1e-12, "without the cut");
 
     let mut random = Random(7);
     for _ in 0..options.functions {
@@ -140,7 +140,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         sorted.sort_by(|a, b| b.total_cmp(a));
         for k in 1..f.len() {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
-            out.check("sequences: sorted − given sum").at_most(rise, 0.0, "lemma");
+            out.check("sequences: change of Σ (f_i − f_j)² by sorting").at_most(rise, 0.0, "lemma");
         }
         // Linear between random values on a random mesh; seminorms are closed forms on pairs of elements.
         let (nu, count) = (0.01 + 0.98 * random.uniform(), 2 + (10.0 * random.uniform()) as usize);
@@ -171,7 +171,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("unions with three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
+    out.check("unions: share with three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
     out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");

@@ -37,9 +37,9 @@ example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the cla
     poisson: Vec<f64> = "-0.5,0.25" in "(-1, 0.5)" slider "-0.5 to 0.4",
     /// directions α of the traction in degrees: 90 pulls, -90 presses, 180 shears
     alpha: Vec<f64> = "90,-90,180" in "[-360, 360]" slider "-180 to 180",
-    /// sectors of a ring, a multiple of 4; also solved with twice as many
+    /// number of sectors per ring, a multiple of 4; the problem is also solved with twice as many
     angles: usize = "12" in "[4, 32]",
-    /// the rings end below this radius
+    /// rings are added until their radius is below this value
     smallest: f64 = "1e-20" in "[1e-120, 1e-6]",
 }
 
@@ -103,11 +103,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             for other in [Some(&closed), barrier.as_ref()].into_iter().flatten() {
                 let differ = (1..arc.len())
                     .filter(|&i| nodal.contact_set.contains(i) != other.contact_set.contains(i));
-                out.check("nodes where solvers differ").at_most(differ.count(), 0.0, "one solution");
+                out.check("nodes where contact sets differ").at_most(differ.count(), 0.0, "one solution");
             }
             for solution in [&nodal, &closed].into_iter().chain(&barrier) {
                 let worst = worst_decade(&problem, solution, options.smallest)?;
-                out.check("conditions in every decade").at_most(worst, 1e-10, "rounding");
+                out.check("largest KKT residual, scaled by decade").at_most(worst, 1e-10, "rounding errors");
                 let parts = intervals(&problem, solution)?;
                 let Some(epsilon) = epsilon else {
                     out.check("scalar body: transitions").at_most(parts.len() - 1, 0.0, "real exponents");
@@ -120,8 +120,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     (false, true) => Measured::NONE,
                     (false, false) => Measured::from(periods),
                 };
-                out.check("gap at the end, in periods").at_most(open, 0.0, "the theorem");
-                out.check("transitions").at_most(parts.len() - 1, 2.0, "zone, gap, contact");
+                out.check("gap at the end, in periods π/ε of ln r").at_most(open, 0.0, "theorem");
+                out.check("elastic body: transitions").at_most(parts.len() - 1, 2.0, "contact, gap, contact");
             }
             if let (Some(epsilon), [zone, _, ..]) = (epsilon, parts.as_slice()) {
                 // Over the last four decades before ℓ/4: largest change of the quotient beside its mean, in logarithms.
@@ -132,7 +132,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
                 let off = quotients.iter().map(|q| (q - mean).abs()).fold(0.0, f64::max);
                 if !quotients.is_empty() {
-                    out.check("pressure/formula, in rings").at_most(off / step, 1.0, "ℓ to a ring");
+                    out.check("|ln(pressure/formula)|/ring width").at_most(off / step, 1.0, "ℓ to a ring");
                 }
             }
             // Slope of ln(−σ_N) over ln r far inside the zone; without two decades there, none.
@@ -163,10 +163,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let Some(epsilon) = epsilon {
             let phase = -options.smallest.ln() * epsilon / PI;
             let off = oscillates as f64 - phase;
-            out.check("linear: sign changes − phase/π").near(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
+            out.check("without contact: sign changes − phase/π").near(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
         }
         if let Some(power) = power {
-            out.check("power of the pressure").near(power, -0.5, 0.01, "u of size r^(1/2)");
+            out.check("exponent of the pressure at the end").near(power, -0.5, 0.01, "u ~ r^(1/2)");
         }
         drawn.push((format!("{name}, {alpha}°"), fine.clone()));
     }

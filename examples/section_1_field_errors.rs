@@ -68,12 +68,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         if is_clear {
             let order = -out.exponent("n", "error");
-            out.check("order between the last two N, less p").near(order - p, 0.0, 0.02, "p of the header");
+            out.check("observed order − p, last two N").near(order - p, 0.0, 0.02, "p of the header");
         }
         if let (Some(last), true) =
             (out.series("n", "over_limit").last(), beta * first > smooth * (1.0 + NEAR))
         {
-            out.check("N^(2−ν) times the error, over its limit").near(last.1, 1.0, 5e-3, "`limit`, N → ∞");
+            out.check("N^(2−ν) |u − I_h u|_ν/limit").near(last.1, 1.0, 5e-3, "`limit`, N → ∞");
         }
     }
     out.column("n", "N", "");

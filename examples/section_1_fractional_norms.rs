@@ -118,16 +118,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let found = u.seminorm(nu, options.tolerance);
             let is_finite =
                 nu.value() < example.limit.0 || (nu.value() == example.limit.0 && example.limit.1);
-            let said = "finite and infinite norms are told apart";
+            let said = "finite norms called infinite or vice versa";
             let seminorm = match found {
                 Err(InfiniteNorm { .. }) => {
                     out.row(cells! { function: example.name.clone(), nu => seminorm: "infinite" });
-                    out.check(said).holds(!is_finite, "the orders of the header");
+                    out.check(said).holds(!is_finite, "known limits of ν");
                     continue;
                 }
                 found => found?,
             };
-            out.check(said).holds(is_finite, "the orders of the header");
+            out.check(said).holds(is_finite, "known limits of ν");
             let exact = (example.exact)(nu).map(|squared| Measured::from(squared).sqrt());
             let true_error = exact.map(|exact| (Measured::from(seminorm.value) / exact - 1.0).abs());
             let definition = by_definition(&example, nu)?;
@@ -136,14 +136,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             true_error: true_error.map(|error| error.value) });
             if let (Some(error), Some(exact)) = (true_error, exact) {
                 let asked = options.tolerance.relative();
-                out.check("relative distance to the closed form").at_most(error, asked, "the tolerance");
+                out.check("relative difference from the closed form").at_most(error, asked, "the tolerance");
                 let share = (Measured::from(seminorm.value) - exact).abs() / seminorm.error;
-                out.check("distance over the error that is stated").at_most(share, 1.0, "the estimate");
+                out.check("true error/stated error").at_most(share, 1.0, "error estimate");
             }
             // Nearer to the last finite order what the definition leaves out decays too slowly.
             if nu.value() <= example.limit.0 - 0.1 {
                 let ratio = definition / seminorm.value;
-                out.check("second formula over the library").near(ratio, 1.0, 5e-3, "`by_definition`");
+                out.check("|u|_ν: by_definition/library").near(ratio, 1.0, 5e-3, "composite Gauss rule");
             }
         }
     }

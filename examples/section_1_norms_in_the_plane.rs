@@ -27,15 +27,15 @@ use fractional_sobolev::{Error as Refusal, Function, Triangles, closed_forms};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, up to the limits of finiteness";
-    /// squares in a row of the grid that is moved and cut into triangles
+    /// squares per side of the perturbed grid, each cut into triangles
     squares: usize = "4" in "[1, 40]" slider "1 to 10",
     /// orders s for the linear function and the step
     s: Vec<Order> = "0.05,0.45,1/2-1e-8,1/2,0.75,0.99999999" in "(0, 1)" slider "0.02 to 0.98",
     /// order s at the corners
     corner: Order = "0.6" in "(0, 1)" slider "0.1 to 0.9",
-    /// a + 1 − s: by what the exponent a at a corner is above the limit
+    /// values of a + 1 − s, the distance of the corner exponent a from its limit s − 1
     gap: Vec<f64> = "0.5,1e-6" in "(0, 20]",
-    /// relative tolerance; 1e-6 at the corners
+    /// relative tolerance; at the corners it is 1e-6
     tolerance: Tolerance = "1e-10",
 }
 
@@ -112,21 +112,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
         let (error, asked) = ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
-        out.check("distance to the closed form of |x₁|_s").at_most(error, asked, "tolerance");
+        out.check("relative error of |x₁|_s").at_most(error, asked, "requested tolerance");
         let room = 1.0 - s.value();
         let over = Measured::from(norm).squared() * room / FRAC_PI_2;
         if room < 1e-7 {
-            out.check("s → 1: (1 − s)|x₁|² over π/2").near(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
+            out.check("s → 1: (1 − s) |x₁|²_s/(π/2)").near(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
         }
         lines[0].push((s.value(), over.value));
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
         let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
         let is_right = found.is_some() == (room > 0.0);
-        out.check("step in H^s for s < 1/2 only").holds(is_right, "1/(1 − 2s)");
+        out.check("step: norms against finite iff s < 1/2").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
-            out.check("s → 1/2: (1 − 2s)|step|² over 4√2").near(over, 1.0, 1e-6, "4 times the length");
+            out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)").near(over, 1.0, 1e-6, "4 × length of the jump");
         }
         lines[1].push((s.value(), over.value));
         out.row(cells! { w: "step", s, room => norm, over: over.value });
@@ -146,11 +146,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for &gap in &options.gap {
             let [norm, again] = [on_polygon(s, &polygon, gap, false)?, on_polygon(s, &polygon, gap, true)?];
             let apart = (Measured::from(norm.value) / again.value - 1.0).abs();
-            out.check("two triangulations, relative distance").at_most(apart, AT_CORNERS, "tolerance");
+            out.check("two triangulations: relative difference").at_most(apart, AT_CORNERS, "tolerance");
             let [inner, outer] = polygon.radii.map(|radius| on_sector(s, &polygon, gap, radius));
             let (over, outer) = (inner? / norm, Measured::from(norm) / outer?);
-            out.check("norm on inner sector / on polygon").at_most(over, 1.0, "a part has a part");
-            out.check("norm on polygon / on outer sector").at_most(outer, 1.0, "a part has a part");
+            out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
+            out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
             out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "R^(a+1−s), R < e r");
             out.row(cells! { w: polygon.name, s, room: gap => norm, over: over.value });
@@ -160,7 +160,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     for gap in [0.0, -1e-9, -0.2] {
         let refused = matches!(on_polygon(s, &polygons()[0], gap, false), Err(Refusal::InfiniteNorm { .. }));
-        out.check("infinite norm for a + 1 − s ≤ 0").holds(refused, "rings do not decay");
+        out.check("a + 1 − s ≤ 0: infinite norms not detected").holds(refused, "rings do not decay");
     }
     let axes = Axes::LogLog("a + 1 − s", "|w|_s");
     let plot = out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes);

@@ -20,9 +20,9 @@ use fractional_sobolev::{Curve, Function, Mesh};
 use std::f64::consts::{LN_2, PI};
 
 example! { seconds "Section 1, boundaries", "norms of order ν and −ν on polygons agree with closed forms";
-    /// order ν; closed forms on polygons are known at 1/2
+    /// order ν; closed forms on polygons are known for ν = 1/2
     nu: Order = "1/2" in "(0, 1)" slider "0.1 to 0.9",
-    /// elements on the length 1, increasing
+    /// numbers of elements per unit length, increasing
     n: Vec<usize> = "4,8,16" in "[2, 200]",
 }
 
@@ -78,7 +78,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if nu == Order::HALF {
             let exact = 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI;
             let ratio = limit(&corners, 1) / exact;
-            out.check("|φ|², n → ∞, over its limit").near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
+            out.check("extrapolated |φ|²/exact limit").near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
         }
     }
     out.column("n", "n", "elements on the length 1");

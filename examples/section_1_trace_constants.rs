@@ -47,13 +47,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = |domain: Domain, mu: f64| Estimate::or_best(trace_quotient(domain, s, mu, 1e-5));
         for &mu in &FREQUENCIES[..3] {
             let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;
-            out.check("finite elements over the closed form").near(again, 1.0, 1e-5, "C(s)²");
+            out.check("C(s)²: finite elements/closed form").near(again, 1.0, 1e-5, "closed form of C(s)²");
         }
         let mut largest = Measured::from(0.0);
         for mu in FREQUENCIES {
             let corner = Measured::from(quotient(Domain::Corner(options.angle.to_radians()), mu)?) / square;
             if options.angle >= 90.0 {
-                out.check("a mode of the corner, over C(s)²").at_most(corner, 1.0, "the half-plane");
+                out.check("corner modes: best squared quotient/C(s)²").at_most(corner, 1.0, "the half-plane");
             }
             largest = if corner.value > largest.value { corner } else { largest };
         }

@@ -31,23 +31,23 @@ use signorini::mesh::{Hierarchy, Triangulation, parse_msh, read_msh};
 use std::path::{Path, PathBuf};
 
 example! { seconds "Section 2, your own body", "a body from Gmsh: u^h minimises J over K^h (2.9), forces in balance, every condition of (2.5) met";
-    /// mesh of Gmsh (ASCII, format 4.1 or 2.2) with groups clamped, contact, free; without one an L on a slanted floor
+    /// Gmsh mesh (ASCII, format 4.1 or 2.2) with physical groups clamped, contact, free; default: an L-shape on a slanted floor
     mesh: Option<PathBuf> = "",
-    /// volume load "fx, fy", of a scalar problem "f", in x, y, pi and the usual functions; unless given that of the L
+    /// volume load "fx, fy", or "f" for a scalar problem, in x, y, pi and the usual functions; default: the load of the L-shape
     load: String = "",
-    /// Young's modulus E, one or one for each physical surface; E = 2.5, ν = 1/4 is λ = μ = 1
+    /// Young's modulus E, one value or one per physical surface; E = 2.5, ν = 1/4 gives λ = μ = 1
     young: Vec<f64> = "2.5" in "(0, 1e300]",
-    /// Poisson's ratio ν, as many
+    /// Poisson's ratio ν, as many values as for E
     poisson: Vec<f64> = "0.25" in "(-1, 0.5)",
-    /// plane stress, a thin plate; unless given plane strain
+    /// plane stress (a thin plate) instead of plane strain
     plane_stress: bool = "",
-    /// meshes: the one given, and every triangle cut into four, and again
+    /// number of meshes: the given one and its successive uniform refinements
     levels: usize = "5" in "[1, 8]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
     cone: Cone = "nodal",
-    /// angle by which body and load are turned for a check, degrees
+    /// angle in degrees by which body and load are rotated in the invariance check
     angle: f64 = "50" in "[-360, 360]",
-    /// directory for contact_edge.csv (u_N and σ_N at the nodes of the contact edges), body.vtu, nodes.npy, displacement.npy
+    /// output directory for contact_edge.csv (u_N and σ_N at the nodes of the contact edges), body.vtu, nodes.npy, displacement.npy
     files: Option<PathBuf> = "",
 }
 
@@ -135,25 +135,25 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let allowed = 1e-8 + 10.0 * rounding;
         // (2.5) and the equations: penetration over the largest displacement, pull over the largest push, their product,
         // and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
-        out.check("no penetration: B u ≤ 0").at_most(u.kkt.gap, 1e-10, "(2.5)");
-        out.check("contact forces not negative: λ ≥ 0").at_most(u.kkt.sign, 1e-10, "(2.5)");
-        out.check("force only in contact: λ B u = 0").at_most(u.kkt.complementarity, 1e-10, "(2.5)");
-        out.check("equations at free nodes").at_most(u.kkt.balance, 1e-10, "(2.1)");
+        out.check("penetration: max (B u)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
+        out.check("tensile contact force: max (−λ)₊, scaled").at_most(u.kkt.sign, 1e-10, "(2.5)");
+        out.check("complementarity: max |λ B u|, scaled").at_most(u.kkt.complementarity, 1e-10, "(2.5)");
+        out.check("equilibrium residual at free nodes, scaled").at_most(u.kkt.balance, 1e-10, "(2.1)");
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over the size of their terms.
-        out.check("sum of load, clamp and floors").at_most(u.balance, allowed, "eight digits");
+        out.check("resultant of load and reactions, scaled").at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
-        out.check("two solvers, change of J").at_most(apart(other.energy, u.energy), allowed, "eight digits");
-        out.check("rotated body, relative change of J").at_most(
+        out.check("two solvers: change of J").at_most(apart(other.energy, u.energy), allowed, "eight digits");
+        out.check("rotated body: relative change of J").at_most(
             apart(turned.energy, u.energy),
             allowed,
-            "eight digits",
+            "invariance under rotation",
         );
         let force = apart(turned.contact_force, u.contact_force);
-        out.check("rotated body, change of the force").at_most(force, allowed, "eight digits");
+        out.check("rotated body: relative change of contact force").at_most(force, allowed, "eight digits");
         if let (Cone::Nodal, Some((_, before))) = (options.cone, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
             let rise = if rise.is_nan() { 0.0 } else { rise };
-            out.check("finer mesh, rise of J").at_most(rise, allowed, "nested cones");
+            out.check("mesh refinement: relative increase of J").at_most(rise, allowed, "nested cones");
         }
         last = Some((problem, u));
     }
@@ -165,7 +165,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.note("order", last);
         out.note("order.error", 2.0 * (last - before).abs());
         let order = Measured::new(last, 2.0 * (last - before).abs());
-        out.observe("order of the error").near(order, 0.5, 0.5, "exponents of corners");
+        out.observe("order of the error in the energy norm").near(order, 0.5, 0.5, "corner singularities");
     } else {
         out.remark("too few meshes for an order: --levels 5 or more");
     }

@@ -35,9 +35,9 @@ use signorini::problems::{Parameters, TestProblem, solution_regularity};
 use std::f64::consts::PI;
 
 example! { seconds "Section 2, regularity", "u in H^τ for τ < 1 + Re λ of the corner responsible: λ is what the solution shows at the corner";
-    /// test problems on meshes
+    /// test problems
     problem: Vec<TestProblem> = "block,membrane,corner,incompressible,leaning,raised,taper,bracket,free,closed",
-    /// opening at the left end of the contact edge of corner, leaning, raised, taper, degrees
+    /// opening angle in degrees at the left end of the contact edge, for corner, leaning, raised, taper
     angle: f64 = "120" in "[20, 160]",
 }
 
@@ -129,13 +129,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let exponent = Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
             cells = (Some(exponent), border);
             let off = (exponent.value - (found.tau - 1.0)).abs();
-            out.check("|λ measured − λ|/±").at_most(off / exponent.error, 1.0, "±: two meshes, shells");
-            out.check("± of λ measured").at_most(exponent.error, 0.05, "open, closed: 0.18 apart");
+            out.check("|measured λ − λ|/error").at_most(off / exponent.error, 1.0, "±: two meshes, shells");
+            out.check("error of the measured λ").at_most(exponent.error, 0.05, "open, closed: 0.18 apart");
         }
         out.row(cells! { problem: problem.to_string() => corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
             read: cells.0, border: cells.1 });
     }
-    out.observe("problems to which squares give another τ").at_least(
+    out.observe("problems with another τ on 96 × 96 squares").at_least(
         unseen as f64,
         1.0,
         "a gap of 1e-4 at a corner",

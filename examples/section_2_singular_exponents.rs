@@ -33,11 +33,11 @@ use signorini::singular::{LARGEST, Medium, SideConditions, SignCondition, Wedge}
 use std::f64::consts::PI;
 
 example! { seconds "Section 2, exponents", "r^λ U lies in H^τ for τ < 1 + Re λ;  every λ with 0 < Re λ < 3 of a wedge is found, by three methods";
-    /// opening in degrees
+    /// opening angle ω in degrees
     omega: f64 = "270" in "(1, 360]" slider "30 to 360",
     /// Poisson's ratio
     poisson: f64 = "0.25" in "(-1, 0.5)" slider "-0.5 to 0.49",
-    /// sides: clamped D, free N, contact closed C, contact open O
+    /// conditions on the two sides: clamped D, free N, contact closed C, contact open O
     sides: Vec<SideConditions> = "N-N,D-N,C-N",
 }
 
@@ -95,11 +95,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { sides: sides.to_string(), number: k + 1 => re: Measured::from(exponent.re), im,
                 definition: near.map(|z| z.re), zeros: exponent.multiplicity, functions: exponent.modes.len(), kind });
             let apart = near.map_or(f64::INFINITY, |z| (z - place).norm());
-            out.check("|λ listed − λ by Newton|").at_most(apart, 1e-6, "equations above");
+            out.check("|λ (library) − λ (Newton)|").at_most(apart, 1e-6, "characteristic equations");
         }
         // Every λ of the list has one of Newton's beside it: if there are as many, none of those is missing.
         let missing = (newton.len() as f64 - listed.len() as f64).abs();
-        out.check("zeros by Newton not in a list").at_most(missing, 0.0, "none is lost");
+        out.check("|number of zeros (Newton) − number (library)|").at_most(missing, 0.0, "none is lost");
     }
     for (turn, &sides) in (1..=8).flat_map(|turn| SideConditions::ALL.iter().map(move |sides| (turn, sides)))
     {
@@ -111,7 +111,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // Turns of the argument of the equation along one rectangle from half the first to just above the last zero.
             let count = wedge.count(0.5 * first, LARGEST - 0.02 * (LARGEST - last))?;
             let lost = count as f64 - spectrum.zeros() as f64;
-            out.check("144 wedges: zeros not in a list").at_most(lost.abs(), 0.0, "argument principle");
+            out.check("144 wedges: |zeros − listed zeros|").at_most(lost.abs(), 0.0, "argument principle");
             // u = r^λ U(φ) in the weak equations: (A₀ + λ A₁ + λ² A₂) U = 0, U by Legendre polynomials on the arc, up to degree
             // 24 + 4ω; eigenvalues of the linearised problem. Of zeros nearer than 0.05 the means are compared.
             let inside = |z: &(f64, f64)| z.0 > 1e-3 && z.0 < LARGEST - 1e-3;
@@ -127,20 +127,20 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let (a, b) = (mean(&listed, z), mean(&arc, z));
                 let apart =
                     if a.0 == b.0 { (a.1 - b.1).hypot(a.2 - b.2) / a.1.hypot(a.2) } else { f64::INFINITY };
-                out.check("144 wedges: λ listed − λ on the arc").at_most(apart, 1e-12, "relative");
+                out.check("144 wedges: |λ (library) − λ (arc)|/|λ|").at_most(apart, 1e-12, "relative");
             }
         }
     }
     let flat = Wedge::new(PI, "D-N".parse()?, medium)?.exponents()?;
     let oscillation = flat.exponents.first().map(|exponent| Measured::from(exponent.im));
-    out.check("D-N, ω = π: Im λ of the first").near(
+    out.check("D-N, ω = π: Im λ of the first exponent").near(
         oscillation,
         (3.0 - 4.0 * options.poisson).ln() / (2.0 * PI),
         1e-12,
         "ln κ/(2π)",
     );
     let transition = Wedge::new(PI, "C-O".parse()?, medium)?.regularity()?.tau;
-    out.check("transition of contact: supremum of τ").near(transition, 2.5, 1e-12, "r^(3/2)");
+    out.check("contact transition: supremum of τ").near(transition, 2.5, 1e-12, "r^(3/2)");
     if out.draws() {
         out.chart("section_2_singular_exponents", chart(medium)?);
     }

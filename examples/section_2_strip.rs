@@ -114,14 +114,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let square = by_definition(n, &load);
                 let apart = square.iter().zip(&u.values).map(|(a, g)| (a - g).abs());
                 let apart = apart.fold(0.0, f64::max) / size;
-                out.check("u on edge and square, n ≤ 32: difference").at_most(
+                out.check("max |u_edge − u_square|/max |u_edge|, n ≤ 32").at_most(
                     apart,
                     1e-7,
                     "loop in this file",
                 );
             }
             out.check("largest scaled KKT residual").at_most(u.kkt.worst(), 1e-10, "(2.5)");
-            out.check("inner iterations of a step").at_most(inner, 30.0, "for all n and sets");
+            out.check("max inner CG iterations per step").at_most(inner, 30.0, "for all n and sets");
             out.row(cells! { problem: name, n => unknowns: unknowns as usize, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });
             coarser = Some(u);
@@ -135,7 +135,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let printed = slope(&bound).value; // at τ = 2 the logarithm counts
         out.note(format!("order.{name}"), order);
         out.note(format!("order.{name}.error"), order.error);
-        let (claim, above) = (format!("{name}: order + ± − p"), order.value + order.error - printed);
+        let (claim, above) = (format!("{name}: order + error − p"), order.value + order.error - printed);
         match name {
             "transition" => out.check(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),
             _ => out.observe(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),

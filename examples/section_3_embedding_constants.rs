@@ -97,9 +97,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // As `ascent` and `circle`, with more starts and for every ν; error of the integrals, and rounding.
             let found = embedding_constant(nu, q, 1e-8)?;
             let (lower, upper) = (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
-            out.check("from below over from above").at_most(lower / upper, 1.0 + 1e-12, "circle");
+            out.check("lower bound/upper bound of C(q)").at_most(lower / upper, 1.0 + 1e-12, "circle");
             if upper.value == 1.0 {
-                out.check("bound 1: quotient of u = 1").near(lower, 1.0, 1e-7, "attained");
+                out.check("lower bound of C(q) where upper bound = 1").near(lower, 1.0, 1e-7, "attained");
             }
             let (mut hoelder, mut trial) = (None, None);
             if nu == Order::HALF {
@@ -109,16 +109,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     Measured::from(embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower);
                 let value = ascent(&mesh, &form, &factor, q)?;
                 let ratio = lower.recip() * value;
-                out.check("`ascent` over the library's bound").near(ratio, 1.0, 1e-3, "functions");
+                out.check("lower bound of C(q): ascent/library").near(ratio, 1.0, 1e-3, "functions");
                 let ratio = upper.recip() * circle(q);
-                out.check("`circle` over the library's bound").near(ratio, 1.0, 1e-3, "circle");
-                out.check("ν = 1/2: C(q)/√q from below").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
-                out.check("ν = 1/2: C(q)/√q from above").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
-                out.check("C(α) from below over C(q) from above").at_most(found / upper, 1.0, "Hölder");
-                out.check("C(α) (1 − α)^(1/2) from below").at_least(found / q.sqrt(), 0.167, "limit 0.1672");
+                out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "circle");
+                out.check("ν = 1/2: lower C(q)/√q").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
+                out.check("ν = 1/2: upper C(q)/√q").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
+                out.check("lower bound of C(α)/upper bound of C(q)").at_most(found / upper, 1.0, "Hölder");
+                out.check("lower bound of C(α) √(1 − α)").at_least(found / q.sqrt(), 0.167, "limit 0.1672");
                 (hoelder, trial) = (Some(found.value), Some(value));
             }
-            out.observe("from above over from below").at_most(upper / lower, 2.2, "limits: 2.115");
+            out.observe("upper bound/lower bound of C(q)").at_most(upper / lower, 2.2, "limit 2.115");
             out.row(cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
             upper_growth: upper.value / q.sqrt(), hoelder });
         }

@@ -25,7 +25,7 @@ use nalgebra::DMatrix;
 example! { seconds "(4.6), (4.7)", "‖φ − π^h φ‖₀ ≤ C h^r |φ|_r,  ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r,  r ≤ 1 only";
     /// orders r up to 1
     r: Vec<f64> = "0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9,1" in "[0.05, 1]" slider "0.1 to 1",
-    /// orders r beyond 1
+    /// orders r above 1
     beyond: Vec<f64> = "1.25,1.5,2,2.5,4" in "[1.01, 10]" slider "1.1 to 3",
 }
 
@@ -112,15 +112,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // three times the change from coarser meshes, and what half as many cells change; rounding
             let error = 3.0 * (p - of(&fine[..3])).abs() + (p - of(&coarse[1..])).abs() + 1e-5;
             orders[k] = Measured::new(p, error);
-            let claim = format!("{label}: order of S(N) less {}", ["r", "r+1/2"][k]);
-            out.check(claim).near(orders[k] - theory, 0.0, 0.05, "theory");
+            let claim = format!("{label}: order of S(N), deviation from {}", ["r", "r+1/2"][k]);
+            out.check(claim).near(orders[k] - theory, 0.0, 0.05, "exponents of (4.6), (4.7)");
             let scaled = constant.recip() * (fine[3][k] * 64f64.powf(theory));
-            out.check(format!("{label}: S(64) over its bound")).at_most(scaled, 1.0, "C(r), C*(r)");
+            out.check(format!("{label}: S(64)/upper bound")).at_most(scaled, 1.0, "C(r), C*(r)");
             let definition = constant.recip() * [one[0], one[2]][k];
-            out.check(format!("{label}: `supremum` over C")).near(definition, 1.0, 1e-3, "64 cells");
+            out.check(format!("{label}: `supremum`/library")).near(definition, 1.0, 1e-3, "64 cells");
         }
-        out.check("C*(r) over C(r) C(1/2)").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
-        out.observe("the same: nearly sharp").at_least(c_dual / chain, 0.99, "equality at 1/2");
+        out.check("C*(r)/(C(r) C(1/2))").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
+        out.observe("C*(r)/(C(r) C(1/2)), lower bound").at_least(c_dual / chain, 0.99, "equality at r = 1/2");
         out.row(cells! { r => c, one: one[0], order: orders[0], c_dual, order_dual: orders[1] });
     }
     for &r in &options.beyond {
@@ -130,9 +130,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order = Measured::new(between(1), 3.5 * (between(1) - between(0)).abs());
         let limit = e[2] * 65536.0 * (12.0 * (2.0 * a - 1.0)).sqrt() / a; // ‖φ'‖₀ = a / √(2a − 1)
         let next = 4096f64.powf(1.0 - 2.0 * a);
-        out.check("r > 1: order less 1").near(order - 1.0, 0.0, 0.02 + next, "Remark 4");
+        out.check("r > 1: order − 1").near(order - 1.0, 0.0, 0.02 + next, "Remark 4");
         let part = 65536f64.powf(-(2.0 * a - 1.0).min(1.0));
-        out.check("error over h ‖φ'‖₀/√12").near(limit, 1.0, part, "finest mesh");
+        out.check("r > 1: √12 ‖φ − π^h φ‖₀/(h ‖φ'‖₀)").near(limit, 1.0, part, "Remark 4, finest mesh");
         out.row(cells! { r => order, limit });
     }
     let axes = Axes::Linear("r, smoothness of the function", "order, exponent of h");

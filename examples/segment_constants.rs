@@ -73,24 +73,24 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // ∫ (m + r) v ≤ M² ≤ ∫ (m + r) v + ∫ r²/k; v, a polynomial on each graded cell, by least squares of r.
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
-            out.check("K, κ, κ̄ / middle of strong-form bounds").near(ratio, 1.0, 1e-8, "residuals");
+            out.check("ratio of K, κ, κ̄ to strong-form bounds").near(ratio, 1.0, 1e-8, "residual bounds");
             let quotient = value.recip() * definition;
-            out.check("`moment_on_mesh` over K, κ, κ̄").near(quotient, 1.0, 0.01, "matrices");
+            out.check("K, κ, κ̄: moment_on_mesh/library").near(quotient, 1.0, 0.01, "hat functions");
         }
         out.check("κ/κ̄").at_most(kappa / midpoint, 1.0, "one gap");
-        out.check("κ̄/K").at_most(midpoint / product, 1.0, "norms");
-        out.check("K/c").at_most(product / c, 1.0, "potentials");
-        out.check("κ̄/c₂").at_most(midpoint / pairs, 1.0, "pairs");
-        out.stronger("κ below 1/2").at_most(kappa, 0.07, "ν → 0");
+        out.check("κ̄/K").at_most(midpoint / product, 1.0, "product of L¹ norms");
+        out.check("K/c").at_most(product / c, 1.0, "bound by potentials");
+        out.check("κ̄/c₂").at_most(midpoint / pairs, 1.0, "bound by pairs of points");
+        out.stronger("max κ over ν").at_most(kappa, 0.07, "maximum as ν → 0");
         // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (product * (24.0 / left) - 1.0) / left;
-        out.observe("(24 K/(1−ν) − 1) over 1 − ν").at_most(quotient, 4.0, "limit 1/24");
+        out.observe("(24 K/(1−ν) − 1)/(1−ν)").at_most(quotient, 4.0, "K/(1−ν) → 1/24");
         out.row(
             cells! { nu => c, pairs, product, by_definition: definition[0], kappa, midpoint: midpoint.value },
         );
     }
-    out.proof("c in place of 1/2, for every E", "segment_constants");
+    out.proof("‖σ‖_L1 ‖w‖_L1 ≤ c |σ|_ν |w|_ν for every E", "segment_constants");
     for (name, title, meaning) in [
         ("c", "c", "by potentials"),
         ("pairs", "c₂", "by pairs"),

@@ -23,9 +23,9 @@ use fractional_sobolev::{
 use std::time::Instant;
 
 example! { seconds "Speed for accuracy", "every tolerance is met, no error passes what is stated, and fewer digits cost no more work";
-    /// only functions whose name contains this
+    /// only cases whose name contains this text
     case: String = "",
-    /// runs of each, of which the fastest counts
+    /// number of timed runs per case, of which the fastest is reported
     repeat: usize = "3" in "[1, 100]",
 }
 
@@ -106,16 +106,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let distance = Measured::new((found.value - exact).abs(), EXACT * exact);
             let error = distance / exact;
             measured.push((1e3 * seconds, error.value));
-            out.check("error over the tolerance").at_most(error / asked, 1.0, "the tolerance");
+            out.check("relative error/tolerance").at_most(error / asked, 1.0, "requested tolerance");
             // A stated error below that of v* is no promise that v* can test.
             let stated = Measured::from(found.error.max(2.0 * EXACT * exact));
-            out.check("error over what is stated").at_most(distance / stated, 1.0, "the estimate");
+            out.check("true error/stated error").at_most(distance / stated, 1.0, "error estimate");
             if let Some(looser) = work {
                 let share = looser as f64 / found.work.total().max(1) as f64;
-                out.check("work at a looser tolerance, over that at the next").at_most(
+                out.check("ratio of work, looser to tighter tolerance").at_most(
                     share,
                     1.0,
-                    "equal work",
+                    "monotone in the tolerance",
                 );
             }
             work = Some(found.work.total());

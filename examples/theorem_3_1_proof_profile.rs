@@ -88,7 +88,7 @@ pub fn lines(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> 
             ("(3.3) value at an end", product, sigma * h.sqrt() * highest, 0.0),
             ("(3.6) embedding", t.slope.lq, scale * scaled, 0.0),
             ("(3.7) scaling", scaled, slope, 0.0),
-            ("(3.8) both", t.slope.lq, scale * slope, 0.0),
+            ("(3.8) from (3.6) and (3.7)", t.slope.lq, scale * slope, 0.0),
             (if two { "(3.10)" } else { "(3.9)" }, t.nodal_term, bound(theta * h), work),
             (if two { "(3.10) Young" } else { "(3.9) Young" }, sigma * slope, squares, 0.0),
         ]);
@@ -152,7 +152,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let over: Vec<f64> = rows.iter().map(|(h, sums)| sums[4] / (h * h * -h.ln())).collect();
         for pair in over.windows(2) {
-            let claim = out.check("τ = 2: bound/(h² ln(1/h)), next/last");
+            let claim = out.check("τ = 2: ratio of bound/(h² ln(1/h)), h/2 to h");
             claim.at_most(pair[1] / pair[0], 1.0 + 1e-8, "θ = h²");
         }
     }
@@ -176,8 +176,8 @@ pub fn compare((name, left, right, size): Line, t: &SegmentNorms) -> Option<Comp
 pub fn checked(compared: Vec<Compared>, out: &mut Report) {
     for (name, value, is_equality) in compared {
         match is_equality {
-            true => out.check(name).near(value, 0.0, 1e-10, "an equality"),
-            false => out.check(name).at_most(value, 1.0 + 1e-8, "left ≤ right"),
+            true => out.check(name).near(value, 0.0, 1e-10, "equality"),
+            false => out.check(name).at_most(value, 1.0 + 1e-8, "left/right ≤ 1"),
         }
     }
 }
@@ -198,10 +198,10 @@ pub fn table(picture: &str, tau: f64, rows: &[(f64, [f64; 5])], out: &mut Report
     }
     let [integral, whole] = [0, 4].map(|k| slope(&points(k)));
     let printed = 2.0 * tau * tau - 5.0 * tau + 4.0;
-    out.stronger("exponent of the integral").near(integral, 2.0 * tau - 2.0, 0.05, "2τ − 2");
-    out.check("exponent on the whole edge").near(whole, printed, 1e-8, "2τ² − 5τ + 4");
+    out.stronger("exponent of h in the integral").near(integral, 2.0 * tau - 2.0, 0.05, "2τ − 2");
+    out.check("exponent of h in the bound, whole edge").near(whole, printed, 1e-8, "2τ² − 5τ + 4");
     let lost = slope(&rows.iter().map(|(h, sums)| (*h, sums[0] / sums[4])).collect::<Vec<_>>());
-    out.observe("exponent lost on the way").near(
+    out.observe("exponent lost from integral to bound").near(
         lost,
         (2.0 * tau - 3.0) * (2.0 - tau),
         0.01,

@@ -51,7 +51,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let data = |a: f64, cells: usize| TransitionPowers::of_regularity(tau).data(a, cells);
         let coarse = data(5.0 / 12.0, 256)?;
         let (definition, library) = (by_definition(&coarse, 32)?, errors(&coarse, 5)?[2]);
-        let agreement = out.check("by_definition/library, h = 1/32");
+        let agreement = out.check("error, h = 1/32: by_definition/library");
         agreement.near(definition / library, 1.0, 1e-6, "N = 256");
         let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
@@ -63,7 +63,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let points: Vec<_> = (3..).zip(&squares).map(|(k, s)| (0.5f64.powi(k), s.sqrt())).collect();
         out.row(cells! { tau => definition, library, finest: points[points.len() - 1].1, order, printed, optimal });
         let over: Vec<f64> = points.iter().rev().map(|(h, e)| e / h.powf(printed)).collect(); // finest first
-        let claim = out.check("increment of error/bound over the one before");
+        let claim = out.check("ratio of successive increments of error/bound");
         claim.at_most((over[0] - over[1]) / (over[1] - over[2]).abs(), 0.95, "bounded");
         out.observe("order − (τ − 1)").near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         out.stronger("order − printed exponent").at_least(order - printed, 0.0, "(3.1)");

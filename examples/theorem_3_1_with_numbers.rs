@@ -37,7 +37,7 @@ use std::f64::consts::PI;
 example! { seconds "A bound in numbers", "‖u − u^h‖ ≤ E h^(τ² − 5τ/2 + 2), τ = 2: E h √|ln h|;  E a number";
     /// regularities τ for which E is computed
     tau: Vec<f64> = "1.6,1.75,2" in "(1.5, 2]" slider "1.55 to 1.95",
-    /// the solution is r^p at its transition, p = τ − 1 and this
+    /// excess of the exponent: the solution is r^p at its transition, p = τ − 1 + above
     above: f64 = "0.06" in "[1e-12, 0.4]" slider "0.01 to 0.2",
     /// Lamé's constant λ of the elastic body, μ = 1
     lambda: f64 = "1" in "[-0.99, 1e12]" slider "0 to 20",
@@ -78,12 +78,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let constants = TheoremConstants::new(tau)?; // C, K and √((coth π)/π) P, to 1e-5, errors added
         let distance = constants.projection / (1.0 / PI.tanh() / PI).sqrt();
         let definition = by_definition(constants.order)? / distance;
-        out.check("P(ν) by its definition, over the library's").near(
-            definition,
-            1.0,
-            5e-3,
-            "`by_definition`, above",
-        );
+        out.check("P(ν): by_definition/library").near(definition, 1.0, 5e-3, "hat functions");
         for (body, lame) in [("scalar", None), ("elastic", Some(elastic))] {
             let known = KnownSolution::power(tau - 1.0 + options.above, lame)?;
             let on_edge = |datum| known.edge_seminorm(datum, [0.0, 1.0], constants.order, 1e-5).map(up);
@@ -110,13 +105,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     let scale = h.powf(tau - 1.0);
                     let measured = Measured::new(error, 1e-3 * error);
                     let printed = e * Bound::Paper.value(h, tau)?; // E h^(τ² − 5τ/2 + 2), E h |ln h|^(1/2)
-                    out.check("error over E h^(τ² − 5τ/2 + 2), τ = 2: E h √|ln h|").at_most(
+                    out.check("error/bound of the paper with constant E").at_most(
                         measured / printed,
                         1.0,
                         "(3.1), (3.2), (4.2), (4.3)",
                     );
                     let ratio = measured / (e * scale);
-                    out.stronger("error over E h^(τ−1)").at_most(ratio, 1.0, "E from constants and norms");
+                    out.stronger("error/(E h^(τ−1))").at_most(ratio, 1.0, "E from constants and norms");
                     points.push((h, error, e * scale));
                     coarse = Some(u);
                 }
@@ -127,7 +122,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     curves.push((tau, points));
                 }
                 if tau >= 1.75 {
-                    out.observe("bound over error, τ ≥ 1.75").at_most(bound / error, 10.0, "effectivity 10");
+                    out.observe("τ ≥ 1.75: bound/error").at_most(bound / error, 10.0, "effectivity index");
                 }
             }
         }

@@ -95,10 +95,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                         [whole, near].map(|part| h * (body * whole * whole + edge * part * part).sqrt())
                     });
                     let ratio = measured / bounds[0][0];
-                    out.check("error over C h |u|₂, c = 2/27, 1/8").at_most(ratio, 1.0, "C by proof");
+                    out.check("error/(C h |u|₂), c = 2/27 or 1/8").at_most(ratio, 1.0, "proved");
                     let ratio = measured / bounds[2][0];
-                    out.stronger("error over C h |u|₂ with κ, K/2").at_most(ratio, 1.0, "one transition");
-                    out.stronger("error / bound with |u|₂ at the edge").at_most(
+                    out.stronger("error/(C h |u|₂), c = κ or K/2").at_most(ratio, 1.0, "one transition");
+                    out.stronger("error/bound with |u|₂ near the edge").at_most(
                         measured / bounds[2][1],
                         1.0,
                         "|u|₂ at the edge",
@@ -115,10 +115,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     }
                 }
                 for pair in points.windows(2) {
-                    out.observe("bound of the edge over error, next mesh over last").at_most(
+                    out.observe("edge bound/error, ratio of successive meshes").at_most(
                         pair[1][2] / pair[0][2],
                         1.001,
-                        "quadrature",
+                        "quadrature error",
                     );
                 }
                 let points = points.iter().map(|point| (point[0], point[2])).collect();

@@ -135,7 +135,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let over: Vec<f64> = rows.iter().map(|(h, sums)| sums[4] / (h * h * -h.ln())).collect();
         for pair in over.windows(2).filter(|_| tau == 2.0) {
-            let claim = out.check("τ = 2: bound/(h² ln(1/h)) over that before");
+            let claim = out.check("τ = 2: ratio of bound/(h² ln(1/h)), h/2 to h");
             claim.at_most(pair[1] / pair[0], 1.0 + 1e-8, "θ = h²");
         }
     }

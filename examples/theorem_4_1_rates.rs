@@ -54,7 +54,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let data = |a: f64, cells: usize| TransitionPowers::of_regularity(tau).data(a, cells);
         let coarse = data(5.0 / 12.0, 256)?;
         let (definition, library) = (by_definition(&coarse, 32)?, errors(&coarse, 5)?[2]);
-        out.check("by_definition/library, h = 1/32").near(definition / library, 1.0, 1e-6, "N = 256");
+        out.check("error, h = 1/32: by_definition/library").near(definition / library, 1.0, 1e-6, "N = 256");
         let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
         let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
@@ -74,7 +74,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         } else {
             "τ > 2"
         };
-        let claim = out.check(format!("{range}: increment of error/bound over the one before"));
+        let claim = out.check(format!("{range}: increment ratio of error/bound"));
         claim.at_most((over[0] - over[1]) / (over[1] - over[2]).abs(), 0.95, "bounded");
         out.observe("order − min(τ − 1, 1)").near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         if tau < 2.0 {

@@ -112,32 +112,32 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = second(theta) / (first(h, theta) * logarithm);
         let reference = *coarsest.get_or_insert(quotient);
         let compared = quotient / reference;
-        out.check("second/first bound, printed θ").near(compared, 1.0, 1e-9, "that at h = 1/8");
-        out.check("truth over bound, at the crossing").at_most(best / second(at), 1.0, "a bound is no less");
-        out.check("term / bound, sharp θ").at_most(best / second(at_sharp), 1.0, "a bound is no less");
+        out.check("second/first bound at printed θ, normalised").near(compared, 1.0, 1e-9, "that at h = 1/8");
+        out.check("supremum/bound, at the crossing").at_most(best / second(at), 1.0, "upper bound");
+        out.check("supremum/bound, sharp θ").at_most(best / second(at_sharp), 1.0, "upper bound");
     }
     let [printed, cross, there, sharp] =
         ["bound", "crossing", "at_crossing", "sharp"].map(|column| out.exponent("h", column));
     if tau < 2.0 {
         let claimed = 2.0 * tau * tau - 5.0 * tau + 4.0;
-        out.check("exponent of θ at the crossing").near(cross, 2.0 * tau - 3.0, 1e-9, "2τ − 3, printed θ");
-        out.check("exponent of the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
-        out.check("exponent of the bound, crossing").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
+        out.check("θ at the crossing: exponent").near(cross, 2.0 * tau - 3.0, 1e-9, "2τ − 3, printed θ");
+        out.check("exponent of h in the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
+        out.check("exponent of h in the bound, crossing").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
         let half_loss = (tau - 1.5) * (2.0 - tau);
         out.stronger("exponent gained, sharp").near(sharp - printed, half_loss, 1e-9, "(τ − 3/2)(2 − τ)");
     } else {
-        out.observe("exponent of θ at the crossing").near(cross, 2.0, 0.5, "h², up to ln² h");
-        out.observe("exponent of the bound, printed θ").near(printed, 2.0, 0.5, "h² ln(1/h)");
+        out.observe("θ at the crossing: exponent").near(cross, 2.0, 0.5, "h², up to ln² h");
+        out.observe("exponent of h in the bound, printed θ").near(printed, 2.0, 0.5, "h² ln(1/h)");
     }
     for &theta in &zones[..10] {
         let ratio = Measured::from(one_gap_ratio(Cone::Nodal, nu, theta, 1e-6)?); // W(θ), as κ
-        out.check("W(θ)/κ where γ_θ grows").at_most(ratio / truth, 1.0 + 1e-6, "κ is the largest");
+        out.check("W(θ)/κ, θ = 2^(−1), .. 2^(−10)").at_most(ratio / truth, 1.0 + 1e-6, "κ = max W");
     }
     out.note("exponent.printed", printed);
     out.note("exponent.sharp", sharp);
     out.note("worst.gap", worst);
     let compared = truth.recip() * by_definition(nu, worst)?;
-    out.check("W by its definition over κ").near(compared, 1.0, 5e-3, "two linear solves");
+    out.check("κ: by_definition/library").near(compared, 1.0, 5e-3, "two linear solves");
 
     let h = 0.5f64.powi(options.finest as i32);
     let thetas: Vec<f64> = (2..=40).map(|k| 0.5f64.powf(0.25 * f64::from(k))).collect();

@@ -47,9 +47,9 @@ example! { seconds "Theorems 3.1, 4.1", "consistency term ≤ c₂ h^(2τ−2) |
     tau: f64 = "1.75" in "(1.5, 2)" slider "1.55 to 1.95",
     /// contact sets on the edge: one transition, equal gaps, Cantor sets of given ratio and generations
     problem: Vec<StripData> = "transition,transitions:3,transitions:47,cantor:0.3:4,cantor:0.1:20,cantor:0.3:20,cantor:0.45:20,fat-cantor:4,fat-cantor:30",
-    /// the data have 2^depth cells
+    /// exponent of the number of cells of the data, 2^depth
     depth: u32 = "15" in "[13, 24]",
-    /// random contact sets of one segment
+    /// number of random contact sets of one segment
     sets: usize = "2000" in "[1, 1000000]",
 }
 
@@ -149,25 +149,25 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let [nodal, midpoint] = share;
         out.row(cells! { set: set.to_string() => nodal, midpoint });
-        out.check("term / its bound, all sets").at_most(nodal.max(midpoint), 1.0, "by proof");
+        out.check("consistency term/bound, all contact sets").at_most(nodal.max(midpoint), 1.0, "proved");
     }
-    out.proof("the bound on every segment", "segment_constants");
+    out.proof("consistency term ≤ bound on every segment", "segment_constants");
     // One segment: the maximum over the length of the gap, both factors dual norms (page `segment_constants`); ± of the library.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
     out.note("kappa", kappa);
-    out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "by proof");
+    out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let gap =
             |length: usize| by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form);
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
-        out.check(format!("best gap, 48 cells, over κ, {cone} cone")).at_most(
+        out.check(format!("{cone} cone: best end gap on 48 cells/κ")).at_most(
             kappa.recip() * best,
             1.0,
-            "conforming",
+            "conforming subspace",
         );
         let ratio = search(cone, &form, options.sets)? / best;
-        out.check(format!("random sets over best gap, {cone} cone")).at_most(
+        out.check(format!("{cone} cone: random sets/best end gap")).at_most(
             ratio,
             1.0 + 1e-12,
             "`by_definition`",

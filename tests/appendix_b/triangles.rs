@@ -23,7 +23,7 @@ fn twelve_orders_have_six_digits() {
             let constant = found.constant;
             assert!(constant.relative_error() <= 1e-6, "{s}: {constant}");
             assert!(found.lower.value <= constant.value + constant.error, "{s}: {constant}");
-            assert!(found.upper.is_none_or(|upper| constant.value + constant.error < upper.value), "{s}");
+            assert!(constant.value + constant.error < found.upper.unwrap().value, "{s}");
             let normalised = unit * constant.value;
             assert!(normalised < 0.97 * before[k], "{s}: both fall with the order");
             before[k] = normalised;
@@ -50,6 +50,27 @@ fn large_angles_do_harm_and_below_one_small_ones_too() {
         for found in [sharp, equal, flat] {
             let bound = found.upper.unwrap().value;
             assert!(found.constant.value < bound);
+        }
+    }
+}
+
+/// Isosceles triangles, and one without symmetry; the bound is above the constant and at most twice as large.
+#[test]
+fn upper_bounds_are_at_most_twice_the_constants() {
+    let isosceles = [20.0f64, 60.0, 90.0, 135.0].map(|angle| {
+        let (x, y) = (0.5 * angle).to_radians().sin_cos();
+        [[0.0, y], [-x, 0.0], [x, 0.0]]
+    });
+    for corners in isosceles.into_iter().chain([[[0.0, 0.0], [3.0, 0.5], [1.0, 2.0]]]) {
+        for s in [0.25, 0.4, 0.5, 0.6, 0.75, 0.76, 0.9, 0.98, 1.0] {
+            for (k, found) in both(corners, s, 1e-3).iter().enumerate() {
+                let (constant, upper) = (found.constant, found.upper.unwrap().value);
+                let ratio = upper / constant.value;
+                assert!(
+                    constant.value + constant.error < upper && ratio < 2.0,
+                    "{corners:?}, {s}, {k}: {ratio}"
+                );
+            }
         }
     }
 }

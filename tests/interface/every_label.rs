@@ -114,11 +114,11 @@ fn planted_faults_are_found() {
     let mut values = values();
     let page = read("book/src/every_label.md");
     let row = |text: &str| rows(text).pop().unwrap();
-    let good = "| x | y | [lemma_5_2](lemma_5_2.md) | {{finding: remark_6_point_condition/0-1e-12-gamma-theta-over-gamma}} | {{test: appendix_a/remark_6::statement_is_confirmed}} |";
+    let good = "| x | y | [lemma_5_2](lemma_5_2.md) | {{finding: remark_6_point_condition/theta-1e-12-gamma-theta-gamma-upper-bound}} | {{test: appendix_a/remark_6::statement_is_confirmed}} |";
     assert!(faults(&row(good), &values).is_empty(), "{:?}", faults(&row(good), &values));
     for (from, to) in [
         ("lemma_5_2.md", "lemma_55_2.md"),
-        ("{{finding: remark_6_point_condition/0-1e-12-gamma-theta-over-gamma}}", "see the page"),
+        ("{{finding: remark_6_point_condition/theta-1e-12-gamma-theta-gamma-upper-bound}}", "see the page"),
         ("-over-gamma}", "-over-gammas}"),
         ("::statement_is_confirmed", "::statement_is_denied"),
         ("{{test: appendix_a/remark_6::statement_is_confirmed}}", ""),

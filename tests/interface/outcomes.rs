@@ -106,7 +106,7 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
     let name = "equation_3_2_logarithm";
     for (set, cones) in [
         ("transition", &["nodal", "midpoint"][..]),
-        ("transitions", &["nodal", "midpoint"]),
+        ("elastic-body-transitions", &["nodal", "midpoint"]),
         ("cantor", &["nodal"]),
     ] {
         for cone in cones {

@@ -57,8 +57,9 @@ use crate::order::SobolevOrder;
 /// p^{-k}, with k estimated from three of them; the constant is their extrapolated limit, and its error the
 /// sum of the change of that limit from p − 2 to p, a part of its distance from the bound, and the
 /// contribution of the last direction of the powers. p increases from 10, or from 14 for tolerances below 1e-5,
-/// to 30 at most. `upper` is proved by telescoping over halved triangles; for the gradient at s = 1 it is
-/// Kobayashi's (Proc. Symp. RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
+/// to 30 at most. `upper` is proved but for rounding, by eigenvalues of matrices for cells similar to the
+/// triangle: at most twice the constant for s ≥ 1/4; for the gradient at s = 1 it is Kobayashi's (Proc. Symp.
+/// RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};

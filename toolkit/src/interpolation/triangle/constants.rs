@@ -53,9 +53,10 @@ fn refine(
     degrees: &[usize],
 ) -> Result<BestConstant> {
     let shape = TriangleShape::new(corners)?;
+    let upper = upper(&shape.unit(), s)?;
     let mut best: Option<Estimate> = None;
     for (k, &degree) in degrees.iter().enumerate() {
-        let matrices = Arc::new(Matrices::new(&shape, s, degree)?);
+        let matrices = Arc::new(Matrices::new(&shape, s, degree, upper)?);
         let found = matrices.constant(corners, norm)?;
         let constant = found.constant;
         if constant.relative_error() <= tolerance.relative() {
@@ -84,6 +85,14 @@ fn refine(
     ))
 }
 
+/// Upper bounds of both constants in units of the longest edge; for the gradient at s = 1 Kobayashi's.
+fn upper(unit: &TriangleShape, s: UnitOrder) -> Result<[f64; 2]> {
+    let s = s.value();
+    Error::require("s", s, "[0.02, 1]", (0.02..=1.0).contains(&s))?;
+    let [slope, l2] = bounds(unit, s)?;
+    Ok([if s == 1.0 { kobayashi(unit) } else { slope }, l2])
+}
+
 const WHY: &str = "polynomials of degree 30 and the quadrature do not suffice";
 
 fn missed(tolerance: Tolerance, best: Estimate) -> Error {
@@ -99,13 +108,13 @@ struct Matrices {
     space: Arc<Space>,
     forms: Forms,
     /// Upper bounds of both constants.
-    upper: [Option<f64>; 2],
+    upper: [f64; 2],
 }
 
 impl Matrices {
-    fn new(shape: &TriangleShape, s: UnitOrder, degree: usize) -> Result<Self> {
+    fn new(shape: &TriangleShape, s: UnitOrder, degree: usize, upper: [f64; 2]) -> Result<Self> {
         let unit = shape.unit();
-        let with = |space: Space, forms, angular, upper| Self {
+        let with = |space: Space, forms, angular| Self {
             shape: *shape,
             s: s.value(),
             degree,
@@ -122,12 +131,12 @@ impl Matrices {
                     if is_near { 1.0 + FROM_POLYNOMIALS } else { (2.0 * s).min(2.0 - FROM_POLYNOMIALS) };
                 let space = Space::new(unit, degree, power, ANGULAR);
                 let forms = space.forms(order)?;
-                Ok(with(space, forms, ANGULAR, bounds(&unit, order)?.map(Some)))
+                Ok(with(space, forms, ANGULAR))
             }
             UnitOrder::One => {
                 let space = Space::new(unit, degree, 2.0, 0);
                 let forms = space.forms_at_one()?;
-                Ok(with(space, forms, 0, [Some(kobayashi(&unit)), None]))
+                Ok(with(space, forms, 0))
             }
             _ => Err(Error::OutOfRange { name: "s", value: s.value(), range: "[0.02, 1]" }),
         }
@@ -141,15 +150,13 @@ impl Matrices {
             ErrorNorm::Derivative => (self.forms.derivative.clone(), derivative),
             ErrorNorm::L2 => (self.forms.l2.clone(), l2),
             ErrorNorm::H1 => {
-                let upper = derivative.zip(l2).map(|(a, b)| a.hypot(size * b));
-                (&self.forms.derivative + &self.forms.l2 * (size * size), upper)
+                (&self.forms.derivative + &self.forms.l2 * (size * size), derivative.hypot(size * l2))
             }
             ErrorNorm::Dual | ErrorNorm::At(_) => return Err(refused(norm)),
         };
         let found = settled(&self.space, &self.forms.seminorm, &form, self.degree, self.angular)?;
-        let exact = |value: f64| Estimate::new(value, 0.0, found.value.work);
         let lower = Estimate::new(found.lower, QUADRATURE * found.lower, found.value.work)?;
-        let upper = upper.map(exact).transpose()?;
+        let upper = Estimate::new(upper, 0.0, found.value.work)?;
         let (space, coefficients) = (self.space.clone(), found.coefficients);
         // |∇u(·/h)|_s = h^{−s} |∇u|_s in the plane
         let unit = size.powf(self.s);
@@ -160,7 +167,7 @@ impl Matrices {
             }
             unit * space.errors(beta).iter().zip(&coefficients).map(|(value, c)| value * c).sum::<f64>()
         };
-        BestConstant::new(found.value, lower, upper)
+        BestConstant::new(found.value, lower, Some(upper))
             .with_extremal(move |point| point.first_chunk().map_or(f64::NAN, |&x| value(x)))
             .times(scale(norm, self.s, size))
     }
