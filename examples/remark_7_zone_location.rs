@@ -140,7 +140,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         sorted.sort_by(|a, b| b.total_cmp(a));
         for k in 1..f.len() {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
-            out.check("sequences: change of Σ (f_i − f_j)² by sorting").at_most(rise, 0.0, "lemma");
+            out.check("sequences: sum sorted − sum given").at_most(rise, 0.0, "lemma");
         }
         // Linear between random values on a random mesh; seminorms are closed forms on pairs of elements.
         let (nu, count) = (0.01 + 0.98 * random.uniform(), 2 + (10.0 * random.uniform()) as usize);

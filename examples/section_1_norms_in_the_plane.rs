@@ -122,7 +122,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
         let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
         let is_right = found.is_some() == (room > 0.0);
-        out.check("step: norms against finite iff s < 1/2").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
+        out.check("step: finite norm iff s < 1/2").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {

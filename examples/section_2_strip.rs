@@ -114,7 +114,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let square = by_definition(n, &load);
                 let apart = square.iter().zip(&u.values).map(|(a, g)| (a - g).abs());
                 let apart = apart.fold(0.0, f64::max) / size;
-                out.check("max |u_edge − u_square|/max |u_edge|, n ≤ 32").at_most(
+                out.check("relative difference of u, edge to square").at_most(
                     apart,
                     1e-7,
                     "loop in this file",

@@ -105,7 +105,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     let scale = h.powf(tau - 1.0);
                     let measured = Measured::new(error, 1e-3 * error);
                     let printed = e * Bound::Paper.value(h, tau)?; // E h^(τ² − 5τ/2 + 2), E h |ln h|^(1/2)
-                    out.check("error/bound of the paper with constant E").at_most(
+                    out.check("error/bound of the paper with E").at_most(
                         measured / printed,
                         1.0,
                         "(3.1), (3.2), (4.2), (4.3)",

@@ -11,8 +11,8 @@ const WIDTH: usize = 100;
 /// Largest number of rows shown; of more rows only the first and last ones are.
 const ROWS: usize = 24;
 const ENDS: usize = 11;
-/// Largest width of a source printed beside its check; a longer one is printed on a separate line.
-const SOURCE: usize = 32;
+/// Least width of the column of claims.
+const CLAIM: usize = 30;
 /// Largest number of checks shown; further checks that hold are only counted.
 const CHECKS: usize = 12;
 
@@ -118,8 +118,18 @@ impl Outcome {
         // A proof has a page in place of bound and source.
         let (value, bound, page) = (widest(0, false).max(widest(0, true)), widest(1, false), widest(1, true));
         let longest = checks.iter().map(|check| claim(check).chars().count()).max().unwrap_or(0);
-        let beside = checks.iter().map(|check| source(check).chars().count()).max().unwrap_or(0).min(SOURCE);
-        let words = longest.min(width.saturating_sub(value + (bound + beside).max(page) + 9).max(30));
+        let room = width.saturating_sub(value + bound.max(page) + 7).max(CLAIM);
+        let is_beside = |check: &Checked, words: usize| {
+            source(check).chars().count() <= width.saturating_sub(words + value + bound + 9)
+        };
+        // The width with the fewest lines, and of those the largest: a claim is broken, or its source is on the next line.
+        let lines = |words: &usize| -> usize {
+            let of = |check: &&Checked| {
+                wrapped(&claim(check), *words).len() + usize::from(!is_beside(check, *words))
+            };
+            checks.iter().map(of).sum()
+        };
+        let words = (CLAIM.min(longest)..=longest.min(room)).rev().min_by_key(lines).unwrap_or(longest);
         let mut text = String::new();
         for check in checks {
             let [number, relation] = check.parts();
@@ -128,7 +138,7 @@ impl Outcome {
             let first = claim.first().map_or("", String::as_str);
             let mut line = format!("  {mark} {first:<words$}  {number:>value$} {relation:<bound$}");
             let source = source(check);
-            let beside = source.chars().count() <= width.saturating_sub(words + value + bound + 9);
+            let beside = is_beside(check, words);
             if beside {
                 let _ = write!(line, "  {source}");
             }
