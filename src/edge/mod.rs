@@ -14,10 +14,9 @@
 //!
 //! * [`consistency_terms`]: point forces on a uniform edge, on all coarser grids at once; restriction is
 //!   exact, so all levels together cost O(N).
-//! * [`SegmentNorms`]: densities. The inequalities of the proofs contain ‖σ_N‖₀ and |σ_N|_ν, which are
-//!   infinite for a point force and finite for a force distributed over the adjacent cells; the consistency term of
-//! the
-//!   distributed force differs from that of the point force.
+//! * [`SegmentNorms`]: densities. The inequalities of the proofs contain ‖σ_N‖₀ and |σ_N|_ν, which are infinite for a
+//!   point force and finite for a force distributed over the adjacent cells; the consistency term of the distributed
+//!   force differs from that of the point force.
 //!
 //! Lengths are in the units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 

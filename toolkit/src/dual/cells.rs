@@ -4,10 +4,9 @@
 //!   a = ∫ e^{-τ(x-left)} f,  b = ∫ e^{-τ(right-x)} f,  d = ∫∫ e^{-τ|x-y|} f(x) f(y),  e = e^{-τℓ},
 //! and two neighbouring blocks are joined by
 //!   a = a₁ + e₁ a₂,  b = b₂ + e₂ b₁,  d = d₁ + d₂ + 2 b₁ a₂,  e = e₁ e₂,
-//! in a binary tree: the rounding error grows like the logarithm of the number of elements, and is computed
-//! along with the sums.
-//! On an element of length h, z = τh, f = Σ f_k P_k(2t-1) and its autocorrelation
-//! ∫_0^{1-r} f(t) f(t+r) dt = Σ c_n P_n(2r-1), n ≤ 2p + 1:
+//! in a binary tree: the rounding error grows like the logarithm of the number of elements, and is computed along
+//! with the sums. On an element of length h, z = τh, f = Σ f_k P_k(2t-1) and its autocorrelation ∫_0^{1-r} f(t)
+//! f(t+r) dt = Σ c_n P_n(2r-1), n ≤ 2p + 1:
 //!   a = h Σ f_k m_k(z),  b = h Σ (-1)^k f_k m_k(z),  d = 2h² Σ c_n m_n(z),
 //!   m_n(z) = ∫_0^1 e^{-zt} P_n(2t-1) dt = (-1)^n e^{-z/2} i_n(z/2),
 //! i_n the modified spherical Bessel functions. Cost O(N (p + 1)) for one τ.

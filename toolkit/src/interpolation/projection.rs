@@ -55,9 +55,8 @@ const FIRST: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for r outside [0, 1] or an inadmissible length; [`Error::Incompatible`] for another
-/// domain or norm;
-/// [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`].
+/// [`Error::OutOfRange`] for r outside [0, 1] or an inadmissible length; [`Error::Incompatible`] for another domain
+/// or norm; [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`].
 #[doc(alias("L2 projection", "Poincare-Wirtinger"))]
 pub fn projection_constant(
     domain: Domain,

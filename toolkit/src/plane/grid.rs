@@ -19,13 +19,11 @@ const FINEST: f64 = 1e-14;
 ///
 /// # Method
 ///
-/// Pairs of squares depend only on their offset. With the forms of `cell_pairs` and the four values w_c on the
-/// square c,
-/// wᵀAw = Σ_c w_cᵀ 2D(c) w_c − 2 Σ_{c,c'} w_cᵀ C(c'−c) w_{c'} + squares that touch, D(c) = Σ S(c'−c) over the
-/// squares c' that do not touch c: a rectangle of offsets, computed from sums over quadrants. The second sum
-/// consists of ten convolutions. The rows of A sum to zero up to rounding. Units: the side of a square; A
-/// scales with h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) operations per product; memory about
-/// 200 N numbers.
+/// Pairs of squares depend only on their offset. With the forms of `cell_pairs` and the four values w_c on the square
+/// c, wᵀAw = Σ_c w_cᵀ 2D(c) w_c − 2 Σ_{c,c'} w_cᵀ C(c'−c) w_{c'} + squares that touch, D(c) = Σ S(c'−c) over the
+/// squares c' that do not touch c: a rectangle of offsets, computed from sums over quadrants. The second sum consists
+/// of ten convolutions. The rows of A sum to zero up to rounding. Units: the side of a square; A scales with
+/// h^{2−2s}. Cost: O(N) kernel values once, then O(N log N) operations per product; memory about 200 N numbers.
 pub(crate) struct GridOperator {
     squares: [usize; 2],
     scale: f64,
