@@ -35,7 +35,7 @@ fn ramp(order: Order, length: f64, height: f64) -> Answer<Pair> {
 
 /// At ν = 1/2 the seminorm does not see scale: a hat over elements of length w beside 1 tends to √(8 ln 2) as w → 0.
 fn hat(w: f64) -> Answer<f64> {
-    let u = Function::linears(&Mesh::from_lengths(vec![1.0, w, w, 1.0])?, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
+    let u = Function::linears(&Mesh::from_lengths(&[1.0, w, w, 1.0])?, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
     Ok(u.seminorm(0.5, 1e-12)?.value)
 }
 

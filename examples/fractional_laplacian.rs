@@ -36,7 +36,7 @@ const ELIMINATED: usize = 256;
 fn two_sided(n: usize, beta: f64) -> Result<Mesh> {
     let half = Mesh::algebraic(n / 2, beta, 1.0)?;
     let lengths = half.lengths();
-    Ok(Mesh::from_lengths(lengths.iter().chain(lengths.iter().rev()).copied().collect())?)
+    Ok(Mesh::from_lengths(&lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>())?)
 }
 
 /// Γ(x) for x > 0: x Γ(x) = Γ(x + 1) up to 20, then Stirling's series; 14 digits.
@@ -53,7 +53,7 @@ fn gamma(x: f64) -> f64 {
 /// either side, where u vanishes: what lies beyond is below rounding.
 fn by_definition(mesh: &Mesh, s: f64, load: &[f64]) -> Result<f64> {
     let far = if s < 0.5 { 1e60 } else { 1e30 };
-    let wide = Mesh::from_lengths([&[far], mesh.lengths(), &[far]].concat())?;
+    let wide = Mesh::from_lengths(&[&[far], mesh.lengths(), &[far]].concat())?;
     let regional = Gram::new(&wide, s, 1e-10)?.to_dense()?;
     let a = regional.view((2, 2), (load.len(), load.len()));
     let scale: Vec<f64> = (0..load.len()).map(|i| a[(i, i)].sqrt()).collect();

@@ -50,7 +50,7 @@ fn kobayashi(corners: [[f64; 2]; 3]) -> f64 {
 /// The largest ‖∇(u − I u)‖₀ / |∇u|_s of quadratic u, from the definition: ∇u = H x with the Hessian H, so
 /// |∇u|²_s = tr(H G Hᵀ), G the form of the seminorm for the functions x₁, x₂ on T; u − I u has the gradient H x − g.
 fn of_quadratics(corners: [[f64; 2]; 3], s: f64) -> Result<f64> {
-    let mesh = Triangles::new(corners.to_vec(), vec![[0, 1, 2]])?;
+    let mesh = Triangles::new(&corners, &[[0, 1, 2]])?;
     // |a x₁ + b x₂|²_s: a smooth integral in the ratio of distances from a corner, by Gauss rules to 1e-8. With w = (a, b) it
     // is ∫ (w·e)² S N(e)^(2s−2) B(2−2s, 3) dφ, e = (cos φ, sin φ), S the area, N half the sum of |barycentric parts of e|.
     let square = |a: f64, b: f64| -> Result<f64> {

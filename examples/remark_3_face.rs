@@ -54,7 +54,7 @@ fn face(halvings: u32) -> Result<(Triangles, Vec<f64>, Vec<f64>)> {
         sigma.push(0.0);
         u.push(-1.0);
     }
-    Ok((Triangles::new(nodes, triangles)?, sigma, u))
+    Ok((Triangles::new(&nodes, &triangles)?, sigma, u))
 }
 
 /// |σ|_ν from its definition: twice the integral of |x − y|^(−2−2ν) over x in a gap and y in contact, for the three gaps. Since

@@ -89,8 +89,8 @@ fn rearranged(mesh: &Mesh, values: &[f64]) -> Result<Function<'static>> {
     };
     let measure = |&y: &f64| values.windows(2).zip(mesh.lengths()).map(|part| above(part, y)).sum::<f64>();
     let nodes: Vec<f64> = levels.iter().map(measure).collect();
-    let lengths = nodes.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    Ok(Function::linears(&Mesh::from_lengths(lengths)?, &levels)?)
+    let lengths = nodes.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
+    Ok(Function::linears(&Mesh::from_lengths(&lengths)?, &levels)?)
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
@@ -145,7 +145,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // Linear between random values on a random mesh; seminorms are closed forms on pairs of elements.
         let (nu, count) = (0.01 + 0.98 * random.uniform(), 2 + (10.0 * random.uniform()) as usize);
         let values: Vec<f64> = (0..=count).map(|_| random.uniform()).collect();
-        let mesh = Mesh::from_lengths(random.shares(count, 1.0))?;
+        let mesh = Mesh::from_lengths(&random.shares(count, 1.0))?;
         let less = Measured::from(rearranged(&mesh, &values)?.seminorm(nu, 1e-8)?);
         let share = less / Function::linears(&mesh, &values)?.seminorm(nu, 1e-8)?;
         out.check("functions: |v*|_ν/|v|_ν").at_most(share, 1.0 + 1e-8, "theorem");

@@ -48,8 +48,8 @@ example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the cla
 fn intervals(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec<RadialInterval>> {
     let (set, place) = (&solution.contact_set, &solution.positions);
     let first = place.partition_point(|&r| r < 10.0 * problem.edge().arc()[1]);
-    let read = (first..set.constraints()).map(|i| set.contains(i)).collect();
-    Ok(radial_intervals(&place[first..], &ContactSet::new(read))?)
+    let read = (first..set.constraints()).map(|i| set.contains(i)).collect::<Vec<_>>();
+    Ok(radial_intervals(&place[first..], &ContactSet::new(&read))?)
 }
 
 /// The largest of (u_N)₊, (σ_N)₊, |u_N σ_N| and of the residual of the equations in a decade of r, each over the largest
@@ -91,7 +91,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // Active set: guess which constraints are active, solve with these as equations, correct by the signs, node
             // by node without a tolerance; from no contact, and from full contact.
             let nodal = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-            let full = Start::Set(ContactSet::new(vec![true; arc.len()]));
+            let full = Start::Set(ContactSet::new(&vec![true; arc.len()]));
             let closed = problem.solve(Cone::Nodal, Settings { start: full, ..Settings::default() })?;
             // Interior point method on the edge whose barrier expects u_N of size r^(1/2), alike in every decade; its
             // matrices are full, so that it is left out on long edges.

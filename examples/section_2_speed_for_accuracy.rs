@@ -132,7 +132,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     if is_known {
                         out.check("1e-10: change of the error").at_most(change, 1e-6, "six digits");
                     }
-                    out.check("two solvers: relative difference of J").at_most(of_j, 1e-11, "rounding");
+                    out.check("two solvers: change of J").at_most(of_j, 1e-11, "rounding");
                     if !u.margins.is_weak(1e-9) {
                         let other = v.contact_set.distance(&u.contact_set);
                         out.check("constraints active for one").at_most(other, 0.0, "the same contact set");

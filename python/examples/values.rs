@@ -39,7 +39,7 @@ fn main() -> Result<()> {
     let values: Vec<f64> = curve.nodes().iter().map(|[x, y]| x * y).collect();
     show("boundary", Function::on_curve(&curve, 1, &values)?.norm(-0.5, 1e-8)?);
     let plane =
-        Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], vec![[0, 1, 3], [0, 3, 2]])?;
+        Triangles::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]], &[[0, 1, 3], [0, 3, 2]])?;
     show("plane", Function::on_triangles(&plane, 1, &[0.0, 1.0, 0.0, 1.0])?.norm(0.5, 1e-6)?);
     show("poincare", gamma(0.5, Constraint::mean_zero_on(0.0..1e-6), 1e-8)?.constant);
     let interval = interpolation_constant(Domain::Interval(1.0), ErrorNorm::Derivative, 0.5, 1e-9)?;

@@ -147,7 +147,7 @@ pub(crate) fn contact(
             Some([lambda, mu]) => Form::elastic(Lame::new(lambda, mu)?),
             None => Form::LAPLACE,
         };
-        let mesh = Triangulation::new(nodes, triangles, edges)?;
+        let mesh = Triangulation::new(&nodes, &triangles, &edges)?;
         let values =
             if values.is_empty() { vec![0.0; form.components() * mesh.nodes().len()] } else { values };
         let mut problem = ContactProblem::new(mesh, form, &values)?;

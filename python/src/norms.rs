@@ -162,7 +162,7 @@ pub(crate) fn plane_norm(
     let which = if seminorm { Which::Seminorm } else { Which::Norm };
     let found = wait(py, &shared, move || {
         let degree = usize::from(values.len() == nodes.len());
-        let mesh = Triangles::new(nodes, triangles)?;
+        let mesh = Triangles::new(&nodes, &triangles)?;
         of(which, &Function::on_triangles(&mesh, degree, &values)?, s, tol)
     })?;
     estimate(py, found)

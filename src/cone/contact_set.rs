@@ -10,7 +10,7 @@ use std::ops::Range;
 ///
 /// ```
 /// use signorini::cone::{Cone, ContactSet, Ends};
-/// let coarse = ContactSet::new(vec![true, true, false, false]);
+/// let coarse = ContactSet::new(&[true, true, false, false]);
 /// // halved segments inherit contact: the set covers the same part of the edge
 /// let fine = Cone::Midpoint.on(9, Ends::Open).refined_set(&coarse)?;
 /// assert_eq!(fine.count() * coarse.constraints(), coarse.count() * fine.constraints());
@@ -25,8 +25,8 @@ impl ContactSet {
     /// The set with the given characteristic function.
     ///
     /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Numbered from left to right.
-    pub fn new(active: Vec<bool>) -> Self {
-        Self { active }
+    pub fn new(active: &[bool]) -> Self {
+        Self { active: active.to_vec() }
     }
 
     /// The empty contact set for `constraints` constraints.
@@ -40,7 +40,7 @@ impl ContactSet {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn empty(constraints: usize) -> Self {
-        Self::new(vec![false; constraints])
+        Self::new(&vec![false; constraints])
     }
 
     /// Number of constraints, active or not.
@@ -69,7 +69,7 @@ impl ContactSet {
     ///
     /// ```
     /// use signorini::cone::ContactSet;
-    /// let set = ContactSet::new(vec![true, false, true]);
+    /// let set = ContactSet::new(&[true, false, true]);
     /// // characteristic function and indices describe the same set
     /// assert!(set.indices().iter().all(|&i| set.as_slice()[i]) && set.indices().len() == set.count());
     /// # Ok::<(), signorini::Error>(())
@@ -81,7 +81,7 @@ impl ContactSet {
     /// The active indices, ascending.
     ///
     /// ```
-    /// let set = signorini::cone::ContactSet::new(vec![true, false, true, true]);
+    /// let set = signorini::cone::ContactSet::new(&[true, false, true, true]);
     /// assert_eq!(set.indices(), [0, 2, 3]);
     /// assert_eq!(set.indices(), set.runs().into_iter().flatten().collect::<Vec<_>>());
     /// # Ok::<(), signorini::Error>(())
@@ -97,7 +97,7 @@ impl ContactSet {
     ///
     /// ```
     /// use signorini::cone::ContactSet;
-    /// let set = ContactSet::new(vec![true, true, false, true, false]);
+    /// let set = ContactSet::new(&[true, true, false, true, false]);
     /// assert_eq!(set.runs(), [0..2, 3..4]);
     /// // the lengths of the runs sum to the number of active constraints
     /// assert_eq!(set.runs().iter().map(|run| run.len()).sum::<usize>(), set.count());
@@ -121,7 +121,7 @@ impl ContactSet {
     ///
     /// ```
     /// use signorini::cone::ContactSet;
-    /// let [a, b] = [[true, false, true], [true, true, false]].map(|set| ContactSet::new(set.to_vec()));
+    /// let [a, b] = [[true, false, true], [true, true, false]].map(|set| ContactSet::new(&set));
     /// assert_eq!((a.distance(&a), a.distance(&b), b.distance(&a)), (0, 2, 2));
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -137,7 +137,7 @@ mod tests {
 
     #[test]
     fn runs_are_maximal() {
-        let set = ContactSet::new(vec![true, true, false, true, false]);
+        let set = ContactSet::new(&[true, true, false, true, false]);
         assert_eq!(set.runs(), vec![0..2, 3..4]);
         assert_eq!((set.count(), set.distance(&ContactSet::empty(5))), (3, 3));
         assert!(ContactSet::empty(4).runs().is_empty());

@@ -208,7 +208,7 @@ impl EdgeCone {
     ///
     /// ```
     /// use signorini::cone::{Cone, ContactSet, Ends};
-    /// let coarse = ContactSet::new(vec![true, true, false]);
+    /// let coarse = ContactSet::new(&[true, true, false]);
     /// let fine = Cone::Nodal.on(5, Ends::Open).refined_set(&coarse)?;
     /// assert_eq!(fine.indices(), [0, 1, 2]);
     /// assert!(Cone::Nodal.on(6, Ends::Open).refined_set(&coarse).is_err());
@@ -230,10 +230,12 @@ impl EdgeCone {
                 expected: self.constraints(),
             }));
         }
-        Ok(ContactSet::new(match self.cone {
+        Ok(ContactSet::new(&match self.cone {
             // Coarse nodes and, between two active ones, the new node.
-            Cone::Nodal => (0..given).map(|i| set[i / 2] && set[i.div_ceil(2) % set.len()]).collect(),
-            Cone::Midpoint => set.iter().flat_map(|&active| [active; 2]).collect(),
+            Cone::Nodal => {
+                (0..given).map(|i| set[i / 2] && set[i.div_ceil(2) % set.len()]).collect::<Vec<_>>()
+            }
+            Cone::Midpoint => set.iter().flat_map(|&active| [active; 2]).collect::<Vec<_>>(),
         }))
     }
 
@@ -265,7 +267,7 @@ mod tests {
 
     #[test]
     fn halved_segments_inherit_contact() {
-        let coarse = ContactSet::new(vec![true, true, false]);
+        let coarse = ContactSet::new(&[true, true, false]);
         let refined = |cone: Cone, nodes, ends| cone.on(nodes, ends).refined_set(&coarse);
         let fine = refined(Cone::Nodal, 5, Ends::Open).unwrap();
         assert_eq!(fine.as_slice(), [true, true, true, false, false]);

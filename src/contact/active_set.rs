@@ -129,7 +129,7 @@ fn by_dual(problem: &EdgeProblem<'_>, fewest: usize) -> Result<Option<ContactSet
 fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
-    ContactSet::new(active)
+    ContactSet::new(&active)
 }
 
 /// The constraint with the largest violation, measured by its gap or by its multiplier divided by the diagonal of S.
@@ -158,7 +158,7 @@ fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<Contact
     let target: Vec<f64> = (0..force.len()).map(|i| state.displacement[i] + force[i] / weight(i)).collect();
     let nearest =
         Weighted { weight, bound: |i: usize| problem.bound[i], is_fixed: |i: usize| problem.fixed[i] };
-    Ok(ContactSet::new(match problem.ends {
+    Ok(ContactSet::new(&match problem.ends {
         Ends::Open => project_weighted(&target, &nearest).1,
         Ends::Joined => active_on_ring(&target, &nearest),
     }))
@@ -201,7 +201,7 @@ mod tests {
                 ends: Ends::Open,
             };
             for first in 0..8u32 {
-                let start = ContactSet::new((0..3).map(|i| first >> i & 1 == 1).collect());
+                let start = ContactSet::new(&(0..3).map(|i| first >> i & 1 == 1).collect::<Vec<_>>());
                 let outcome = solve_on_edge(&problem, start).unwrap();
                 assert!(outcome.status.is_converged(), "{load:?} from {first}");
             }
@@ -236,11 +236,11 @@ mod tests {
         for (bound, off) in [([0.1, 0.2], 0.1), ([0.2, 0.1], 0.1), ([0.2, 0.2], 0.0)] {
             let problem =
                 EdgeProblem { stiffness: &stiffness, load, bound: &bound, fixed: &fixed, cone, ends };
-            let state = problem.solve_with(&ContactSet::new(vec![true; 2])).unwrap();
+            let state = problem.solve_with(&ContactSet::new(&[true; 2])).unwrap();
             let largest = state.gap.iter().fold(0.0, |m: f64, gap| m.max(gap.abs()));
             assert!((largest - off).abs() < 1e-15, "{bound:?}: {:?}", state.gap);
             for start in [[true, true], [true, false], [false, true], [false, false]] {
-                let outcome = solve_on_edge(&problem, ContactSet::new(start.to_vec())).unwrap();
+                let outcome = solve_on_edge(&problem, ContactSet::new(&start)).unwrap();
                 assert!(outcome.status.is_converged(), "{bound:?} from {start:?}: {}", outcome.status);
                 let least = 2.0 * f64::min(bound[0], bound[1]);
                 assert!((outcome.state.displacement[1] - least).abs() < 1e-15);

@@ -218,7 +218,7 @@ impl<'a> Iterate<'a> {
     fn outcome(mut self, status: Status, steps: usize) -> EdgeOutcome {
         let fixed = self.problem.fixed;
         let active = |i: usize| !fixed[i] && self.force[i] > self.problem.stiffness[(i, i)] * self.gap[i];
-        let set = ContactSet::new((0..fixed.len()).map(active).collect());
+        let set = ContactSet::new(&(0..fixed.len()).map(active).collect::<Vec<_>>());
         // Without contact, small forces left by the barrier are set to zero.
         let sizes = self.problem.sizes(&self.displacement);
         let is_left = |i: usize| fixed[i] || self.force[i] <= LEFT * sizes.force(i);

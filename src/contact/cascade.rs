@@ -62,7 +62,7 @@ pub(super) fn guess(problem: &EdgeProblem<'_>) -> Result<ContactSet> {
         Cone::Nodal => set.contains(i / 2) && set.contains(i.div_ceil(2) % m),
         Cone::Midpoint => set.contains(i / 2),
     };
-    Ok(ContactSet::new((0..constraints).map(is_active).collect()))
+    Ok(ContactSet::new(&(0..constraints).map(is_active).collect::<Vec<_>>()))
 }
 
 #[cfg(test)]

@@ -56,7 +56,7 @@ pub(super) fn dual_active_set(problem: &EdgeProblem<'_>) -> Result<(ContactSet, 
     }
     let mut active = vec![false; problem.bound.len()];
     iterate.held.iter().for_each(|&(constraint, _)| active[constraint] = true);
-    Ok((ContactSet::new(active), changes))
+    Ok((ContactSet::new(&active), changes))
 }
 
 /// The outcome of a step toward a constraint.

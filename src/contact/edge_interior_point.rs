@@ -42,7 +42,7 @@ pub(super) fn edge_interior_point(problem: &EdgeProblem<'_>) -> Result<EdgeOutco
     let stiffness =
         |i: usize| cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
     let active = |i: usize| multiplier[i] > stiffness(i) * gap[i].abs();
-    let set = ContactSet::new((0..gap.len()).map(active).collect());
+    let set = ContactSet::new(&(0..gap.len()).map(active).collect::<Vec<_>>());
     if set.count() == 0 && largest(&multiplier) <= LEFT * largest(problem.load) {
         // Without contact, small multipliers left by the barrier are set to zero; the balance verifies this.
         multiplier.iter_mut().for_each(|l| *l = 0.0);

@@ -209,7 +209,8 @@ mod tests {
                     ends: Ends::Open,
                 };
                 for pattern in 0..1u32 << (constraints - 1) {
-                    let set = ContactSet::new((0..constraints).map(|i| pattern >> i & 1 == 1).collect());
+                    let set =
+                        ContactSet::new(&(0..constraints).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>());
                     check(&problem, &set);
                 }
             }
@@ -238,7 +239,7 @@ mod tests {
     fn project(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> (Vec<f64>, ContactSet) {
         let nearest = Weighted { weight: |i| weights[i], bound: |i| bound[i], is_fixed: |i| fixed[i] };
         let (p, active) = project_weighted(target, &nearest);
-        (p, ContactSet::new(active))
+        (p, ContactSet::new(&active))
     }
 
     /// The other method: try every contact set for S = D, b = D z, and take the one that satisfies all
@@ -250,7 +251,9 @@ mod tests {
         let (cone, ends) = (Cone::Midpoint, Ends::Open);
         let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone, ends };
         (0..1_u32 << bound.len())
-            .map(|pattern| ContactSet::new((0..bound.len()).map(|i| pattern >> i & 1 == 1).collect()))
+            .map(|pattern| {
+                ContactSet::new(&(0..bound.len()).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>())
+            })
             .map(|set| problem.solve_with(&set).unwrap())
             .find(|state| {
                 let admissible = (0..bound.len()).all(|i| state.gap[i] <= 1e-13 || problem.is_settled(i));

@@ -66,7 +66,9 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
 fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
     let normals = problem.normal_unknowns();
     let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);
-    ContactSet::new((0..gap.len()).map(|i| answer.multiplier[i] > stiff(i) * gap[i].abs()).collect())
+    ContactSet::new(
+        &(0..gap.len()).map(|i| answer.multiplier[i] > stiff(i) * gap[i].abs()).collect::<Vec<_>>(),
+    )
 }
 
 fn run(problem: &ContactProblem, cone: EdgeCone) -> Result<Answer> {

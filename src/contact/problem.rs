@@ -164,7 +164,7 @@ impl ContactProblem {
     /// edge in several pieces.
     pub fn contact_mesh(&self) -> Result<Mesh> {
         self.edge.require_one_piece()?;
-        Ok(Mesh::from_lengths(self.edge.segment_lengths())?)
+        Ok(Mesh::from_lengths(&self.edge.segment_lengths())?)
     }
 
     /// Checks that the cone is defined on the contact edge.

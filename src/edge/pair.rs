@@ -167,13 +167,17 @@ impl ContactPair {
         Error::require("tau", tau, "[2, 5/2)", (2.0..2.5).contains(&tau))?;
         let n = cells as f64;
         let place = |i: usize| i as f64 / n - a;
-        let values = (0..=cells).map(|i| 0.0 - place(i).max(0.0).powf(tau - 1.0)).collect();
+        let values = (0..=cells).map(|i| 0.0 - place(i).max(0.0).powf(tau - 1.0)).collect::<Vec<_>>();
         let force = |i: usize| {
             let share = if i == 0 || i == cells { 0.5 } else { 1.0 };
             if place(i) < 0.0 { share * (-place(i)).powf(tau - 2.0) / n } else { 0.0 }
         };
-        let edge_data =
-            EdgeData::new(cells, LateralCondition::Natural, values, (0..=cells).map(force).collect())?;
+        let edge_data = EdgeData::new(
+            cells,
+            LateralCondition::Natural,
+            &values,
+            &(0..=cells).map(force).collect::<Vec<_>>(),
+        )?;
         Self::of_data(&edge_data, Traces::Linears)
     }
 

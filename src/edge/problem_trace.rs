@@ -55,8 +55,8 @@ impl EdgeTrace {
             values.push(values[0]);
             forces.push(forces[0]);
         }
-        let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect();
-        EdgeTrace::new(nodes, values, forces, 0.0)
+        let nodes = (0..=cells).map(|i| i as f64 / cells as f64).collect::<Vec<_>>();
+        EdgeTrace::new(&nodes, &values, &forces, 0.0)
     }
 
     /// The trace on a fine grid that represents u for meshes of up to n segments; `tau` is the regularity of a strip
@@ -130,5 +130,5 @@ fn discrete_trace(
             }
         }
     }
-    EdgeTrace::new(nodes, values, force, ZERO * largest)
+    EdgeTrace::new(&nodes, &values, &force, ZERO * largest)
 }

@@ -37,7 +37,7 @@ impl RadialInterval {
 /// ```
 /// use signorini::cone::ContactSet;
 /// use signorini::edge::radial_intervals;
-/// let set = ContactSet::new(vec![false, true, true, false]);
+/// let set = ContactSet::new(&[false, true, true, false]);
 /// let found = radial_intervals(&[0.0, 1e-4, 1e-2, 1.0], &set)?;
 /// assert_eq!(found.len(), 2);
 /// assert!(found[0].in_contact && (found[0].to - 0.1).abs() < 1e-15);
@@ -80,7 +80,7 @@ mod tests {
     #[test]
     fn stretches_follow_each_other_and_bad_radii_are_refused() {
         let radii: Vec<f64> = (0..90).rev().map(|k| 10f64.powi(-k)).collect();
-        let set = ContactSet::new((0..90).map(|i| i / 30 != 1).collect());
+        let set = ContactSet::new(&(0..90).map(|i| i / 30 != 1).collect::<Vec<_>>());
         let found = radial_intervals(&radii, &set).unwrap();
         assert_eq!(found.iter().map(|part| part.in_contact).collect::<Vec<_>>(), [true, false, true]);
         assert!(found.windows(2).all(|pair| pair[0].to == pair[1].from));

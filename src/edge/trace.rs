@@ -32,7 +32,7 @@ impl Interval {
 /// ```
 /// use signorini::edge::{EdgeTrace, Interval};
 /// let (nodes, gap) = (vec![0.0, 0.25, 0.5, 0.75, 1.0], vec![0.0, -0.25, -0.5, 0.0, 0.0]);
-/// let trace = EdgeTrace::new(nodes, gap, vec![1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
+/// let trace = EdgeTrace::new(&nodes, &gap, &[1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
 /// let contact = [Interval { start: 0.0, end: 0.0 }, Interval { start: 0.75, end: 1.0 }];
 /// assert_eq!((trace.contact(), trace.transitions()), (&contact[..], 2));
 /// assert_eq!(trace.displacement_at(0.625), -0.25);
@@ -59,7 +59,7 @@ impl EdgeTrace {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two nodes,
     /// [`ToolkitError::EntryOutOfRange`](crate::ToolkitError::EntryOutOfRange) if the nodes do not increase or u_N
     /// exceeds `rounding`.
-    pub fn new(nodes: Vec<f64>, displacement: Vec<f64>, force: Vec<f64>, rounding: f64) -> Result<Self> {
+    pub fn new(nodes: &[f64], displacement: &[f64], force: &[f64], rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "nodes of the contact edge",
@@ -67,10 +67,10 @@ impl EdgeTrace {
                 range: "[2, inf)",
             }));
         }
-        for (name, values) in [("displacement", &displacement), ("force", &force)] {
+        for (name, values) in [("displacement", displacement), ("force", force)] {
             require_length(name, values.len(), nodes.len())?;
         }
-        for (name, values) in [("node", &nodes), ("displacement", &displacement), ("force", &force)] {
+        for (name, values) in [("node", nodes), ("displacement", displacement), ("force", force)] {
             require_finite(name, values)?;
         }
         if let Some(k) = nodes.windows(2).position(|p| p[0] >= p[1]) {
@@ -82,9 +82,15 @@ impl EdgeTrace {
         let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
         let force_rounding = if largest_u > 0.0 { rounding / largest_u * largest_force } else { 0.0 };
-        let contact = runs(&nodes, |i| displacement[i] >= -rounding);
-        let pressed = runs(&nodes, |i| force[i] > force_rounding);
-        Ok(Self { nodes, displacement, force, contact, pressed })
+        let contact = runs(nodes, |i| displacement[i] >= -rounding);
+        let pressed = runs(nodes, |i| force[i] > force_rounding);
+        Ok(Self {
+            nodes: nodes.to_vec(),
+            displacement: displacement.to_vec(),
+            force: force.to_vec(),
+            contact,
+            pressed,
+        })
     }
 
     /// The nodes, in increasing order.
@@ -108,7 +114,7 @@ impl EdgeTrace {
     ///
     /// ```
     /// use signorini::edge::EdgeTrace;
-    /// let trace = EdgeTrace::new(vec![0.0, 0.25, 1.0], vec![0.0; 3], vec![1.0, 1.0, 3.0], 0.0)?;
+    /// let trace = EdgeTrace::new(&[0.0, 0.25, 1.0], &[0.0; 3], &[1.0, 1.0, 3.0], 0.0)?;
     /// assert_eq!(trace.pressure(), [8.0, 2.0, 8.0]);
     /// # Ok::<(), signorini::Error>(())
     /// ```

@@ -39,7 +39,7 @@ pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangu
         }
     }
     let fine = Triangulation::trusted(nodes, triangles, boundary);
-    let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(regions)? };
+    let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(&regions)? };
     Ok((fine, parents))
 }
 
@@ -116,8 +116,7 @@ mod tests {
     }
 
     fn assert_sound(mesh: &Triangulation) {
-        let checked =
-            Triangulation::new(mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
+        let checked = Triangulation::new(&mesh.nodes(), &mesh.triangles(), &mesh.boundary());
         assert_eq!(&checked.unwrap(), mesh);
     }
 

@@ -100,9 +100,9 @@ mod tests {
 
     fn two_triangles(top: f64, edges: &[[usize; 2]]) -> Result<Triangulation> {
         Triangulation::new(
-            vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, top]],
-            vec![[0, 1, 2], [0, 2, 3]],
-            edges.iter().map(|&nodes| BoundaryEdge { nodes, part: Part::Neumann }).collect(),
+            &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, top]],
+            &[[0, 1, 2], [0, 2, 3]],
+            &edges.iter().map(|&nodes| BoundaryEdge { nodes, part: Part::Neumann }).collect::<Vec<_>>(),
         )
     }
 

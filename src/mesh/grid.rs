@@ -99,9 +99,9 @@ impl Grid {
                 (part_of(middle, b) == Some(part)).then_some(BoundaryEdge { part, ..*edge })
             })
             .collect::<Option<_>>()?;
-        let mut made = Triangulation::new(nodes, template.triangles().to_vec(), boundary).ok()?;
+        let mut made = Triangulation::new(&nodes, &template.triangles(), &boundary).ok()?;
         if !mesh.regions().is_empty() {
-            made = made.with_regions(self.coarse_regions(coarse, mesh)?).ok()?;
+            made = made.with_regions(&self.coarse_regions(coarse, mesh)?).ok()?;
         }
         Some((coarse, made))
     }
@@ -155,8 +155,8 @@ mod tests {
         let fine = unit_square(4, SideParts::HANGING).unwrap();
         let grid = Grid::of(&fine).unwrap();
         let split = |at: usize| {
-            let regions = (0..32).map(|t| u32::from(t / 2 % 4 >= at)).collect();
-            grid.coarse_mesh(&fine.clone().with_regions(regions).unwrap())
+            let regions = (0..32).map(|t| u32::from(t / 2 % 4 >= at)).collect::<Vec<_>>();
+            grid.coarse_mesh(&fine.clone().with_regions(&regions).unwrap())
         };
         let regions: Vec<u32> = (0..8).map(|t| (t / 2) % 2).collect();
         assert_eq!(split(2).unwrap().1.regions(), regions);

@@ -270,8 +270,8 @@ fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
     }
     let mut fine = Triangulation::trusted(nodes, triangles, boundary);
     if !coarse.regions().is_empty() {
-        let regions = coarse.regions().iter().flat_map(|&region| [region; 4]).collect();
-        fine = fine.with_regions(regions)?;
+        let regions = coarse.regions().iter().flat_map(|&region| [region; 4]).collect::<Vec<_>>();
+        fine = fine.with_regions(&regions)?;
     }
     Ok((fine, parents))
 }
@@ -297,9 +297,9 @@ mod tests {
         };
         assert_eq!(key(hierarchy.finest()), key(&unit_square(8, SideParts::HANGING).unwrap()));
         let checked = Triangulation::new(
-            hierarchy.finest().nodes().to_vec(),
-            hierarchy.finest().triangles().to_vec(),
-            hierarchy.finest().boundary().to_vec(),
+            &hierarchy.finest().nodes(),
+            &hierarchy.finest().triangles(),
+            &hierarchy.finest().boundary(),
         );
         assert_eq!(&checked.unwrap(), hierarchy.finest());
     }

@@ -131,7 +131,7 @@ mod tests {
         for outline in [Outline::HalfDisc, Outline::Rectangle] {
             let mesh = polar_rings(outline, 8, 0.5, 1e-100).unwrap();
             let parts = (mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
-            assert_eq!(Triangulation::new(parts.0, parts.1, parts.2).unwrap(), mesh);
+            assert_eq!(Triangulation::new(&parts.0, &parts.1, &parts.2).unwrap(), mesh);
             let edge = ContactEdge::of(&mesh).unwrap();
             assert_eq!((edge.points()[0], edge.normal().unwrap()), ([0.0, 0.0], [0.0, -1.0]));
             assert!(edge.arc()[1] <= 1e-100 && *edge.arc().last().unwrap() == 1.0);

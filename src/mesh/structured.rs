@@ -158,8 +158,8 @@ pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part)
         let [p, q] = ends.map(|node| nodes[node]);
         BoundaryEdge { nodes: *ends, part: part([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]) }
     };
-    let boundary = all.iter().filter(|[a, b]| !all.contains(&[*b, *a])).map(labelled).collect();
-    Triangulation::new(nodes, triangles, boundary)
+    let boundary = all.iter().filter(|[a, b]| !all.contains(&[*b, *a])).map(labelled).collect::<Vec<_>>();
+    Triangulation::new(&nodes, &triangles, &boundary)
 }
 
 #[cfg(test)]
@@ -169,8 +169,7 @@ mod tests {
     #[test]
     fn structured_grids_pass_the_check_of_foreign_meshes() {
         let mesh = rectangles(3, 2, SideParts::HANGING).unwrap();
-        let checked =
-            Triangulation::new(mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
+        let checked = Triangulation::new(&mesh.nodes(), &mesh.triangles(), &mesh.boundary());
         assert_eq!(checked.unwrap(), mesh);
         assert!(unit_square(0, SideParts::HANGING).is_err());
         // Three squares around a reentrant corner: 3 n² cells, 8 n edges; one square is the structured grid.

@@ -28,7 +28,7 @@ impl Triangulation {
     /// let side = |nodes, part| BoundaryEdge { nodes, part };
     /// let (bottom, top) = (side([0, 1], Part::Contact), side([1, 2], Part::Neumann));
     /// let sides = vec![bottom, top, side([2, 0], Part::Dirichlet)];
-    /// let mesh = Triangulation::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]], sides)?;
+    /// let mesh = Triangulation::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &[[0, 1, 2]], &sides)?;
     /// assert_eq!(mesh.mesh_size(), 2f64.sqrt());
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -37,8 +37,8 @@ impl Triangulation {
     /// The first invalid node, triangle or edge: coordinates that are not finite, node numbers out of range, inverted
     /// or degenerate triangles, edges shared by more than two triangles, labels on interior edges, boundary edges
     /// without a label or with two, nodes in no triangle.
-    pub fn new(nodes: Vec<Point>, triangles: Vec<[usize; 3]>, boundary: Vec<BoundaryEdge>) -> Result<Self> {
-        let mut mesh = Self::trusted(nodes, triangles, boundary);
+    pub fn new(nodes: &[Point], triangles: &[[usize; 3]], boundary: &[BoundaryEdge]) -> Result<Self> {
+        let mut mesh = Self::trusted(nodes.to_vec(), triangles.to_vec(), boundary.to_vec());
         check::nodes_and_triangles(&mesh.nodes, &mesh.triangles)?;
         check::boundary(&mut mesh.boundary, &mesh.triangles)?;
         Ok(mesh)
@@ -58,14 +58,14 @@ impl Triangulation {
     /// ```
     /// use signorini::mesh::{SideParts, unit_square};
     /// let mesh = unit_square(1, SideParts::HANGING)?;
-    /// assert_eq!((mesh.region(1), mesh.clone().with_regions(vec![0, 3])?.region(1)), (0, 3));
-    /// assert!(mesh.with_regions(vec![0]).is_err());
+    /// assert_eq!((mesh.region(1), mesh.clone().with_regions(&[0, 3])?.region(1)), (0, 3));
+    /// assert!(mesh.with_regions(&[0]).is_err());
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one number per triangle.
-    pub fn with_regions(mut self, regions: Vec<u32>) -> Result<Self> {
+    pub fn with_regions(mut self, regions: &[u32]) -> Result<Self> {
         if regions.len() != self.triangles.len() {
             return Err(Error::Toolkit(ToolkitError::LengthMismatch {
                 name: "regions",
@@ -73,7 +73,7 @@ impl Triangulation {
                 expected: self.triangles.len(),
             }));
         }
-        self.regions = regions;
+        self.regions = regions.to_vec();
         Ok(self)
     }
 

@@ -89,7 +89,7 @@ impl Gaps {
             }
         }
         let forces = contact_forces(&values, cells, sides, (self.pressure, self.logarithm));
-        Ok(EdgeData::new(cells, sides, values, forces)?.with_regularity(tau))
+        Ok(EdgeData::new(cells, sides, &values, &forces)?.with_regularity(tau))
     }
 
     /// δ/h at node i of a gap from a = left + advance: (i − a)(b − i)/(b − a), or i − a if the gap extends beyond the

@@ -89,7 +89,7 @@ impl TransitionPowers {
         // The part between the last contact node and a, so that no force is lost.
         let rest = position - last as f64 * h;
         forces[last] += if rest > 0.0 { integral(0.0, rest) } else { 0.0 };
-        EdgeData::new(cells, LateralCondition::Natural, values, forces)
+        EdgeData::new(cells, LateralCondition::Natural, &values, &forces)
     }
 }
 

@@ -141,7 +141,7 @@ fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -
 fn halved(partition: &Mesh, halvings: u32) -> Result<Mesh> {
     let parts = 1usize << halvings;
     let cut = |&length: &f64| std::iter::repeat_n(length / parts as f64, parts);
-    Ok(Mesh::from_lengths(partition.lengths().iter().flat_map(cut).collect())?)
+    Ok(Mesh::from_lengths(&partition.lengths().iter().flat_map(cut).collect::<Vec<_>>())?)
 }
 
 /// b_i' G⁻¹ b_j, G the rows and columns `cells` of the Gram matrix.

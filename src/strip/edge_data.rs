@@ -17,7 +17,7 @@ use crate::text::pairs;
 /// ```
 /// use signorini::{cone::Cone, strip::{EdgeData, LateralCondition, Strip}};
 /// let (values, forces) = (vec![0.0, 0.0, 0.0, -0.1, -0.2], vec![0.3, 0.2, 0.1, 0.0, 0.0]);
-/// let data = EdgeData::new(4, LateralCondition::Natural, values, forces)?;
+/// let data = EdgeData::new(4, LateralCondition::Natural, &values, &forces)?;
 /// // the load A u_N + λ has the pair as its contact solution
 /// let strip = Strip::scalar(4, 4)?;
 /// let held = strip.operator().apply(data.values())?;
@@ -40,7 +40,7 @@ impl EdgeData {
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
-    /// let pair = |forces| EdgeData::new(2, LateralCondition::Natural, vec![0.0, -1.0, 0.0], forces);
+    /// let pair = |forces| EdgeData::new(2, LateralCondition::Natural, &[0.0, -1.0, 0.0], &forces);
     /// // λ u_N = 0 at every node
     /// assert!(pair(vec![1.0, 0.0, 2.0]).is_ok() && pair(vec![1.0, 0.5, 2.0]).is_err());
     /// # Ok::<(), signorini::Error>(())
@@ -51,19 +51,19 @@ impl EdgeData {
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite);
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign; [`Error::NotComplementary`] if
     /// both are nonzero at a node; [`Error::EmptyContact`] if u_N = 0 at no node.
-    pub fn new(cells: usize, sides: LateralCondition, values: Vec<f64>, forces: Vec<f64>) -> Result<Self> {
+    pub fn new(cells: usize, sides: LateralCondition, values: &[f64], forces: &[f64]) -> Result<Self> {
         check_cells(cells, sides)?;
-        for (name, field) in [("u_N", &values), ("lambda", &forces)] {
+        for (name, field) in [("u_N", values), ("lambda", forces)] {
             require_length(name, field.len(), sides.nodes(cells))?;
             require_finite(name, field)?;
         }
-        for (node, (&value, &force)) in values.iter().zip(&forces).enumerate() {
+        for (node, (&value, &force)) in values.iter().zip(forces).enumerate() {
             require_complementary(node, value, force)?;
         }
         if values.iter().all(|&v| v != 0.0) {
             return Err(Error::EmptyContact { nodes: values.len() });
         }
-        Ok(Self { cells, sides, values, forces, regularity: None })
+        Ok(Self { cells, sides, values: values.to_vec(), forces: forces.to_vec(), regularity: None })
     }
 
     /// The same data, declared to be of regularity `tau`.
@@ -117,8 +117,8 @@ impl EdgeData {
                 let at_side = sides == LateralCondition::Natural && (i == 0 || i == cells);
                 densities[i] * if at_side { 0.5 } else { 1.0 } / cells as f64
             })
-            .collect();
-        Self::new(cells, sides, values, forces)
+            .collect::<Vec<_>>();
+        Self::new(cells, sides, &values, &forces)
     }
 
     /// Number of cells of the fine edge.
@@ -152,7 +152,7 @@ impl EdgeData {
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
-    /// let gaps = |sides, values: Vec<f64>| EdgeData::new(4, sides, values.clone(), vec![0.0; values.len()]);
+    /// let gaps = |sides, values: Vec<f64>| EdgeData::new(4, sides, &values, &[0.0; values.len()]);
     /// assert_eq!(gaps(LateralCondition::Natural, vec![-1.0, 0.0, 0.0, 0.0, -1.0])?.gaps(), 2);
     /// assert_eq!(gaps(LateralCondition::Periodic, vec![-1.0, 0.0, 0.0, -1.0])?.gaps(), 1);
     /// # Ok::<(), signorini::Error>(())

@@ -368,7 +368,7 @@ fn norms_scale_as_in_5_5() {
             assert!((quotient - 1.0).abs() < 1e-12, "nu {nu}, theta {theta}: {quotient}");
             // ∫ of the squared hat is a third of its support
             let norm = |l: f64| {
-                let mesh = Mesh::from_lengths(vec![0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l]).unwrap();
+                let mesh = Mesh::from_lengths(&[0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l]).unwrap();
                 let hat = Function::linears(&mesh, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
                 hat.norm(0.0, Tolerance::reference()).unwrap().value
             };

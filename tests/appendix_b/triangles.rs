@@ -97,7 +97,7 @@ fn bad_triangles_orders_and_tolerances_are_errors() {
 fn thin_triangles_raise_the_constant_by_a_power_below_one() {
     let quotient = |s: f64, delta: f64| {
         let corners = vec![[0.0, 0.0], [1.0, -0.5 * delta], [1.0, 0.5 * delta]];
-        let mesh = Triangles::new(corners, vec![[0, 1, 2]]).unwrap();
+        let mesh = Triangles::new(&corners, &[[0, 1, 2]]).unwrap();
         let x = Function::on_triangles(&mesh, 1, &[0.0, 1.0, 1.0]).unwrap();
         (delta / 24.0).sqrt() / x.seminorm(s, 1e-7).unwrap().value
     };

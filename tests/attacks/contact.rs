@@ -84,8 +84,8 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     // From anywhere: single changes of sides and the dual method have to find the way.
     ask("active set from a guess", &|| {
         let mut random = SplitMix::new(seed);
-        let guess = program.supports().iter().map(|_| random.below(2) == 0).collect();
-        problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(guess)), ..Settings::default() })
+        let guess = program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>();
+        problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() })
     });
     if cone == Cone::Nodal && !scene.mesh.is_closed {
         let sizes = vec![1.0; scene.mesh.chain.len()];

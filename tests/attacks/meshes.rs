@@ -98,7 +98,7 @@ fn a_body_that_nothing_holds_is_named_before_any_factorization() {
             .iter()
             .map(|edge| BoundaryEdge { nodes: edge.nodes.map(|node| node + count), part: Part::Neumann }),
     );
-    let mesh = Triangulation::new(nodes, triangles, boundary).unwrap();
+    let mesh = Triangulation::new(&nodes, &triangles, &boundary).unwrap();
     let load = vec![1.0; 2 * mesh.nodes().len()];
     for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
         let failed = ContactProblem::new(mesh.clone(), form, values).unwrap_err();
@@ -138,8 +138,8 @@ fn nodes_of_a_file_are_called_by_its_numbers() {
 fn a_bad_entry_of_an_edge_is_named_by_its_index() {
     use signorini::cone::ContactSet;
     use signorini::edge::{EdgeTrace, radial_intervals};
-    let trace = |x: Vec<f64>, y: Vec<f64>| EdgeTrace::new(x, y, vec![0.0; 2], 0.0).map(drop);
-    let set = ContactSet::new(vec![true, false, true]);
+    let trace = |x: Vec<f64>, y: Vec<f64>| EdgeTrace::new(&x, &y, &[0.0; 2], 0.0).map(drop);
+    let set = ContactSet::new(&[true, false, true]);
     let not_finite = trace(vec![0.0, f64::NAN], vec![0.0; 2]);
     assert!(matches!(not_finite, Err(Error::Toolkit(ToolkitError::NotFinite { index: 1, .. }))));
     let found = [

@@ -17,7 +17,7 @@ fn order(s: f64) -> Order {
 /// bound of C(s), within a third of it: half or twice the constant would be seen.
 #[test]
 fn the_constant_of_the_triangle_is_that_of_a_quadratic_function_within_a_third() {
-    let mesh = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
+    let mesh = Triangles::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &[[0, 1, 2]]).unwrap();
     let x = Function::on_triangles(&mesh, 1, &[0.0, 1.0, 0.0]).unwrap();
     for tau in [1.55, 1.6, 1.75, 1.9, 1.99, 2.0] {
         let found = TheoremConstants::new(tau).unwrap().interpolation;

@@ -105,12 +105,12 @@ impl Proof {
         for tau in [1.75, 2.0] {
             let constants = ProofConstants::new(tau, 2.0, &[0.25]).unwrap();
             for (name, touches) in touching {
-                let values = (0..=cells).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
+                let values: Vec<f64> = (0..=cells).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
                 // A force needs a contact cell beside its node.
                 let carried =
                     |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
-                let forces = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
-                let scene = EdgeData::new(cells, LateralCondition::Natural, values, forces).unwrap();
+                let forces: Vec<f64> = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
+                let scene = EdgeData::new(cells, LateralCondition::Natural, &values, &forces).unwrap();
                 let pair = ContactPair::of_data(&scene, Traces::for_regularity(tau)).unwrap();
                 for norms in pair.norms(4, constants.order(), constants.q()).unwrap() {
                     let squares = [norms.displacement_norm_squared(), norms.stress.norm_squared()];

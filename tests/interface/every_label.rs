@@ -119,7 +119,7 @@ fn planted_faults_are_found() {
     for (from, to) in [
         ("lemma_5_2.md", "lemma_55_2.md"),
         ("{{finding: remark_6_point_condition/theta-1e-12-gamma-theta-gamma-upper-bound}}", "see the page"),
-        ("-over-gamma}", "-over-gammas}"),
+        ("-upper-bound}", "-upper-bounds}"),
         ("::statement_is_confirmed", "::statement_is_denied"),
         ("{{test: appendix_a/remark_6::statement_is_confirmed}}", ""),
     ] {

@@ -106,7 +106,7 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
     let name = "equation_3_2_logarithm";
     for (set, cones) in [
         ("transition", &["nodal", "midpoint"][..]),
-        ("elastic-body-transitions", &["nodal", "midpoint"]),
+        ("transitions", &["nodal", "midpoint"]),
         ("cantor", &["nodal"]),
     ] {
         for cone in cones {
@@ -162,7 +162,7 @@ fn no_set_is_bad_and_none_passes_the_sharp_constant() {
     let shares = ["nodal", "midpoint"].map(|cone| column(name, cone)).concat();
     assert_eq!(shares.iter().filter(|(_, share)| (0.0..1.0).contains(share)).count(), 18, "{shares:?}");
     for cone in ["nodal", "midpoint"] {
-        let found = value(name, &format!("random-sets-over-best-gap-{cone}-cone"));
+        let found = value(name, &format!("{cone}-cone-random-sets-best-end-gap"));
         assert!(found < 1.0 + 1e-12 && found > 0.8, "{cone}: {found}");
     }
 }

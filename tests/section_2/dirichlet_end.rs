@@ -24,8 +24,8 @@ fn solve(scene: &DirichletEnd) -> Result<(ContactSolution, Vec<RadialInterval>, 
     let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
     let radii = problem.edge().arc();
     let first = radii.partition_point(|&r| r < 10.0 * radii[1]);
-    let read = (first..radii.len()).map(|i| solution.contact_set.contains(i)).collect();
-    let parts = radial_intervals(&radii[first..], &ContactSet::new(read))?;
+    let read = (first..radii.len()).map(|i| solution.contact_set.contains(i)).collect::<Vec<_>>();
+    let parts = radial_intervals(&radii[first..], &ContactSet::new(&read))?;
     let decades: Vec<f64> =
         (0..=-scene.smallest.log10().floor() as i32).rev().map(|k| 10f64.powi(-k)).collect();
     let residuals = problem.kkt_by_radius(&solution, [0.0; 2], &decades)?;
@@ -40,7 +40,7 @@ fn every_elastic_body_touches_at_the_end() {
         let scene = DirichletEnd { angles: 8, smallest: 1e-20, poisson: Some(poisson), direction, ..SCENE };
         let (solution, parts, worst) = solve(&scene).unwrap();
         assert!(parts[0].in_contact && parts.len() <= 3 && worst < 1e-10, "{scene:?}: {parts:?} {worst}");
-        let full = ContactSet::new(vec![true; solution.positions.len()]);
+        let full = ContactSet::new(&vec![true; solution.positions.len()]);
         let settings = Settings { start: Start::Set(full), ..Settings::default() };
         let closed = scene.problem().unwrap().solve(Cone::Nodal, settings).unwrap();
         // Nothing is decided at the end itself.

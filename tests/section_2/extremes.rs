@@ -144,7 +144,7 @@ fn polygon(random: &mut SplitMix) -> Triangulation {
     let mean = |axis: usize| nodes.iter().map(|node| node[axis]).sum::<f64>() / corners as f64;
     nodes.push(rounded([mean(0), mean(1)]));
     let next = |k: usize| (k + 1) % corners;
-    let triangles = (0..corners).map(|k| [k, next(k), corners]).collect();
+    let triangles = (0..corners).map(|k| [k, next(k), corners]).collect::<Vec<_>>();
     let clamped = random.below(corners - 1);
     let boundary = (0..corners)
         .map(|k| {
@@ -155,8 +155,8 @@ fn polygon(random: &mut SplitMix) -> Triangulation {
             };
             BoundaryEdge { nodes: [k, next(k)], part }
         })
-        .collect();
-    Triangulation::new(nodes, triangles, boundary).unwrap()
+        .collect::<Vec<_>>();
+    Triangulation::new(&nodes, &triangles, &boundary).unwrap()
 }
 
 /// |J|; contact may prevent every displacement, then J = 0 has no scale of its own.

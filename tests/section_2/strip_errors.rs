@@ -290,7 +290,7 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
             .collect();
         values = fine;
         let forces = vec![0.0; values.len()];
-        let scene = EdgeData::new(64 << level, LateralCondition::Natural, values.clone(), forces).unwrap();
+        let scene = EdgeData::new(64 << level, LateralCondition::Natural, &values, &forces).unwrap();
         let nested = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
         errors.push(nested.error(16, &shape).unwrap().value.powi(2));
     }

@@ -139,15 +139,15 @@ fn bad_scenes_are_named() {
         ([0.0, -1.0, 0.0], [-1.0, 0.0, 0.0], "lambda"),
         ([0.0, f64::NAN, 0.0], [0.0; 3], "not finite"),
     ] {
-        refused(EdgeData::new(2, LateralCondition::Natural, values.to_vec(), forces.to_vec()), words);
+        refused(EdgeData::new(2, LateralCondition::Natural, &values, &forces), words);
     }
-    refused(EdgeData::new(4, LateralCondition::Natural, vec![0.0; 4], vec![0.0; 4]), "length");
-    let odd = EdgeData::new(6, LateralCondition::Natural, vec![0.0; 7], vec![0.0; 7]).unwrap();
+    refused(EdgeData::new(4, LateralCondition::Natural, &[0.0; 4], &[0.0; 4]), "length");
+    let odd = EdgeData::new(6, LateralCondition::Natural, &[0.0; 7], &[0.0; 7]).unwrap();
     let scalar = |data| StripProblem::new(StripKind::Scalar, data, Reference::Nested, 2);
     refused(scalar(&odd), "powers of two");
-    let ring = EdgeData::new(8, LateralCondition::Periodic, vec![0.0; 8], vec![0.0; 8]).unwrap();
+    let ring = EdgeData::new(8, LateralCondition::Periodic, &[0.0; 8], &[0.0; 8]).unwrap();
     refused(scalar(&ring), "sides");
-    let flat = EdgeData::new(8, LateralCondition::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+    let flat = EdgeData::new(8, LateralCondition::Natural, &[0.0; 9], &[0.0; 9]).unwrap();
     let exact = scalar(&flat).unwrap();
     refused(exact.load(16), "cells");
     refused(exact.load(3), "cells");

@@ -37,10 +37,10 @@ fn every_segment_of_the_block_is_in_a_case() {
 
 /// Contact, with a force, at the nodes i/64 that touch.
 fn trace(touches: impl Fn(usize) -> bool) -> EdgeTrace {
-    let nodes = (0..=64).map(|i| i as f64 / 64.0).collect();
-    let displacement = (0..=64).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
-    let force = (0..=64).map(|i| f64::from(u8::from(touches(i)))).collect();
-    EdgeTrace::new(nodes, displacement, force, 0.0).unwrap()
+    let nodes = (0..=64).map(|i| i as f64 / 64.0).collect::<Vec<_>>();
+    let displacement: Vec<f64> = (0..=64).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
+    let force = (0..=64).map(|i| f64::from(u8::from(touches(i)))).collect::<Vec<_>>();
+    EdgeTrace::new(&nodes, &displacement, &force, 0.0).unwrap()
 }
 
 #[test]

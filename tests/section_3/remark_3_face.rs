@@ -32,7 +32,7 @@ fn face(halvings: i32) -> (Triangles, Vec<f64>, Vec<f64>) {
         sigma.push(0.0);
         u.push(-1.0);
     }
-    (Triangles::new(nodes, triangles).unwrap(), sigma, u)
+    (Triangles::new(&nodes, &triangles).unwrap(), sigma, u)
 }
 
 /// The nodal quotient and that of means, from areas in closed form: gaps have the area r²/2.

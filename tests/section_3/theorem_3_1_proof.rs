@@ -54,8 +54,8 @@ fn the_corrected_law_gives_the_square_root_of_the_logarithm() {
 fn degenerate_pairs_have_finite_norms_and_no_violation() {
     PROOF.holds_on_degenerate_pairs();
     // A force on an isolated contact point is no density.
-    let values = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
-    let forces = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
-    let scene = EdgeData::new(8, LateralCondition::Natural, values, forces).unwrap();
+    let values: Vec<f64> = (0..=8).map(|i| if i == 4 { 0.0 } else { -1.0 }).collect();
+    let forces: Vec<f64> = (0..=8).map(|i| if i == 4 { 1.0 } else { 0.0 }).collect();
+    let scene = EdgeData::new(8, LateralCondition::Natural, &values, &forces).unwrap();
     assert!(ContactPair::of_data(&scene, Traces::Constants).is_err());
 }

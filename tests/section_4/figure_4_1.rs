@@ -74,9 +74,9 @@ fn degenerate_segments_have_the_expected_class() {
     ];
     for (name, contact, expected) in cases {
         let touching = |x: f64| contact.iter().any(|&[a, b]| x >= a && x <= b);
-        let displacement = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
-        let force = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
-        let trace = EdgeTrace::new(nodes.clone(), displacement, force, 0.0).unwrap();
+        let displacement: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
+        let force: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
+        let trace = EdgeTrace::new(&nodes, &displacement, &force, 0.0).unwrap();
         assert_eq!(figure_4_1_alternative::cases(&trace, segment, 0.25), expected, "{name}");
     }
 }

@@ -153,7 +153,7 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
 pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     require_constants_finite(order)?;
-    Mesh::from_lengths(vec![p, q])?;
+    Mesh::from_lengths(&[p, q])?;
     let value = 2.0 * CellPairs::new(order).touching_constants(p, q);
     Estimate::new(value, ROUNDING * value, Work::default())
 }
@@ -192,7 +192,7 @@ pub fn hat_seminorm_squared(
     if after != 0.0 {
         lengths.push(after);
     }
-    let partition = Mesh::from_lengths(lengths)?;
+    let partition = Mesh::from_lengths(&lengths)?;
     let value = diagonal_linear(&partition, &CellPairs::new(order), peak);
     Estimate::new(value, ROUNDING * value, Work::default())
 }

@@ -275,7 +275,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::{Function, Triangles};
     /// // r^{-1/4} cos φ on a triangle, in H^s for s < 3/4
-    /// let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
+    /// let triangle = Triangles::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &[[0, 1, 2]])?;
     /// let w = Function::from_plane_positions(&triangle, &[(0, -0.25)], |at| {
     ///     at.radius(0).powf(-0.25) * at.angle(0).cos()
     /// })?;

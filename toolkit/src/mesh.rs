@@ -27,7 +27,7 @@ const BYTES: usize = 48;
 /// ```
 /// use fractional_sobolev::Mesh;
 /// let mesh = Mesh::from_nodes(&[0.0, 0.25, 1.0])?;
-/// assert_eq!(mesh.lengths(), Mesh::from_lengths(vec![0.25, 0.75])?.lengths());
+/// assert_eq!(mesh.lengths(), Mesh::from_lengths(&[0.25, 0.75])?.lengths());
 /// assert!(mesh.len() == 2 && mesh.total() == 1.0);
 /// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
 /// // graded to both ends, and to a point inside
@@ -54,8 +54,8 @@ impl Mesh {
     /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
     /// and finite, [`Error::OutOfRange`] if the total length overflows or exceeds 1e303 times the shortest
     /// element.
-    pub fn from_lengths(lengths: Vec<f64>) -> Result<Self> {
-        Self::at(0.0, lengths)
+    pub fn from_lengths(lengths: &[f64]) -> Result<Self> {
+        Self::at(0.0, lengths.to_vec())
     }
 
     /// The mesh with the given nodes; the lengths are their differences.
@@ -78,7 +78,7 @@ impl Mesh {
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
         require_length_of_interval(length)?;
-        Self::from_lengths(vec![length / count.max(1) as f64; count])
+        Self::from_lengths(&vec![length / count.max(1) as f64; count])
     }
 
     /// The mesh with nodes 0, L σ^{m}, ..., L σ, L: the lengths decrease by the factor σ towards the left end,
@@ -95,7 +95,7 @@ impl Mesh {
     /// As [`Mesh::uniform`]; [`Error::OutOfRange`] unless 0 < σ < 1.
     pub fn geometric(layers: usize, ratio: f64, length: f64) -> Result<Self> {
         require_memory("layers", layers, BYTES)?;
-        Self::from_lengths(geometric_lengths(layers, ratio, length)?)
+        Self::from_lengths(&geometric_lengths(layers, ratio, length)?)
     }
 
     /// The mesh with nodes L (i/n)^β, i = 0, ..., n, β > 0: graded towards the left end for β > 1, as for
@@ -111,7 +111,7 @@ impl Mesh {
     /// As [`Mesh::uniform`]; [`Error::OutOfRange`] unless 0 < β < ∞.
     pub fn algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
-        Self::from_lengths(algebraic_lengths(count, exponent, length)?)
+        Self::from_lengths(&algebraic_lengths(count, exponent, length)?)
     }
 
     /// As [`Mesh::algebraic`] from both ends: `count` elements on either half.
@@ -120,7 +120,7 @@ impl Mesh {
         let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
         let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
         lengths.extend(mirrored);
-        Self::from_lengths(lengths)
+        Self::from_lengths(&lengths)
     }
 
     /// The mesh that is geometric towards both ends: the shortest elements, L/2 σ^m, lie at the two ends.
@@ -129,7 +129,7 @@ impl Mesh {
         let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
         let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
         lengths.extend(mirrored);
-        Self::from_lengths(lengths)
+        Self::from_lengths(&lengths)
     }
 
     /// The mesh that is geometric towards every given point, the first and the last of which are the ends of
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn distances_are_sums_of_lengths() {
-        let partition = Mesh::from_lengths(vec![1.0, 1e-300, 2e-300, 1.0]).unwrap();
+        let partition = Mesh::from_lengths(&[1.0, 1e-300, 2e-300, 1.0]).unwrap();
         assert_eq!(partition.distance(1, 3), 3e-300);
         assert_eq!(partition.total(), 2.0);
         assert_eq!(partition.from_right()[3], 1.0);
@@ -284,7 +284,7 @@ mod tests {
         assert!(Mesh::from_nodes(&[0.0, f64::INFINITY]).is_err());
         assert!(Mesh::from_nodes(&[]).is_err());
         assert!(Mesh::uniform(0, 1.0).is_err());
-        assert!(Mesh::from_lengths(vec![1e-300, 1e300]).is_err());
+        assert!(Mesh::from_lengths(&[1e-300, 1e300]).is_err());
         assert!(Mesh::geometric(3, 1.0, 1.0).is_err());
         for exponent in [0.0, -1.0, f64::NAN, f64::INFINITY, 1e5] {
             assert!(Mesh::algebraic(3, exponent, 1.0).is_err(), "{exponent}");

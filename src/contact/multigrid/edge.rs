@@ -143,7 +143,7 @@ impl Edge {
         let mut slack = self.slack(x);
         (0..slack.len()).filter(|&i| set.contains(i)).for_each(|i| slack[i] = 0.0);
         let nearest = Weighted { weight, bound: |i: usize| slack[i], is_fixed: |k: usize| self.fixed[k] };
-        Ok(ContactSet::new(project_weighted(&target, &nearest).1))
+        Ok(ContactSet::new(&project_weighted(&target, &nearest).1))
     }
 
     /// The energy norm of a change that removes all penetration, estimated node by node.
@@ -175,5 +175,5 @@ fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
 pub(super) fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
-    ContactSet::new(active)
+    ContactSet::new(&active)
 }

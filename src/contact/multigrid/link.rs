@@ -46,7 +46,7 @@ impl Link {
     pub(super) fn refined(&self, cone: Cone, constraints: usize, coarse: &ContactSet) -> ContactSet {
         if cone == Cone::Nodal {
             let active = |k: usize| self.parents[k].iter().all(|&a| coarse.contains(a));
-            return ContactSet::new((0..constraints).map(active).collect());
+            return ContactSet::new(&(0..constraints).map(active).collect::<Vec<_>>());
         }
         let turns = by_turns(coarse.as_slice());
         let mut active: Vec<bool> = Vec::with_capacity(constraints);
@@ -63,7 +63,7 @@ impl Link {
             });
             before = turn;
         }
-        ContactSet::new(active)
+        ContactSet::new(&active)
     }
 }
 
@@ -87,7 +87,7 @@ mod tests {
     fn contact_by_turns_stays_so() {
         // Coarse node a is fine node 2 a.
         let link = Link { parents: (0..17_usize).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
-        let set = |text: &str| ContactSet::new(text.bytes().map(|b| b == b'1').collect());
+        let set = |text: &str| ContactSet::new(&text.bytes().map(|b| b == b'1').collect::<Vec<_>>());
         for (coarse, fine) in [
             ("11100000", "1111110000000000"),
             ("10101110", "1010101011111100"),

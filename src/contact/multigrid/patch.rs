@@ -134,14 +134,14 @@ impl Patch {
             ends: Ends::Open,
         };
         let mut active = set.as_slice().to_vec();
-        let found = solve_on_edge(&on_edge, ContactSet::new(active[constraints.clone()].to_vec()))?;
+        let found = solve_on_edge(&on_edge, ContactSet::new(&active[constraints.clone()]))?;
         if found.status.is_converged() {
             let change = condensation.recover(&reduced, &found.state.displacement);
             for (&unknown, &(local, sign)) in &self.number {
                 x[level.place(unknown)] += sign * change[local];
             }
             active[constraints].copy_from_slice(found.set.as_slice());
-            *set = ContactSet::new(active);
+            *set = ContactSet::new(&active);
         }
         Ok(())
     }

@@ -116,11 +116,11 @@ impl Raw {
             let line = self.line_of(&cause, &tags).unwrap_or(end);
             at(line, in_numbers(cause, |node| tags[node] as usize))
         };
-        let mesh = Triangulation::new(nodes, triangles, boundary)
+        let mesh = Triangulation::new(&nodes, &triangles, &boundary)
             .map_err(named)?
             .with_numbers(tags.iter().map(|&tag| tag as usize).collect());
         let regions = self.regions();
-        if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(regions) }
+        if regions.iter().all(|&region| region == 0) { Ok(mesh) } else { mesh.with_regions(&regions) }
     }
 
     /// The line of an invalid node, edge or triangle; node k has the k-th tag.

@@ -88,7 +88,7 @@ mod tests {
         for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
             let operator = |n: usize| {
                 let symbol = vec![1.0; sides.period(n) / 2 + 1];
-                EdgeOperator::new(n, sides, symbol).unwrap()
+                EdgeOperator::new(n, sides, &symbol).unwrap()
             };
             let fine = 128;
             let interpolation = Interpolation::new(sides.period(fine));

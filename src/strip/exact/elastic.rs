@@ -87,8 +87,8 @@ impl ExactElastic {
             matrices.push(own);
             n /= 2;
         }
-        let symbol = matrices[0].iter().map(|a| a.normal()).collect();
-        let operator = EdgeOperator::new(cells, LateralCondition::Periodic, symbol)?;
+        let symbol = matrices[0].iter().map(|a| a.normal()).collect::<Vec<_>>();
+        let operator = EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)?;
         let mut exact = Self {
             cells,
             height,
@@ -141,8 +141,8 @@ impl ExactElastic {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
     pub(super) fn operator(&self, cells: usize) -> Result<EdgeOperator> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
-        let symbol = self.matrices[level].iter().map(|a| a.normal()).collect();
-        EdgeOperator::new(cells, LateralCondition::Periodic, symbol)
+        let symbol = self.matrices[level].iter().map(|a| a.normal()).collect::<Vec<_>>();
+        EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)
     }
 
     /// |u − u_h|_a for the discrete solution with the given u_N on `cells` cells.
@@ -153,7 +153,7 @@ impl ExactElastic {
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = level_of(self.cells, cells, self.matrices.len())?;
         require_length("edge values", values.len(), cells)?;
-        let coarse = EdgeOperator::new(cells, LateralCondition::Periodic, vec![1.0; cells / 2 + 1])?;
+        let coarse = EdgeOperator::new(cells, LateralCondition::Periodic, &vec![1.0; cells / 2 + 1])?;
         let discrete = displacement(&coarse, &self.matrices[level], values)?;
         let interior = match level {
             0 => 0.0,

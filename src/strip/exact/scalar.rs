@@ -75,8 +75,8 @@ impl ExactEdge {
                     Reference::Harmonic => harmonic_symbol(theta, layers),
                 }
             })
-            .collect();
-        let operator = EdgeOperator::new(cells, LateralCondition::Natural, symbol)?;
+            .collect::<Vec<_>>();
+        let operator = EdgeOperator::new(cells, LateralCondition::Natural, &symbol)?;
         let defects = match reference {
             Reference::Nested => nested_defects(cells, layers),
             Reference::Harmonic => Vec::new(),
@@ -133,7 +133,7 @@ impl ExactEdge {
     pub(super) fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
         let level = self.level(cells)?;
         require_length("edge values", values.len(), cells + 1)?;
-        let coarse = EdgeOperator::new(cells, LateralCondition::Natural, vec![1.0; cells + 1])?;
+        let coarse = EdgeOperator::new(cells, LateralCondition::Natural, &vec![1.0; cells + 1])?;
         let modes = coarse.modes(values)?;
         let interior = self.interior(level, &coarse, &modes)?;
         let interpolated = self.interpolation.of(modes);
@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn a_height_that_is_no_number_of_layers_is_refused() {
-        let flat = EdgeData::new(8, LateralCondition::Natural, vec![0.0; 9], vec![0.0; 9]).unwrap();
+        let flat = EdgeData::new(8, LateralCondition::Natural, &[0.0; 9], &[0.0; 9]).unwrap();
         let refused = ExactEdge::scalar(&flat, (1, 3), Reference::Nested).unwrap_err();
         assert!(refused.to_string().contains("cells"), "{refused}");
         let exact = ExactEdge::scalar(&flat, (1, 2), Reference::Nested).unwrap();

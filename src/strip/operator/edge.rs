@@ -29,7 +29,7 @@ use std::fmt;
 /// ```
 /// use signorini::strip::{EdgeOperator, LateralCondition};
 /// // any positive symbol on θ = 2πk/P, here S = 1: with natural sides A is W = diag(1/2, 1, ..., 1, 1/2)
-/// let identity = EdgeOperator::new(4, LateralCondition::Natural, vec![1.0; 5])?;
+/// let identity = EdgeOperator::new(4, LateralCondition::Natural, &[1.0; 5])?;
 /// let image = identity.apply(&[2.0; 5])?;
 /// assert!(image.iter().zip([1.0, 2.0, 2.0, 2.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-14));
 /// # Ok::<(), signorini::Error>(())
@@ -57,7 +57,7 @@ impl EdgeOperator {
     /// ```
     /// use signorini::strip::{EdgeOperator, LateralCondition::Periodic};
     /// // S(θ) = 4 sin²(θ/2) on a ring of 4 nodes plus 1: second differences, row (−1, 3, −1)
-    /// let a = EdgeOperator::new(4, Periodic, vec![1.0, 3.0, 5.0])?;
+    /// let a = EdgeOperator::new(4, Periodic, &[1.0, 3.0, 5.0])?;
     /// let column = a.apply(&[1.0, 0.0, 0.0, 0.0])?;
     /// assert!(column.iter().zip([3.0, -1.0, 0.0, -1.0]).all(|(a, b)| (a - b).abs() < 1e-14));
     /// # Ok::<(), signorini::Error>(())
@@ -67,18 +67,18 @@ impl EdgeOperator {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd
     /// number on a periodic edge), [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
-    pub fn new(cells: usize, sides: LateralCondition, symbol: Vec<f64>) -> Result<Self> {
+    pub fn new(cells: usize, sides: LateralCondition, symbol: &[f64]) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
         require_length("symbol", symbol.len(), period / 2 + 1)?;
-        for &value in &symbol {
+        for &value in symbol {
             Error::require("symbol", value, "(0, inf)", value > 0.0 && value.is_finite())?;
         }
         Ok(Self {
             cells,
             sides,
             norm: symbol.iter().fold(0.0, |m: f64, &s| m.max(s)),
-            symbol,
+            symbol: symbol.to_vec(),
             fourier: RealFourier::new(&mut RealFftPlanner::new(), period),
         })
     }
@@ -333,8 +333,8 @@ mod tests {
 
     fn operator(sides: LateralCondition) -> EdgeOperator {
         let cells = 12;
-        let symbol = (0..=sides.period(cells) / 2).map(|k| 0.3 + k as f64).collect();
-        EdgeOperator::new(cells, sides, symbol).unwrap()
+        let symbol = (0..=sides.period(cells) / 2).map(|k| 0.3 + k as f64).collect::<Vec<_>>();
+        EdgeOperator::new(cells, sides, &symbol).unwrap()
     }
 
     #[test]
@@ -358,10 +358,10 @@ mod tests {
 
     #[test]
     fn misuse_is_an_error() {
-        assert!(EdgeOperator::new(1, LateralCondition::Natural, vec![1.0, 1.0]).is_err());
-        assert!(EdgeOperator::new(5, LateralCondition::Periodic, vec![1.0; 3]).is_err());
-        assert!(EdgeOperator::new(4, LateralCondition::Natural, vec![1.0; 4]).is_err());
-        assert!(EdgeOperator::new(2, LateralCondition::Natural, vec![1.0, 0.0, f64::NAN]).is_err());
+        assert!(EdgeOperator::new(1, LateralCondition::Natural, &[1.0, 1.0]).is_err());
+        assert!(EdgeOperator::new(5, LateralCondition::Periodic, &[1.0; 3]).is_err());
+        assert!(EdgeOperator::new(4, LateralCondition::Natural, &[1.0; 4]).is_err());
+        assert!(EdgeOperator::new(2, LateralCondition::Natural, &[1.0, 0.0, f64::NAN]).is_err());
         assert!(operator(LateralCondition::Natural).apply(&[f64::NAN; 13]).is_err());
         assert!(operator(LateralCondition::Periodic).solve(&[1.0; 3]).is_err());
     }

@@ -87,9 +87,9 @@ impl ElasticStrip {
             }));
         }
         let matrices = edge_matrices(cells, layers, lame);
-        let symbol = matrices.iter().map(|a| a.normal()).collect();
+        let symbol = matrices.iter().map(|a| a.normal()).collect::<Vec<_>>();
         Ok(Self {
-            operator: EdgeOperator::new(cells, LateralCondition::Periodic, symbol)?,
+            operator: EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)?,
             matrices,
             lame,
             layers,

@@ -35,9 +35,10 @@ impl ScalarStrip {
     pub(crate) fn new(cells: usize, layers: usize) -> Result<Self> {
         check_cells(cells, LateralCondition::Natural)?;
         check_layers(layers)?;
-        let symbol =
-            (0..=cells).map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64)).collect();
-        let operator = EdgeOperator::new(cells, LateralCondition::Natural, symbol)?;
+        let symbol = (0..=cells)
+            .map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64))
+            .collect::<Vec<_>>();
+        let operator = EdgeOperator::new(cells, LateralCondition::Natural, &symbol)?;
         Ok(Self { operator, layers })
     }
 

@@ -257,7 +257,7 @@ impl<'a> Iteration<'a> {
         let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
             multiplier,
-            contact: ContactSet::new(self.active),
+            contact: ContactSet::new(&self.active),
             values: self.values,
             cone: self.cone.kind(),
             energy,

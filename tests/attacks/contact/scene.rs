@@ -116,8 +116,8 @@ impl Scene {
     /// The problem of the library.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Mesh { nodes, triangles, boundary, regions, .. } = self.mesh.clone();
-        let made = Triangulation::new(nodes, triangles, boundary)?;
-        let made = if regions.is_empty() { made } else { made.with_regions(regions)? };
+        let made = Triangulation::new(&nodes, &triangles, &boundary)?;
+        let made = if regions.is_empty() { made } else { made.with_regions(&regions)? };
         let mut problem = ContactProblem::new(made, self.form()?, &self.volume)?;
         assert_eq!(problem.edge().nodes(), self.mesh.chain);
         problem.add_load(&self.forces)?;

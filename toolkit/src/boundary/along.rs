@@ -70,8 +70,8 @@ impl BoundaryFunction {
 
     /// The function of the arc length on (0, L).
     fn along(&self) -> Result<PiecewisePolynomial> {
-        let lengths = (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect();
-        PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(lengths)?, self.ends())
+        let lengths = (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect::<Vec<_>>();
+        PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(&lengths)?, self.ends())
     }
 
     /// (f(s) + f(L−s))/2 and (f(s) − f(L−s))/2 on (0, L/2), with the nodes of both halves.
@@ -104,7 +104,7 @@ impl BoundaryFunction {
                 back = length(f);
             }
         }
-        let partition = Mesh::from_lengths(lengths)?;
+        let partition = Mesh::from_lengths(&lengths)?;
         let odd = PiecewisePolynomial::discontinuous_linears(partition.clone(), &odd)?;
         Ok([PiecewisePolynomial::discontinuous_linears(partition, &even)?, odd])
     }

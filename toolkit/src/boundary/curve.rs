@@ -125,7 +125,7 @@ impl Curve {
             let length = distance(start, end);
             require_entry("length of a side", k, length, "(0, inf)", length > 0.0 && length.is_finite())?;
             let share = length / mesh.total();
-            let mesh = Mesh::from_lengths(mesh.lengths().iter().map(|h| h * share).collect())?;
+            let mesh = Mesh::from_lengths(&mesh.lengths().iter().map(|h| h * share).collect::<Vec<_>>())?;
             let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
             sides.push(Side { start, direction, mesh });
         }
@@ -177,8 +177,8 @@ impl Curve {
     /// The curve with every element bisected.
     pub(super) fn halved(&self) -> Result<Self> {
         let halves = |side: &Side| {
-            let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect();
-            Ok(Side { mesh: Mesh::from_lengths(lengths)?, ..side.clone() })
+            let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect::<Vec<_>>();
+            Ok(Side { mesh: Mesh::from_lengths(&lengths)?, ..side.clone() })
         };
         let sides: Vec<Side> = self.sides.iter().map(halves).collect::<Result<_>>()?;
         let elements = sides

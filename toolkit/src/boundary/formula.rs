@@ -194,7 +194,7 @@ impl<'a> CurveFormula<'a> {
                 }
             };
             ends.extend((0..lengths.len()).map(end));
-            meshes.push(Mesh::from_lengths(lengths)?);
+            meshes.push(Mesh::from_lengths(&lengths)?);
         }
         Ok((Curve::closed(&self.vertices, &meshes)?, ends))
     }

@@ -84,7 +84,8 @@ impl SingularFunction<'_> {
 impl Interpolant {
     /// The polynomial and the L² norm of the remainder, on an interval multiplied by `unit`.
     pub(crate) fn finish(self, unit: f64) -> Result<(PiecewisePolynomial, f64)> {
-        let partition = Mesh::from_lengths(self.lengths.iter().map(|length| length * unit).collect())?;
+        let partition =
+            Mesh::from_lengths(&self.lengths.iter().map(|length| length * unit).collect::<Vec<_>>())?;
         let left = self.left.sqrt() * unit.sqrt();
         Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, left))
     }

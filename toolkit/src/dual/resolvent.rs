@@ -229,7 +229,7 @@ mod tests {
 
     #[test]
     fn tighter_tolerances_stay_within_the_errors_of_wider_ones() {
-        let partition = Mesh::from_lengths(vec![0.21, 0.33, 0.17, 0.29]).unwrap();
+        let partition = Mesh::from_lengths(&[0.21, 0.33, 0.17, 0.29]).unwrap();
         let saw = PiecewisePolynomial::linears(partition, &[1.0, -1.0, 1.0, -1.0, 2.0]).unwrap();
         for nu in [1e-6, 0.01, 0.3, 0.7] {
             let order = Order::new(nu).unwrap();

@@ -51,7 +51,7 @@ impl FieldCells {
         .into_iter()
         .collect::<Result<_>>()?;
         let (parts, contents): (Vec<Part>, Vec<Content>) = found.into_iter().flatten().unzip();
-        let partition = Mesh::from_lengths(parts.iter().map(|part| part.length).collect())?;
+        let partition = Mesh::from_lengths(&parts.iter().map(|part| part.length).collect::<Vec<_>>())?;
         let jump = |part: &Part| {
             let at_node = part.from == 0.0 && part.element > 0;
             if at_node { -field.jump(part.element) } else { 0.0 }

@@ -88,9 +88,9 @@ pub(super) fn by_polynomials(
         both * f.part.length.powf(1.0 - 2.0 * nu) * size * size
     });
     let error = left_over.sum::<f64>().sqrt();
-    let lengths = fitted.iter().map(|f| f.part.length).collect();
+    let lengths = fitted.iter().map(|f| f.part.length).collect::<Vec<_>>();
     let bubbles = fitted.into_iter().map(|f| f.piece.bubbles).collect();
-    let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
+    let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
     let found = match Estimate::or_best(smooth.seminorm(order, tolerance)) {
         Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => return Ok(None),
         other => other?,

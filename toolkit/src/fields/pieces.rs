@@ -55,7 +55,7 @@ impl FieldError<'_> {
             }
         }
         if !lengths.is_empty() {
-            let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
+            let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
             found.push(Estimate::or_best(smooth.lq_norm(q, tolerance))?);
         }
         let largest = found.iter().map(|e| e.value).fold(0.0, f64::max);

@@ -224,7 +224,7 @@ impl SingularFunction<'_> {
         let ends: Vec<[f64; 2]> = flat.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
         let coarse: Vec<Vec<f64>> = flat.iter().map(Cell::coarser).collect();
         let bubbles = flat.into_iter().map(|cell| cell.piece.bubbles).collect();
-        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths.clone())?, &ends, bubbles)?;
+        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
         let inner = Tolerance::new((0.3 * tolerance.relative()).max(1e-15))?;
         let found = Estimate::or_best(u.seminorm(order, inner))?;
         let bound = fit.size * square.sqrt();

@@ -204,7 +204,7 @@ impl SingularFunction<'_> {
         let residuals = flat.iter().map(|cell| cell.residual).collect();
         let points = 3 * (degree * count) as u64;
         let bubbles = flat.into_iter().map(|cell| cell.bubbles).collect();
-        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(lengths)?, &ends, bubbles)?;
+        let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
         Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
     }
 

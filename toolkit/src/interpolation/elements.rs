@@ -30,7 +30,7 @@ impl ElementMesh {
                 return Err(Error::CountOutOfRange { name: "cells", value: 0, range: "[1, inf)" });
             }
             let parts = mesh.lengths().iter().flat_map(|h| vec![h / mesh.total() / cells as f64; cells]);
-            Mesh::from_lengths(parts.collect())?
+            Mesh::from_lengths(&parts.collect::<Vec<_>>())?
         };
         let elements = (0..mesh.len()).map(|e| e * cells..(e + 1) * cells).collect();
         Ok(Self { cells: partition, elements })

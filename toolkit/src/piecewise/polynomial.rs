@@ -184,7 +184,7 @@ impl PiecewisePolynomial {
             });
         }
         Ok(Self {
-            partition: Mesh::from_lengths(self.partition.lengths()[elements.clone()].to_vec())?,
+            partition: Mesh::from_lengths(&self.partition.lengths()[elements.clone()])?,
             pieces: self.pieces[elements].to_vec(),
         })
     }
@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn polynomials_are_reproduced_with_their_derivative() {
-        let partition = Mesh::from_lengths(vec![0.3, 1e-9, 0.7]).unwrap();
+        let partition = Mesh::from_lengths(&[0.3, 1e-9, 0.7]).unwrap();
         let cubic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - 4.0 * x));
         let u = PiecewisePolynomial::interpolate(partition, 3, cubic).unwrap();
         let v = u.derivative().unwrap();

@@ -30,7 +30,7 @@ impl Triangles {
     /// ```
     /// use fractional_sobolev::Triangles;
     /// let corners = vec![[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
-    /// let square = Triangles::new(corners, vec![[0, 1, 2], [0, 2, 3]])?;
+    /// let square = Triangles::new(&corners, &[[0, 1, 2], [0, 2, 3]])?;
     /// assert_eq!(square.areas(), [0.5, 0.5]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -39,7 +39,7 @@ impl Triangles {
     /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate, [`Error::Triangle`]
     /// for a node number out of range or a triangle of area zero, [`Error::Edge`] for an edge of more than two
     /// triangles, [`Error::Overlap`] for two triangles with interior points in common.
-    pub fn new(nodes: Vec<[f64; 2]>, triangles: Vec<[usize; 3]>) -> Result<Self> {
+    pub fn new(nodes: &[[f64; 2]], triangles: &[[usize; 3]]) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });
         }
@@ -79,7 +79,7 @@ impl Triangles {
             triangles.iter().map(|triangle| triangle.map(|node| nodes[node])).collect();
         match overlapping(&corners) {
             Some(triangles) => Err(Error::Overlap { triangles }),
-            None => Ok(Self { nodes, triangles, areas }),
+            None => Ok(Self { nodes: nodes.to_vec(), triangles: triangles.to_vec(), areas }),
         }
     }
 
@@ -112,8 +112,8 @@ impl Triangles {
             let [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
             [[a, b, c], [a, c, d]]
         };
-        let triangles = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
-        Self::new(places.collect(), triangles)
+        let triangles: Vec<_> = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
+        Self::new(&places.collect::<Vec<_>>(), &triangles)
     }
 
     /// The triangulation of the polygon with vertices 0, P_1, ..., P_m by the triangles 0 P_k P_{k+1}; node 0
@@ -122,8 +122,8 @@ impl Triangles {
     /// # Errors
     /// As [`Triangles::new`].
     pub fn star(points: &[[f64; 2]]) -> Result<Self> {
-        let nodes = std::iter::once([0.0; 2]).chain(points.iter().copied()).collect();
-        Self::new(nodes, (1..points.len()).map(|k| [0, k, k + 1]).collect())
+        let nodes = std::iter::once([0.0; 2]).chain(points.iter().copied()).collect::<Vec<_>>();
+        Self::new(&nodes, &(1..points.len()).map(|k| [0, k, k + 1]).collect::<Vec<_>>())
     }
 
     /// The refined triangulation in which every triangle at a node is divided into three: a smaller copy at
@@ -157,7 +157,7 @@ impl Triangles {
             });
             triangles.extend([[node, p, q], [p, ends[0], ends[1]], [p, ends[1], q]]);
         }
-        Self::new(nodes, triangles)
+        Self::new(&nodes, &triangles)
     }
 
     /// The same triangulation with its nodes moved by a map.
@@ -173,7 +173,7 @@ impl Triangles {
     /// # Errors
     /// As [`Triangles::new`] for the moved nodes.
     pub fn mapped(&self, map: impl FnMut([f64; 2]) -> [f64; 2]) -> Result<Self> {
-        Self::new(self.nodes.iter().copied().map(map).collect(), self.triangles.clone())
+        Self::new(&self.nodes.iter().copied().map(map).collect::<Vec<_>>(), &self.triangles.clone())
     }
 
     /// The coordinates of the nodes.

@@ -129,7 +129,7 @@ fn linears(random: &mut SplitMix) -> Case {
     let (order, lengths, asked) = (order(random), lengths(random), tolerance(random, -13.3, -3.0));
     let values = values(random, lengths.len() + 1);
     let ends: Vec<[f64; 2]> = values.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-    let u = Function::linears(&Mesh::from_lengths(lengths.clone()).unwrap(), &values).unwrap();
+    let u = Function::linears(&Mesh::from_lengths(&lengths).unwrap(), &values).unwrap();
     let exact = (root_of_reference(&lengths, &ends, order, &GAUSS_12), ROUNDING);
     let what = format!("linears {values:?} on {lengths:?}, {order:?}");
     Case::new(what, asked, exact, |asked| u.seminorm(order, asked))
@@ -140,7 +140,7 @@ fn constants(random: &mut SplitMix) -> Case {
     let (lengths, asked) = (lengths(random), tolerance(random, -13.3, -3.0));
     let values = values(random, lengths.len());
     let ends: Vec<[f64; 2]> = values.iter().map(|&value| [value; 2]).collect();
-    let u = Function::piecewise(&Mesh::from_lengths(lengths.clone()).unwrap(), 0, &values).unwrap();
+    let u = Function::piecewise(&Mesh::from_lengths(&lengths).unwrap(), 0, &values).unwrap();
     let exact = (root_of_reference(&lengths, &ends, order, &GAUSS_12), ROUNDING);
     let what = format!("constants {values:?} on {lengths:?}, {order:?}");
     Case::new(what, asked, exact, |asked| u.seminorm(order, asked))

@@ -148,7 +148,7 @@ fn piecewise_linear(random: &mut SplitMix) -> Case {
             .map(|_| random.between(-1.0, 1.0).round().abs() * random.between(-1.0, 1.0))
             .collect();
         let order = [0.1, 0.3, 0.5, 0.5, 0.7, 0.9][random.below(6)];
-        let mesh = Mesh::from_lengths(lengths.clone()).unwrap();
+        let mesh = Mesh::from_lengths(&lengths).unwrap();
         let array = Function::linears(&mesh, &values).unwrap();
         let Ok(exact) = array.seminorm(order, 1e-12) else { continue };
         if !is_number(exact.value) {
@@ -184,7 +184,7 @@ fn undeclared(random: &mut SplitMix) -> Case {
         nodes.push(1.0);
         let values: Vec<f64> = (0..nodes.len()).map(|_| random.between(-1.0, 1.0)).collect();
         let lengths: Vec<f64> = nodes.windows(2).map(|pair| length * (pair[1] - pair[0])).collect();
-        let mesh = Mesh::from_lengths(lengths).unwrap();
+        let mesh = Mesh::from_lengths(&lengths).unwrap();
         let known = if is_step {
             Function::piecewise(&mesh, 0, &values[1..]).unwrap()
         } else {
@@ -302,7 +302,7 @@ fn short_intervals_beside_long_ones_count() {
 #[test]
 fn dual_norms_of_short_loads_keep_their_length() {
     let norm = |w: f64, s: f64, of: DualOf| {
-        let mesh = Mesh::from_lengths(vec![0.3, w, 0.7]).unwrap();
+        let mesh = Mesh::from_lengths(&[0.3, w, 0.7]).unwrap();
         Function::piecewise(&mesh, 0, &[0.0, 1.0 / w, 0.0]).unwrap().dual_norm(of, s, 1e-6).unwrap()
     };
     // A point load from order 1/2 on, whose square grows by equal amounts from decade to decade at 1/2.

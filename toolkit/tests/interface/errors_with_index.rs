@@ -29,12 +29,12 @@ fn entries_that_are_no_numbers_are_named() {
     let nan = f64::NAN;
     let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
     let curve = || Curve::algebraic(&square, 2, 1.0).unwrap();
-    let triangles = || Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]]).unwrap();
+    let triangles = || Triangles::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &[[0, 1, 2]]).unwrap();
     let mut values = [0.0; 8];
     values[5] = nan;
     let found = [
         (1, Mesh::from_nodes(&[0.0, nan, 1.0]).map(drop)),
-        (1, Mesh::from_lengths(vec![1.0, nan]).map(drop)),
+        (1, Mesh::from_lengths(&[1.0, nan]).map(drop)),
         (2, Function::linears(&two(), &[0.0, 1.0, nan]).map(drop)),
         (0, Function::piecewise(&two(), 0, &[nan, 1.0]).map(drop)),
         (2, Function::piecewise(&two(), 1, [[0.0, 1.0], [nan, 1.0]].as_flattened()).map(drop)),
@@ -58,7 +58,7 @@ fn entries_that_are_no_numbers_are_named() {
 fn entries_that_are_out_of_range_are_named() {
     let found = [
         (2, 0.5, Mesh::from_nodes(&[0.0, 0.5, 0.5, 1.0]).map(drop)),
-        (1, -1.0, Mesh::from_lengths(vec![1.0, -1.0, 1.0]).map(drop)),
+        (1, -1.0, Mesh::from_lengths(&[1.0, -1.0, 1.0]).map(drop)),
         (2, 0.2, Mesh::graded(&[0.0, 0.5, 0.2, 1.0], 3, 0.5).map(drop)),
         (2, 0.2, Function::from_fn(&[0.0, 0.3, 0.2, 1.0], |x| x).map(drop)),
         (1, 0.3, Zones::union(&[0.1..0.4, 0.3..0.4]).map(drop)),

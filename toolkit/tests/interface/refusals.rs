@@ -99,19 +99,19 @@ fn constants_carry_theirs() {
 #[test]
 fn overlapping_triangles_are_named() {
     let nodes = vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.1, 0.1], [1.0, 0.2], [0.2, 1.0]];
-    let apart = Triangles::new(nodes.clone(), vec![[0, 1, 2], [3, 4, 5]]);
+    let apart = Triangles::new(&nodes, &[[0, 1, 2], [3, 4, 5]]);
     assert_eq!(apart.unwrap_err().to_string(), "triangles 0 and 1 overlap");
     // folded over a common edge, and the same triangle twice
     assert!(matches!(
-        Triangles::new(nodes.clone(), vec![[0, 1, 2], [0, 1, 3]]),
+        Triangles::new(&nodes, &[[0, 1, 2], [0, 1, 3]]),
         Err(Error::Overlap { triangles: [0, 1] })
     ));
-    assert!(Triangles::new(nodes, vec![[0, 1, 2], [0, 2, 1]]).is_err());
+    assert!(Triangles::new(&nodes, &[[0, 1, 2], [0, 2, 1]]).is_err());
     let mut many = Triangles::grid([60, 60], 1.0).unwrap();
     many = many.mapped(|[x, y]| [x + 0.2 * (y / 7.0).sin(), y * y + y]).unwrap();
     let folded = |[x, y]: [f64; 2]| if (x - 30.0).abs() < 0.3 && y == 930.0 { [x - 1.5, y] } else { [x, y] };
     assert!(matches!(many.mapped(folded), Err(Error::Overlap { .. })));
     // thin triangles side by side do not
     let thin = vec![[0.0, 0.0], [1.0, 0.0], [0.5, 1e-9], [0.5, 1.0], [0.3, -1.0]];
-    assert!(Triangles::new(thin, vec![[0, 1, 2], [0, 2, 3], [2, 1, 3], [0, 1, 4]]).is_ok());
+    assert!(Triangles::new(&thin, &[[0, 1, 2], [0, 2, 3], [2, 1, 3], [0, 1, 4]]).is_ok());
 }

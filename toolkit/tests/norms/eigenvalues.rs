@@ -10,7 +10,7 @@ const DENSE: f64 = 1e-13;
 
 fn unequal(count: usize, decades: f64) -> Result<Mesh> {
     let mut random = SplitMix::new(1);
-    Mesh::from_lengths((0..count).map(|_| 10f64.powf(decades * random.uniform())).collect())
+    Mesh::from_lengths(&(0..count).map(|_| 10f64.powf(decades * random.uniform())).collect::<Vec<_>>())
 }
 
 fn dense_eigenvalues(form: &Gram) -> Result<Vec<f64>> {
@@ -62,7 +62,7 @@ const LOWEST: f64 = 1.157_773_883_697_7;
 fn the_lowest_eigenvalue_of_the_root_of_the_laplacian_is_the_known_one() -> Result<()> {
     let half = Mesh::algebraic(1500, 3.0, 1.0)?;
     let lengths = half.lengths();
-    let mesh = Mesh::from_lengths(lengths.iter().chain(lengths.iter().rev()).copied().collect())?;
+    let mesh = Mesh::from_lengths(&lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>())?;
     let constant = 0.5 * fractional_laplacian_constant(0.5)?.value;
     let [low, _] = Gram::zero_outside(&mesh, 0.5, 1e-10)?.extreme_eigenvalues()?;
     // From above, by the square of the error of piecewise linears, n^{-3}.

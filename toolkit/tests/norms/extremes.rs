@@ -77,7 +77,7 @@ fn closures_of_any_size_scale_out() {
         let dual = u.norm(-0.7, Tolerance::fast()).unwrap().value;
         assert!(dual > 0.1 * size && dual < size, "{dual}");
     }
-    let longest = Mesh::from_lengths(vec![1e-300, 1e300]);
+    let longest = Mesh::from_lengths(&[1e-300, 1e300]);
     assert!(matches!(longest, Err(Error::OutOfRange { .. })));
     let u = Function::from_fn(&[0.0, 1.0], |x: f64| 1e-2 * x).unwrap();
     let found = u.lp(200.0, tolerance).unwrap().value;

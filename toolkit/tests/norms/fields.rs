@@ -11,7 +11,7 @@ fn order(nu: f64) -> Order {
 /// Lengths over three decades without a pattern.
 fn uneven(count: usize) -> Mesh {
     let length = |k: usize| 10f64.powf(-3.0 * ((k * k) as f64 * 0.618).fract());
-    Mesh::from_lengths((0..count).map(length).collect()).unwrap()
+    Mesh::from_lengths(&(0..count).map(length).collect::<Vec<_>>()).unwrap()
 }
 
 #[test]

@@ -52,7 +52,7 @@ fn interpolation_parts_and_lebesgue_norms_of_a_parabola() -> Result<()> {
 #[test]
 fn a_declared_corner_is_finite_below_its_order() -> Result<()> {
     // r^{-1/4} cos φ on a triangle, in H^s for s < 3/4
-    let triangle = Triangles::new(vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], vec![[0, 1, 2]])?;
+    let triangle = Triangles::new(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]], &[[0, 1, 2]])?;
     let w = Function::from_plane_positions(&triangle, &[(0, -0.25)], |at| {
         at.radius(0).powf(-0.25) * at.angle(0).cos()
     })?;

@@ -17,7 +17,7 @@ fn meshes() -> Vec<Mesh> {
         Mesh::uniform(1, 1.0).unwrap(),
         Mesh::uniform(7, 1.0).unwrap(),
         Mesh::geometric(40, 0.2, 1.0).unwrap(),
-        Mesh::from_lengths(vec![0.1, 1e-12, 0.4, 1e-5, 0.49999]).unwrap(),
+        Mesh::from_lengths(&[0.1, 1e-12, 0.4, 1e-5, 0.49999]).unwrap(),
     ]
 }
 
@@ -87,8 +87,7 @@ fn restriction_drops_the_rest_of_the_interval() {
 
 #[test]
 fn lebesgue_norms_and_means() {
-    let u =
-        Function::linears(&Mesh::from_lengths(vec![1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9]).unwrap();
+    let u = Function::linears(&Mesh::from_lengths(&[1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9]).unwrap();
     assert_close("mean", u.mean(Tolerance::reference()).unwrap().value, (2.0 + 1e-9) / 3.0);
     let cubic = u.lp(3.0, Tolerance::reference()).unwrap().value;
     assert_close("L3", cubic.powi(3), 0.25 + 2.0 + 3e-9);

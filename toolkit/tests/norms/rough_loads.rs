@@ -42,7 +42,7 @@ impl Pieces {
     }
 
     fn function(&self) -> Function<'static> {
-        let partition = Mesh::from_lengths(self.lengths.clone()).unwrap();
+        let partition = Mesh::from_lengths(&self.lengths).unwrap();
         let straight = self.values.iter().all(|v| v[2..] == [0.0, 0.0]);
         let degree = if straight { 1 } else { 3 };
         let at = |v: &[f64; 4], t: f64| {
@@ -199,7 +199,7 @@ fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
-    Function::piecewise(&Mesh::from_lengths(lengths.to_vec()).unwrap(), 0, values).unwrap()
+    Function::piecewise(&Mesh::from_lengths(&lengths).unwrap(), 0, values).unwrap()
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
@@ -234,7 +234,7 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
     // A step is a piecewise polynomial; at singularities sharper tolerances stay within wider ones.
     let step = |x: f64| if x < 0.3 { 1.0 } else { -2.0 };
     let declared = Function::from_fn(&[0.0, 0.3, 1.0], step).unwrap();
-    let cells = Mesh::from_lengths(vec![0.3, 0.7]).unwrap();
+    let cells = Mesh::from_lengths(&[0.3, 0.7]).unwrap();
     let exact = Function::piecewise(&cells, 0, &[1.0, -2.0]).unwrap();
     let log = Function::from_positions(&[0.0, 0.3, 1.0], |at| at.log_distance_to(1)).unwrap();
     let power = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(-0.4)).unwrap();

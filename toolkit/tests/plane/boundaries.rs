@@ -80,7 +80,7 @@ fn straight_curves_are_intervals() {
     let curve = Curve::open(&[at(0.0), at(3.0), at(5.0)], &[first, second]).unwrap();
     let values: Vec<f64> = (0..34).map(|k| f64::sin(f64::from(k * k))).collect();
     let steps: Vec<f64> = (0..33).map(|k| f64::sin(f64::from(k * k))).collect();
-    let mesh = Mesh::from_lengths(lengths).unwrap();
+    let mesh = Mesh::from_lengths(&lengths).unwrap();
     let on_curve = Function::on_curve(&curve, 1, &values).unwrap();
     let flat = Function::linears(&mesh, &values).unwrap();
     for nu in [0.1, 0.5, 0.95] {
@@ -148,7 +148,7 @@ fn duals_of_interpolation_spaces_have_their_fourier_series() {
     let mesh = |k: usize| {
         let half = Mesh::algebraic(3 + k, 1.0 + k as f64, 0.5).unwrap();
         let both = half.lengths().iter().chain(half.lengths().iter().rev());
-        Mesh::from_lengths(both.copied().collect()).unwrap()
+        Mesh::from_lengths(&both.copied().collect::<Vec<_>>()).unwrap()
     };
     let meshes = [mesh(0), mesh(1), mesh(2)];
     for (side, nu) in [(0, 0.3), (1, 0.3), (2, 0.3), (0, 0.5), (1, 0.75), (2, 0.95)] {

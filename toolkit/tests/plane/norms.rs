@@ -48,7 +48,7 @@ fn squared(w: &Values, s: f64) -> f64 {
 
 fn linear_on(corners: [[f64; 2]; 3], gradient: [f64; 2]) -> Values {
     let values = corners.map(|[x, y]| gradient[0] * x + gradient[1] * y).to_vec();
-    let mesh = Triangles::new(corners.to_vec(), vec![[0, 1, 2]]).unwrap();
+    let mesh = Triangles::new(&corners, &[[0, 1, 2]]).unwrap();
     Values { mesh, degree: 1, values }
 }
 
@@ -58,8 +58,8 @@ fn function_of(case: &Value) -> (Values, f64) {
         return (linear_on(corners, numbers(&case["gradient"]).try_into().unwrap()), ONE_TRIANGLE);
     }
     let triangles = case["triangles"].as_array().unwrap().iter();
-    let triangles = triangles.map(|t| [0, 1, 2].map(|k| t[k].as_u64().unwrap() as usize)).collect();
-    let mesh = Triangles::new(points(&case["points"]), triangles).unwrap();
+    let triangles = triangles.map(|t| [0, 1, 2].map(|k| t[k].as_u64().unwrap() as usize)).collect::<Vec<_>>();
+    let mesh = Triangles::new(&points(&case["points"]), &triangles).unwrap();
     let values = numbers(&case["values"]);
     (Values { mesh, degree: usize::from(case["case"] != "P0 on mesh"), values }, MESHES)
 }
@@ -99,7 +99,7 @@ fn mesh(random: &mut SplitMix, most: usize) -> Triangles {
         let first = random.uniform() < 0.5;
         triangles.extend(if first { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
     }
-    Triangles::new(nodes, triangles).unwrap()
+    Triangles::new(&nodes, &triangles).unwrap()
 }
 
 fn function(random: &mut SplitMix, mesh: Triangles) -> (Values, Order) {
@@ -228,14 +228,14 @@ fn infinite_norms_and_bad_meshes_are_errors() {
     assert!(matches!(hat.norm(1.6, Tolerance::fast()), Err(Error::InfiniteNorm { .. })));
     // A hanging node: the middle of the long side of one triangle is a corner of two others.
     let nodes = vec![[0.0, 0.0], [2.0, 0.0], [1.0, 1.0], [1.0, 0.0], [1.0, -1.0]];
-    let hanging = Triangles::new(nodes, vec![[0, 1, 2], [0, 4, 3], [3, 4, 1]]).unwrap();
+    let hanging = Triangles::new(&nodes, &[[0, 1, 2], [0, 4, 3], [3, 4, 1]]).unwrap();
     let w = Function::on_triangles(&hanging, 1, &[0.0, 0.0, 1.0, 0.0, 0.0]).unwrap();
     assert!(matches!(w.seminorm(order(0.4), Tolerance::fast()), Err(Error::OutOfRange { .. })));
-    let flat = Triangles::new(vec![[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], vec![[0, 1, 2]]);
+    let flat = Triangles::new(&[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]], &[[0, 1, 2]]);
     assert!(matches!(flat, Err(Error::Triangle { .. })));
-    assert!(Triangles::new(vec![], vec![]).is_err());
-    assert!(Triangles::new(vec![[0.0, f64::NAN]; 3], vec![[0, 1, 2]]).is_err());
-    assert!(Triangles::new(vec![[0.0, 1.0]; 3], vec![[0, 1, 3]]).is_err());
+    assert!(Triangles::new(&[], &[]).is_err());
+    assert!(Triangles::new(&[[0.0, f64::NAN]; 3], &[[0, 1, 2]]).is_err());
+    assert!(Triangles::new(&[[0.0, 1.0]; 3], &[[0, 1, 3]]).is_err());
     assert!(Function::on_triangles(&square, 1, &[0.0; 3]).is_err());
 }
 

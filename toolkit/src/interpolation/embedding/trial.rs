@@ -99,7 +99,7 @@ impl EmbeddingSpace {
         let mut lengths = Mesh::geometric(layers, ratio, 0.25)?.lengths().to_vec();
         let rest = (3.0 * ratio / (1.0 - ratio)).ceil().max(4.0) as usize;
         lengths.extend(vec![0.75 / rest as f64; rest]);
-        let partition = Mesh::from_lengths(lengths)?;
+        let partition = Mesh::from_lengths(&lengths)?;
         let norm = gram_linears(&partition, order) + mass_form(&partition);
         let pivot = partition.len();
         let factor = Cholesky::new(&norm)
