@@ -57,7 +57,7 @@ pub fn read(
     hierarchy.refine_around(place, 0.25, SHELLS)?;
     let fine = hierarchy.finest();
     // Checked once more: coordinates near the corner are rounded, and triangles may collapse.
-    let mesh = Triangulation::new(&fine.nodes(), &fine.triangles(), &fine.boundary())?;
+    let mesh = Triangulation::new(fine.nodes(), fine.triangles(), fine.boundary())?;
     let body = problem.on_with(mesh, setting)?;
     let u = body.solve(Cone::Nodal, Solver::ActiveSet)?; // linear elements, exact to rounding
     let density: Vec<f64> = match body.form() {

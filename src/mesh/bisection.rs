@@ -116,7 +116,7 @@ mod tests {
     }
 
     fn assert_sound(mesh: &Triangulation) {
-        let checked = Triangulation::new(&mesh.nodes(), &mesh.triangles(), &mesh.boundary());
+        let checked = Triangulation::new(mesh.nodes(), mesh.triangles(), mesh.boundary());
         assert_eq!(&checked.unwrap(), mesh);
     }
 

@@ -99,7 +99,7 @@ impl Grid {
                 (part_of(middle, b) == Some(part)).then_some(BoundaryEdge { part, ..*edge })
             })
             .collect::<Option<_>>()?;
-        let mut made = Triangulation::new(&nodes, &template.triangles(), &boundary).ok()?;
+        let mut made = Triangulation::new(&nodes, template.triangles(), &boundary).ok()?;
         if !mesh.regions().is_empty() {
             made = made.with_regions(&self.coarse_regions(coarse, mesh)?).ok()?;
         }

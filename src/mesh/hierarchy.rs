@@ -297,9 +297,9 @@ mod tests {
         };
         assert_eq!(key(hierarchy.finest()), key(&unit_square(8, SideParts::HANGING).unwrap()));
         let checked = Triangulation::new(
-            &hierarchy.finest().nodes(),
-            &hierarchy.finest().triangles(),
-            &hierarchy.finest().boundary(),
+            hierarchy.finest().nodes(),
+            hierarchy.finest().triangles(),
+            hierarchy.finest().boundary(),
         );
         assert_eq!(&checked.unwrap(), hierarchy.finest());
     }

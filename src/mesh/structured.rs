@@ -169,7 +169,7 @@ mod tests {
     #[test]
     fn structured_grids_pass_the_check_of_foreign_meshes() {
         let mesh = rectangles(3, 2, SideParts::HANGING).unwrap();
-        let checked = Triangulation::new(&mesh.nodes(), &mesh.triangles(), &mesh.boundary());
+        let checked = Triangulation::new(mesh.nodes(), mesh.triangles(), mesh.boundary());
         assert_eq!(checked.unwrap(), mesh);
         assert!(unit_square(0, SideParts::HANGING).is_err());
         // Three squares around a reentrant corner: 3 n² cells, 8 n edges; one square is the structured grid.

@@ -199,7 +199,7 @@ fn random_signs(count: usize, random: &mut SplitMix) -> (Vec<f64>, Vec<f64>) {
 }
 
 fn constants(lengths: &[f64], values: &[f64]) -> Function<'static> {
-    Function::piecewise(&Mesh::from_lengths(&lengths).unwrap(), 0, values).unwrap()
+    Function::piecewise(&Mesh::from_lengths(lengths).unwrap(), 0, values).unwrap()
 }
 
 /// From a thousand elements on the comparison follows b(x) and the ends have windows. The same function on
