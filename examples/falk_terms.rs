@@ -33,7 +33,7 @@ use signorini::proof::printed_exponent;
 use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
 use std::f64::consts::PI;
 
-example! { quick "Falk's lemma, (4.5), (4.8)", "‖u−u^h‖² ≤ C (‖u−I^hu‖² + ∫σ(I^hu−u)); midpoint cone: −∫σu^h added";
+example! { quick "Falk's lemma, (4.5), (4.8)", "‖u−u^h‖² ≤ C (‖u−I^h u‖² + ∫σ(I^h u−u)); midpoint cone: −∫σu^h added";
     /// prescribed contact set on the edge
     problem: StripData = "transition",
     /// regularity τ of the solution
@@ -106,8 +106,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     };
     for (name, title, meaning) in [
         ("error", "‖u−u^h‖²", ""),
-        ("interpolation", "‖u−I^hu‖²", ""),
-        ("consistency", "∫σ(I^hu−u)", ""),
+        ("interpolation", "‖u−I^h u‖²", ""),
+        ("consistency", "∫σ(I^h u−u)", ""),
         ("second", "−∫σu^h", ""),
         ("part_one", "part 1", "−∫ (σ − πσ)(u^h − u) of (4.8)"),
         ("part_two", "part 2", "−∫ (σ − πσ) u"),
@@ -142,7 +142,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs());
             out.check(format!("C, {cone} cone")).at_most(rounded(constant), 2.0, "Young's inequality");
             let ratio = rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency));
-            out.check("ratio of ‖u−v‖²+2∫σ(v−u), v=u^h to v=I^hu").at_most(ratio, 1.0, "u^h minimises it");
+            out.check("ratio of ‖u−v‖²+2∫σ(v−u), v=u^h to v=I^h u").at_most(ratio, 1.0, "u^h minimises it");
             let excess = (second - part_one - part_two) / (error + interpolation);
             out.check("(4.8): left − right side, relative").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
             let sign = second / (error + interpolation); // over squares, as the excess
@@ -153,7 +153,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     let order = -out.exponent("n", "consistency"); // between the last two meshes
-    out.observe("order of ∫σ(I^hu−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
+    out.observe("order of ∫σ(I^h u−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
     let (error, consistency) = (out.series("n", "error"), out.series("n", "consistency"));
     if let (Some(error), Some(consistency)) = (error.last(), consistency.last()) {
         out.note("share", consistency.1 / error.1);

@@ -118,7 +118,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             let ratio = c_h(k) / equilateral;
             if angle >= 135.0 {
-                out.check("α ≥ 135°: C_h(α)/C_h(60°)").at_least(ratio, 2.0, "flat angles raise C");
+                out.check("α ≥ 135°: C_h(α)/C_h(60°)").at_least(ratio, 2.0, "C grows as α → 180°");
             }
             if angle <= 20.0 && s <= 0.75 {
                 out.check("α ≤ 20°, s ≤ 3/4: C_h(α)/C_h(60°)").at_least(ratio, 1.0, "once");

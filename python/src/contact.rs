@@ -100,7 +100,7 @@ fn boundary(
                 });
             }
             if parts.insert(key(edge), part).is_some_and(|before| before != part) {
-                return Err(Error::Edge { nodes: edge, reason: "is given as contact and as Dirichlet edge" });
+                return Err(Error::Edge { nodes: edge, reason: "is given both as a contact edge and as a Dirichlet edge" });
             }
         }
     }

@@ -91,7 +91,7 @@ pub(crate) fn wait<T: Send + 'static>(
                 }
             }
             Err(RecvTimeoutError::Disconnected) => {
-                return Err(PyRuntimeError::new_err("the computation ended without an answer"));
+                return Err(PyRuntimeError::new_err("the computation ended without a result"));
             }
         }
     }

@@ -17,8 +17,8 @@ use std::time::Instant;
 
 /// A discrete Signorini problem, assembled.
 ///
-/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in the cone, that is the minimiser of J(v) = ½
-/// a(v, v) − F(v). All vectors of the interface are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
+/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in the cone, that is, the minimiser of J(v) = ½
+/// a(v, v) − F(v). All nodal vectors are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};

@@ -124,7 +124,7 @@ impl Form {
     /// The form of the Laplacian: ∫ ∇u·∇v.
     pub const LAPLACE: Form = Form::Scalar { reaction: 0.0 };
 
-    /// The form of elasticity with a single material.
+    /// The bilinear form of linear elasticity for a homogeneous material.
     pub fn elastic(material: Lame) -> Self {
         Form::Elastic { materials: vec![material] }
     }

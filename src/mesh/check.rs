@@ -42,7 +42,11 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         // Gradients are of the size of diameter/area, entries of the stiffness matrix of their squares times area.
         let area = doubled_area(corners);
         if !area.is_normal() || !(diameter / area).powi(2).is_finite() || !(diameter * diameter).is_finite() {
-            return Err(bad_triangle(t, "is beyond the range of binary64: twice its area is", area));
+            return Err(bad_triangle(
+                t,
+                "is too small, too large or too thin for double precision: twice its area is",
+                area,
+            ));
         }
     }
     match used.iter().position(|&used| !used) {

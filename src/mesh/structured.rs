@@ -103,8 +103,8 @@ pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// As for [`rectangles`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle that the
-/// map inverts or degenerates.
+/// As for [`rectangles`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle
+/// whose image is inverted or degenerate.
 pub fn mapped_grid(
     nx: usize,
     ny: usize,

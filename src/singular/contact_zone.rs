@@ -19,7 +19,7 @@ use crate::error::{Error, Result};
 use crate::numeric::search::sign_change;
 use std::f64::consts::PI;
 
-/// The field of one contact interval at an end on the Dirichlet boundary, in units of its real factor; μ = 1.
+/// The near-tip field with one contact interval adjacent to the Dirichlet boundary, its free real factor set to one; μ = 1.
 ///
 /// ```
 /// use signorini::singular::ContactZone;

@@ -41,8 +41,8 @@ impl Exponent {
         self.im.value > 0.0
     }
 
-    /// The number of zeros of the characteristic function it represents: its multiplicity, doubled for a conjugate
-    /// pair.
+    /// The number of zeros of the characteristic function that this exponent stands for: its multiplicity, doubled for a
+    /// conjugate pair.
     pub fn zeros(&self) -> usize {
         self.multiplicity * if self.is_complex() { 2 } else { 1 }
     }

@@ -40,9 +40,9 @@ impl EdgeData {
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
-    /// let pair = |forces| EdgeData::new(2, LateralCondition::Natural, &[0.0, -1.0, 0.0], &forces);
+    /// let pair = |forces: [f64; 3]| EdgeData::new(2, LateralCondition::Natural, &[0.0, -1.0, 0.0], &forces);
     /// // λ u_N = 0 at every node
-    /// assert!(pair(vec![1.0, 0.0, 2.0]).is_ok() && pair(vec![1.0, 0.5, 2.0]).is_err());
+    /// assert!(pair([1.0, 0.0, 2.0]).is_ok() && pair([1.0, 0.5, 2.0]).is_err());
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
@@ -121,7 +121,7 @@ impl EdgeData {
         Self::new(cells, sides, &values, &forces)
     }
 
-    /// Number of cells of the fine edge.
+    /// Number of cells of the grid on the edge.
     pub fn cells(&self) -> usize {
         self.cells
     }
@@ -152,9 +152,9 @@ impl EdgeData {
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
-    /// let gaps = |sides, values: Vec<f64>| EdgeData::new(4, sides, &values, &[0.0; values.len()]);
-    /// assert_eq!(gaps(LateralCondition::Natural, vec![-1.0, 0.0, 0.0, 0.0, -1.0])?.gaps(), 2);
-    /// assert_eq!(gaps(LateralCondition::Periodic, vec![-1.0, 0.0, 0.0, -1.0])?.gaps(), 1);
+    /// let gaps = |sides, values: &[f64]| EdgeData::new(4, sides, values, &vec![0.0; values.len()]);
+    /// assert_eq!(gaps(LateralCondition::Natural, &[-1.0, 0.0, 0.0, 0.0, -1.0])?.gaps(), 2);
+    /// assert_eq!(gaps(LateralCondition::Periodic, &[-1.0, 0.0, 0.0, -1.0])?.gaps(), 1);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn gaps(&self) -> usize {

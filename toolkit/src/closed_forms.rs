@@ -31,7 +31,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// ρ^{-2n} < 1e-24.
 const SQUARE_POINTS: usize = 20;
 
-/// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the continued Beta function.
+/// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the analytically continued Beta function.
 ///
 /// The bracket equals ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a
 /// − 1,
@@ -39,7 +39,7 @@ const SQUARE_POINTS: usize = 20;
 ///   terms positive;
 /// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated with the weight τ^{1-2ν}.
 ///
-/// Neither cancels at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
+/// Neither part suffers from cancellation at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///
 /// ```
 /// use fractional_sobolev::{Order, closed_forms};

@@ -107,7 +107,7 @@ impl Gram {
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
     /// let form = Gram::constants(&Mesh::uniform(2, 1.0)?, 0.25, 1e-8)?;
-    /// let y = form.apply(&[1.0, 1.0])?; // constants have no seminorm
+    /// let y = form.apply(&[1.0, 1.0])?; // the seminorm of a constant is zero
     /// assert!(y.iter().all(|y| y.abs() < 1e-12) && form.mass(&[2.0, 0.0])? == [1.0, 0.0]);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```

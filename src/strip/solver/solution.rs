@@ -32,7 +32,7 @@ pub struct EdgeSolution {
     pub cone: Cone,
     /// The energy min ½ g'A g − b'g.
     ///
-    /// It is nonpositive, since g = 0 is admissible; summed in pairs.
+    /// It is nonpositive, since g = 0 is admissible; the terms are added by pairwise summation.
     pub energy: f64,
     /// The termination status of the iteration.
     pub status: Status,

@@ -36,7 +36,7 @@ impl Position<'_> {
         self.x
     }
 
-    /// Index of the nearest breakpoint, from which this position is given.
+    /// Index of the nearest breakpoint, relative to which this position is stored.
     pub fn anchor(&self) -> usize {
         self.anchor
     }
@@ -52,7 +52,7 @@ impl Position<'_> {
     ///
     /// ```
     /// use fractional_sobolev::Function;
-    /// // ln|x - 3/10|, its square root at the left end
+    /// // √x ln|x - 3/10|
     /// let u = Function::from_positions(&[0.0, 0.3, 1.0], |at| {
     ///     at.distance_to(0).sqrt() * at.log_distance_to(1)
     /// })?;

@@ -45,7 +45,7 @@ const NEAR_HALF: f64 = 0.01;
 #[doc(alias("asymptotics", "limit law"))]
 pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
-    Error::require("place", place, "[0, 1]", (0.0..=1.0).contains(&place))?;
+    Error::require("position", place, "[0, 1]", (0.0..=1.0).contains(&place))?;
     let at_end = place == 0.0 || place == 1.0;
     let uniform = || UniformLaw::new(order, tolerance).map(|law| Form::Uniform(Box::new(law)));
     let form = if order.offset() > 0.0 {

@@ -66,7 +66,7 @@ pub fn moment(
     Ok(MomentConstant { constant, order, place, moment, tolerance })
 }
 
-/// A moment with the function that attains it and two independent computations.
+/// The largest moment over |w|_ν = 1, with the extremal function and two independent checks: closed form and bounds.
 ///
 /// Returned by [`moment`].
 ///
