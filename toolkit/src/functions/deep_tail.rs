@@ -24,6 +24,8 @@ use std::mem;
 
 /// Largest width of a cell in τ.
 const CELL: f64 = 1.0;
+/// Smallest width of a cell in τ.
+const NARROWEST: f64 = 0.01;
 /// Largest τ for which e^τ is finite in binary64.
 const LAST: f64 = 700.0;
 /// Largest s: beyond s = 50, e^{−s} is below rounding.
@@ -141,7 +143,7 @@ impl<'a> DeepTail<'a> {
         let (mut sum, mut rounding, mut previous, mut last) = (0.0f64, 0.0f64, f64::INFINITY, 0.0);
         let mut tau = from.ln();
         while tau + shape.cell <= LAST {
-            let (cell, density, noise) = match self.cell(tau, shape) {
+            let (cell, density, noise) = match self.cell(tau, shape.cell, shape.terms) {
                 Ok(found) if found.0.is_finite() => found,
                 // Grown beyond binary64, and nothing brings it down.
                 _ if self.decay <= 0.0 && grows(&densities) => return Err(self.infinite()),
@@ -237,22 +239,27 @@ impl<'a> DeepTail<'a> {
         Ok(Shape { cell, terms })
     }
 
-    /// (∫ ℓ dt, t ℓ at the end, rounding) on (τ, τ + CELL).
-    fn cell(&self, tau: f64, shape: Shape) -> Result<(f64, f64, f64)> {
+    /// (∫ ℓ dt, t ℓ at the end, rounding) on (τ, τ + width), in halves where the interpolants are not resolved.
+    fn cell(&self, tau: f64, width: f64, terms: usize) -> Result<(f64, f64, f64)> {
         let from = tau + (-self.reach / tau.exp()).ln_1p();
-        let width = tau + shape.cell - from;
-        let own = Interpolant::new(self.function, &self.arm, from, width, shape.terms)?;
+        let whole = tau + width - from;
+        let own = Interpolant::new(self.function, &self.arm, from, whole, terms)?;
         let other = self
             .other
-            .map(|other| Interpolant::new(self.function, &other, from, width, shape.terms))
+            .map(|other| Interpolant::new(self.function, &other, from, whole, terms))
             .transpose()?;
+        if width > NARROWEST && !(own.is_resolved() && other.as_ref().is_none_or(Interpolant::is_resolved)) {
+            let (first, _, noise) = self.cell(tau, 0.5 * width, terms)?;
+            let (second, density, rounding) = self.cell(tau + 0.5 * width, 0.5 * width, terms)?;
+            return Ok((first + second, density, noise.hypot(rounding)));
+        }
         let (mut sum, mut noise, mut density) = (0.0, 0.0, 0.0);
         for (point, w) in self.rule.iter() {
-            let at = tau + shape.cell * point;
-            let (value, rounding) = self.density(&own, other.as_ref(), at, from, width);
+            let at = tau + width * point;
+            let (value, rounding) = self.density(&own, other.as_ref(), at, from, whole);
             density = at.exp() * value;
-            sum += w * shape.cell * density;
-            noise += w * shape.cell * at.exp() * rounding;
+            sum += w * width * density;
+            noise += w * width * at.exp() * rounding;
         }
         Ok((sum, density, noise))
     }

@@ -5,6 +5,9 @@ use super::function::SingularFunction;
 use crate::error::Result;
 use std::f64::consts::PI;
 
+/// Share of the largest varying coefficient at which the last ones are negligible.
+const SHARE: f64 = 1e-12;
+
 /// A Chebyshev interpolant on (from, from + width) of τ.
 pub(super) struct Interpolant {
     pub(super) coefficients: Vec<f64>,
@@ -26,6 +29,15 @@ impl Interpolant {
             })
             .collect();
         Ok(Self { coefficients, largest: values.iter().fold(0.0, |m, v| v.abs().max(m)) })
+    }
+
+    /// True if the last coefficients, in the derivative, are below rounding or below `SHARE` of the largest one.
+    pub(super) fn is_resolved(&self) -> bool {
+        let Some((_, varying)) = self.coefficients.split_first() else { return true };
+        let terms = varying.len() as f64;
+        let size = |coefficients: &[f64]| coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let last = terms * size(&varying[varying.len().saturating_sub(2)..]);
+        last <= SHARE * size(varying) || last <= f64::EPSILON * terms.powf(1.5) * self.largest
     }
 
     /// The divided difference (p(x) − p(y))/(x − y).
