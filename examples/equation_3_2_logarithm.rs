@@ -93,14 +93,14 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("ratios of e/(h √L), {cone} cone")).at_most(growth, 0.5, "bounded: (3.2), (4.3)");
+        out.check(format!("{cone} cone: increment ratio of e/(h √L)")).at_most(growth, 0.5, "(3.2), (4.3)");
         out.stronger(format!("{cone} cone, H²: exponent q")).at_most(q, 0.0, "no logarithm");
-        out.observe("ratio of e/h in H², finest meshes").at_least(optimal, 1.0, "order 1 is optimal");
+        out.observe("e/h in H², finest/middle mesh").at_least(optimal, 1.0, "order 1 is optimal");
     } else if alpha == 0.0 {
         out.observe("α = 0, u not in H²: exponent q").at_least(q, 0.0, "|ln h|^(q/2)");
     }
     if problem.moves() {
-        out.observe("transition: q − (1 − 2α)").near(q - expected, 0.0, 0.2, "sum over the cells");
+        out.observe("transition: q − (1 − 2α)").near(q - expected, 0.0, 0.2, "asymptotics of (e/h)²");
         if cone == Cone::Nodal {
             let relative = |&p: &(f64, f64)| (p.0, over(0.0, p) / over(0.0, points[0]));
             chart(out).line(&format!("α = {alpha}"), points.iter().map(relative).collect());

@@ -148,7 +148,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         curve.push((theta, found.value));
         dashed.push((theta, law.value));
         let ratio = found / law;
-        out.check("ν = 1/2: γ/asymptotic law, θ = 1e-20 .. 1e-290").near(ratio, 1.0, 2e-3, "both to 1e-3");
+        out.check("ν = 1/2: γ/asymptotic law, θ = 1e-20 .. 1e-290").near(ratio, 1.0, 2e-3, "1e-3 for each");
     }
     let axes = Axes::LogLinear("θ, length of the zone", "γ");
     out.plot("extremes_zone", "Poincaré constant of order 1/2", axes)

@@ -144,7 +144,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let ratio = rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency));
             out.check("ratio of ‖u−v‖²+2∫σ(v−u), v=u^h to v=I^h u").at_most(ratio, 1.0, "u^h minimises it");
             let excess = (second - part_one - part_two) / (error + interpolation);
-            out.check("(4.8): left − right side, relative").at_most(excess, 1e-9, "πσ, mean of u^h ≤ 0");
+            out.check("(4.8): left − right side, relative").at_most(excess, 1e-9, "πσ ≤ 0, πu^h ≤ 0");
             let sign = second / (error + interpolation); // over squares, as the excess
             match cone {
                 Cone::Nodal => out.check("nodal cone: −∫σu^h, relative").at_most(sign, 1e-9, "u^h ≤ 0"),

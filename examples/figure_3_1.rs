@@ -73,14 +73,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (nodal, midpoint) = (nodal?, midpoint?);
         out.row(cells! { tau => earlier, printed, optimal, nodal, midpoint });
         for (cone, order) in [("nodal", nodal), ("midpoint", midpoint)] {
-            out.check(format!("{cone} cone: order less (N1)")).at_least(order - printed, 0.0, "(3.1), (4.2)");
+            out.check(format!("{cone} cone: order − (N1)")).at_least(order - printed, 0.0, "(3.1), (4.2)");
             let distance = Measured::from((order.value - optimal).abs() / order.error);
             let claim = format!("{cone} cone: |order − (τ − 1)|/error");
             out.stronger(claim).at_most(distance, 1.0, "Drouet, Hild 2015");
         }
-        out.check("(N1) less (E2)").near(printed - earlier, (tau - 1.5).powi(2), 1e-15, "(τ − 3/2)²");
+        out.check("(N1) − (E2)").near(printed - earlier, (tau - 1.5).powi(2), 1e-15, "(τ − 3/2)²");
         let apart = (tau - 1.5) * (2.0 - tau);
-        out.check("(τ − 1) less (N1)").near(optimal - printed, apart, 1e-15, "(τ − 3/2)(2 − τ)");
+        out.check("(τ − 1) − (N1)").near(optimal - printed, apart, 1e-15, "(τ − 3/2)(2 − τ)");
     }
     out.column("earlier", "(E2)", "τ/2 − 1/4");
     out.column("printed", "(N1)", "τ² − 5τ/2 + 2");

@@ -52,7 +52,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let d = Measured::from(carry.first().map(|(t, (_, d), _)| (d / t.length(), 1.0 / k as f64)));
         out.row(cells! { n => theta, first, second, both, integral, carried_by: carry.len(), d });
         out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments with ∫ σ_N I^h u_N ≠ 0").at_most(carry.len(), u.transitions(), "contact ends");
+        out.check("segments with ∫ σ_N I^h u_N ≠ 0").at_most(carry.len(), u.transitions(), "transitions");
         out.chart(format!("figure_3_2_alternative_h_{n}"), edge_trace(&u, shown));
     }
     out.column("d", "d/h", "d of the first segment that carries the integral; ±: a cell of u");

@@ -53,7 +53,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let carried_by = found.iter().filter(|found| found.2 > 1e-12 * integral).count();
         out.row(cells! { n => theta, first, second, both, integral, carried_by });
         out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments with nonzero term (4.9)").at_most(carried_by, u.transitions(), "contact ends");
+        out.check("segments with nonzero term (4.9)").at_most(carried_by, u.transitions(), "transitions");
         out.chart(format!("figure_4_1_alternative_h_{n}"), edge_trace(&u, shown));
     }
     Ok(())

@@ -102,11 +102,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 claim.at_least(above, 0.0, "printed exponent");
             }
             if tau == 1.75 && problem == "transition" {
-                let claim = "τ = 7/4, transition: order less (N1)";
+                let claim = "τ = 7/4, transition: order − (N1)";
                 out.stronger(claim).at_least(order - 0.6875, 0.0, "exponent 11/16");
             }
             let above = order.value - optimal - order.error;
-            out.observe("order − min(τ − 1, 1) − error").at_most(above, 0.0, "no linear element does more");
+            out.observe("order − min(τ − 1, 1) − error").at_most(above, 0.0, "optimal for P1 elements");
             orders.push(order);
         }
         let name = problem.split(':').next().unwrap_or(problem);

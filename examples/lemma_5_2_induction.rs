@@ -127,7 +127,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.note(format!("given.nu{nu}"), *b);
             if nu.offset() == 0.0 {
                 let last = Measured::new(b.value, b.error + (b.value - a.value).abs());
-                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²) in the last step").near(last, SQRT_2, 0.02, "2/√2");
+                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²), last step").near(last, SQRT_2, 0.02, "γ² ~ ln(1/θ)");
             }
         }
     }

@@ -36,9 +36,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (gamma, definition) = (Measured::from(found.constant), by_definition(nu, theta)?);
             let over_printed = (gamma / if is_half { -theta.ln() } else { theta.powf(power) }).value;
             out.row(cells! { nu, theta => gamma, definition, over_printed });
-            out.check("γ: by_definition/library").near(gamma.recip() * definition, 1.0, 5e-3, "M, A");
+            out.check("γ: by_definition/library").near(gamma.recip() * definition, 1.0, 5e-3, "P1 elements");
             // ‖u‖₀² = ‖u − m‖₀² + m², m the mean of u on (0, 1), |m| ≤ N |u|_ν: the best N by one linear solve.
-            out.check("γ/√(γ₁² + N²)").at_most(gamma / found.bounds()?.upper, 1.0 + 1e-9, "γ₁, N");
+            out.check("γ/√(γ₁² + N²)").at_most(gamma / found.bounds()?.upper, 1.0 + 1e-9, "explicit bound");
             let (name, curve) = (format!("lemma_5_2_extremal_{theta:e}"), found.extremal().profile(6));
             out.plot(&name, "Worst functions", Axes::LogLinear("x", "u")).line(&format!("ν = {nu}"), curve);
         }
@@ -51,7 +51,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         } else {
             let next = longer.powf(2.0 * nu.value().min(nu.offset().abs())); // relative size of the law's next term
             let exponent = out.exponent("theta", "gamma");
-            out.check(format!("ν = {nu}: exponent of θ")).near(exponent, power, next.max(0.01), "law");
+            out.check(format!("ν = {nu}: exponent of θ")).near(exponent, power, next.max(0.01), "Lemma 5.2");
         }
     }
     out.plot("lemma_5_2_gamma", "Best constants", Axes::LogLog("θ", "γ")).curve_by("nu", "theta", "gamma");

@@ -101,7 +101,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     if n == 8 && at == 0 {
                         let definition = by_definition(u, &problem, &discrete.displacement)?;
                         let over = definition / error;
-                        out.check("error: by_definition/library, 1/8").near(over, 1.0, 5e-3, "midpoint rule");
+                        out.check("error, h = 1/8: by_definition/library").near(over, 1.0, 5e-3, "cubature");
                         first[k] = Some((error, definition));
                     }
                 }
@@ -117,10 +117,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             finest: a.1, order, printed, optimal });
             if tau <= 2.0 {
                 let growth = a.1 / bound_a.1 / (b.1 / bound_b.1);
-                out.check("τ ≤ 2: ratio of error/bound").at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
+                out.check("τ ≤ 2: growth of error/bound").at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
                 if tau < 2.0 {
                     let steeper = a.1 / b.1 * 2f64.powf(0.5 * (printed + optimal)); // growth of error/h^q
-                    out.stronger("τ < 2: ratio of error/h^q").at_most(steeper, 1.0, "q midway to τ − 1");
+                    out.stronger("τ < 2: growth of error/h^q").at_most(steeper, 1.0, "q > printed exponent");
                 }
             } else {
                 // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.

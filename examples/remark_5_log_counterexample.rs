@@ -93,7 +93,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let ratio = quotient.recip() * definition;
             out.check("q: by_definition/library").near(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
-                out.check("seminorms: n|w|/|u|").at_most(repaired, 1.001, "truncation, interpolated");
+                out.check("seminorms: n|w|/|u|").at_most(repaired, 1.001, "|w| ≤ |u|/n");
                 out.as_printed("full norms: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
             }
         }

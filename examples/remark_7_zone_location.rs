@@ -124,12 +124,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
-        out.observe("cut of (0, 1), C(θ) = γ((0, θ)): left/right").at_least(needed, 1.0, "an odd function");
+        out.observe("C(θ) = γ((0, θ)), cut at 1/2: left/right side").at_least(needed, 1.0, "counterexample");
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
     let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
-    out.as_printed("cut of (0, 1), u = sgn(x − 1/2): right/left").at_least(over, 1e-12, "without the cut");
+    out.as_printed("u = sgn(x − 1/2), cut at 1/2: right/left side").at_least(over, 1e-12, "without the cut");
 
     let mut random = Random(7);
     for _ in 0..options.functions {
@@ -140,7 +140,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         sorted.sort_by(|a, b| b.total_cmp(a));
         for k in 1..f.len() {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
-            out.check("sequences: sum sorted − sum given").at_most(rise, 0.0, "lemma");
+            out.check("sequences: Σ (f_i − f_j)², sorted − given").at_most(rise, 0.0, "rearrangement lemma");
         }
         // Linear between random values on a random mesh; seminorms are closed forms on pairs of elements.
         let (nu, count) = (0.01 + 0.98 * random.uniform(), 2 + (10.0 * random.uniform()) as usize);
@@ -148,7 +148,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let mesh = Mesh::from_lengths(&random.shares(count, 1.0))?;
         let less = Measured::from(rearranged(&mesh, &values)?.seminorm(nu, 1e-8)?);
         let share = less / Function::linears(&mesh, &values)?.seminorm(nu, 1e-8)?;
-        out.check("functions: |v*|_ν/|v|_ν").at_most(share, 1.0 + 1e-8, "theorem");
+        out.check("random v: |v*|_ν/|v|_ν").at_most(share, 1.0 + 1e-8, "rearrangement inequality");
     }
     let mut found = vec![Vec::new(); 5];
     for number in 0..options.unions {
@@ -167,11 +167,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let Ok(constant) = solved(union) else { continue }; // rounding forbids three digits
         let over = constant / solved(end)?;
-        out.check("unions: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "theorem");
+        out.check("unions of intervals: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("unions: share with three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
+    out.check("share of unions to three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
     out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");

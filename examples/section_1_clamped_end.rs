@@ -103,7 +103,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             for other in [Some(&closed), barrier.as_ref()].into_iter().flatten() {
                 let differ = (1..arc.len())
                     .filter(|&i| nodal.contact_set.contains(i) != other.contact_set.contains(i));
-                out.check("nodes where contact sets differ").at_most(differ.count(), 0.0, "one solution");
+                out.check("nodes where contact sets differ").at_most(differ.count(), 0.0, "uniqueness");
             }
             for solution in [&nodal, &closed].into_iter().chain(&barrier) {
                 let worst = worst_decade(&problem, solution, options.smallest)?;
@@ -120,7 +120,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     (false, true) => Measured::NONE,
                     (false, false) => Measured::from(periods),
                 };
-                out.check("gap at the end, in periods π/ε of ln r").at_most(open, 0.0, "theorem");
+                out.check("gap at the end, in periods π/ε of ln r").at_most(open, 0.0, "contact on (0, ℓ)");
                 out.check("elastic body: transitions").at_most(parts.len() - 1, 2.0, "contact, gap, contact");
             }
             if let (Some(epsilon), [zone, _, ..]) = (epsilon, parts.as_slice()) {
@@ -132,7 +132,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
                 let off = quotients.iter().map(|q| (q - mean).abs()).fold(0.0, f64::max);
                 if !quotients.is_empty() {
-                    out.check("|ln(pressure/formula)|/ring width").at_most(off / step, 1.0, "ℓ to a ring");
+                    out.check("|ln(pressure/formula)|/ring width").at_most(off / step, 1.0, "mesh size at ℓ");
                 }
             }
             // Slope of ln(−σ_N) over ln r far inside the zone; without two decades there, none.

@@ -68,7 +68,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         if is_clear {
             let order = -out.exponent("n", "error");
-            out.check("observed order − p, last two N").near(order - p, 0.0, 0.02, "p of the header");
+            out.check("observed order − p, last two N").near(order - p, 0.0, 0.02, "formula for p");
         }
         if let (Some(last), true) =
             (out.series("n", "over_limit").last(), beta * first > smooth * (1.0 + NEAR))

@@ -122,7 +122,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
         let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
         let is_right = found.is_some() == (room > 0.0);
-        out.check("step: finite norm iff s < 1/2").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
+        out.check("step: wrongly finite or infinite norms").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
@@ -152,7 +152,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
             out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
-            out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "R^(a+1−s), R < e r");
+            out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "norm ~ R^(a+1−s)");
             out.row(cells! { w: polygon.name, s, room: gap => norm, over: over.value });
             curve.push((gap, norm.value));
         }
@@ -160,7 +160,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     for gap in [0.0, -1e-9, -0.2] {
         let refused = matches!(on_polygon(s, &polygons()[0], gap, false), Err(Refusal::InfiniteNorm { .. }));
-        out.check("a + 1 − s ≤ 0: infinite norms not detected").holds(refused, "rings do not decay");
+        out.check("a + 1 − s ≤ 0: infinite norms not detected").holds(refused, "divergence at the corner");
     }
     let axes = Axes::LogLog("a + 1 − s", "|w|_s");
     let plot = out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes);

@@ -144,17 +144,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // Loads, reactions of Γ_D and forces of the floor in both directions, over the size of the terms.
         out.check("resultant of all forces").at_most(u.balance, 1e-8 + 10.0 * rounding, "global equilibrium");
         out.check("|J + a(u, u)/2|/|J|").at_most(identity, 1e-8 + 10.0 * rounding, "v = 0, 2u in (2.9)");
-        out.check("two solvers: change of J").at_most(differ, 1e-8 + 10.0 * rounding, "eight digits");
+        out.check("two solvers: |ΔJ|/|J|").at_most(differ, 1e-8 + 10.0 * rounding, "eight digits");
         if let Some(j) = definition {
             let off = (j / u.energy - 1.0).abs();
-            out.check("J by the loop here, change").at_most(off, 1e-8 + 10.0 * rounding, "eight digits");
+            out.check("J: |by_definition/library − 1|").at_most(off, 1e-8 + 10.0 * rounding, "eight digits");
         }
         if !is_block && n >= 8 {
             // coarser meshes do not see the gap
             let (active, last) = (|i: usize| u.contact_set.contains(i), u.contact_set.constraints() - 1);
             let changes = (0..last).filter(|&i| active(i) != active(i + 1)).count();
             let is_one_gap = active(0) && active(last) && changes == 2;
-            out.check("membrane: contact at both ends only").holds(is_one_gap, "sign changes of f");
+            out.check("membrane: solutions without a single gap").holds(is_one_gap, "sign changes of f");
         }
         solved.push((body, cone, n, problem, u));
     }

@@ -142,7 +142,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over the size of their terms.
         out.check("resultant of load and reactions, scaled").at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
-        out.check("two solvers: change of J").at_most(apart(other.energy, u.energy), allowed, "eight digits");
+        out.check("two solvers: |ΔJ|/|J|").at_most(apart(other.energy, u.energy), allowed, "eight digits");
         out.check("rotated body: relative change of J").at_most(
             apart(turned.energy, u.energy),
             allowed,

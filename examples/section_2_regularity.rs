@@ -128,13 +128,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let exponent = Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
             cells = (Some(exponent), border);
             let off = (exponent.value - (found.tau - 1.0)).abs();
-            out.check("|measured λ − λ|/error").at_most(off / exponent.error, 1.0, "±: two meshes, shells");
-            out.check("error of the measured λ").at_most(exponent.error, 0.05, "open, closed: 0.18 apart");
+            out.check("|measured λ − λ|/error").at_most(off / exponent.error, 1.0, "error estimate");
+            out.check("error of the measured λ").at_most(exponent.error, 0.05, "|λ_open − λ_closed| = 0.18");
         }
         out.row(cells! { problem: problem.to_string() => corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
             read: cells.0, border: cells.1 });
     }
-    out.observe("problems with another τ on 96 × 96 squares").at_least(
+    out.observe("problems with wrong τ on 96 × 96 squares").at_least(
         unseen as f64,
         1.0,
         "a gap of 1e-4 at a corner",

@@ -99,7 +99,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         // Every λ of the list has one of Newton's beside it: if there are as many, none of those is missing.
         let missing = (newton.len() as f64 - listed.len() as f64).abs();
-        out.check("|number of zeros (Newton) − number (library)|").at_most(missing, 0.0, "none is lost");
+        out.check("|number of zeros (Newton) − number (library)|").at_most(missing, 0.0, "no zero missing");
     }
     for (turn, &sides) in (1..=8).flat_map(|turn| SideConditions::ALL.iter().map(move |sides| (turn, sides)))
     {
@@ -111,7 +111,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // Turns of the argument of the equation along one rectangle from half the first to just above the last zero.
             let count = wedge.count(0.5 * first, LARGEST - 0.02 * (LARGEST - last))?;
             let lost = count as f64 - spectrum.zeros() as f64;
-            out.check("144 wedges: |zeros − listed zeros|").at_most(lost.abs(), 0.0, "argument principle");
+            out.check("zeros, 144 wedges: |counted − listed|").at_most(lost.abs(), 0.0, "argument principle");
             // u = r^λ U(φ) in the weak equations: (A₀ + λ A₁ + λ² A₂) U = 0, U by Legendre polynomials on the arc, up to degree
             // 24 + 4ω; eigenvalues of the linearised problem. Of zeros nearer than 0.05 the means are compared.
             let inside = |z: &(f64, f64)| z.0 > 1e-3 && z.0 < LARGEST - 1e-3;
@@ -127,7 +127,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let (a, b) = (mean(&listed, z), mean(&arc, z));
                 let apart =
                     if a.0 == b.0 { (a.1 - b.1).hypot(a.2 - b.2) / a.1.hypot(a.2) } else { f64::INFINITY };
-                out.check("144 wedges: |λ (library) − λ (arc)|/|λ|").at_most(apart, 1e-12, "relative");
+                out.check("144 wedges: |λ (library) − λ (arc)|/|λ|").at_most(apart, 1e-12, "rounding error");
             }
         }
     }

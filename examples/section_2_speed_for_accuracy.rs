@@ -130,12 +130,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     out.check("multigrid: change of the error").at_most(change, 1e-3, "0.1 % of the error");
                 } else {
                     if is_known {
-                        out.check("1e-10: change of the error").at_most(change, 1e-6, "six digits");
+                        out.check("solvers to 1e-10: change of error").at_most(change, 1e-6, "six digits");
                     }
-                    out.check("two solvers: change of J").at_most(of_j, 1e-11, "rounding");
+                    out.check("two solvers: |ΔJ|/|J|").at_most(of_j, 1e-11, "rounding error");
                     if !u.margins.is_weak(1e-9) {
                         let other = v.contact_set.distance(&u.contact_set);
-                        out.check("constraints active for one").at_most(other, 0.0, "the same contact set");
+                        out.check("constraints active for one solver only").at_most(other, 0.0, "uniqueness");
                     }
                 }
                 if let Some(estimate) = estimate {
@@ -145,7 +145,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 }
             }
             if name == "λ/μ = 1000" && solver.starts_with("multigrid") {
-                out.check("λ/μ = 1000: missing eliminations").holds(estimate.is_none(), "λ/μ > 100");
+                out.check("λ/μ = 1000: runs without fallback").holds(estimate.is_none(), "λ/μ > 100");
             }
             if let Some(definition) = definition {
                 let over = definition / error;

@@ -114,14 +114,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let square = by_definition(n, &load);
                 let apart = square.iter().zip(&u.values).map(|(a, g)| (a - g).abs());
                 let apart = apart.fold(0.0, f64::max) / size;
-                out.check("relative difference of u, edge to square").at_most(
+                out.check("u, edge and square: relative difference").at_most(
                     apart,
                     1e-7,
-                    "loop in this file",
+                    "direct solution on square",
                 );
             }
             out.check("largest scaled KKT residual").at_most(u.kkt.worst(), 1e-10, "(2.5)");
-            out.check("max inner CG iterations per step").at_most(inner, 30.0, "for all n and sets");
+            out.check("max inner CG iterations per step").at_most(inner, 30.0, "uniform in n");
             out.row(cells! { problem: name, n => unknowns: unknowns as usize, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });
             coarser = Some(u);

@@ -97,7 +97,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // As `ascent` and `circle`, with more starts and for every ν; error of the integrals, and rounding.
             let found = embedding_constant(nu, q, 1e-8)?;
             let (lower, upper) = (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
-            out.check("lower bound/upper bound of C(q)").at_most(lower / upper, 1.0 + 1e-12, "circle");
+            out.check("lower bound/upper bound of C(q)").at_most(lower / upper, 1.0 + 1e-12, "Beckner");
             if upper.value == 1.0 {
                 out.check("lower bound of C(q) where upper bound = 1").near(lower, 1.0, 1e-7, "attained");
             }
@@ -109,9 +109,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     Measured::from(embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower);
                 let value = ascent(&mesh, &form, &factor, q)?;
                 let ratio = lower.recip() * value;
-                out.check("lower bound of C(q): ascent/library").near(ratio, 1.0, 1e-3, "functions");
+                out.check("lower bound of C(q): ascent/library").near(ratio, 1.0, 1e-3, "trial functions");
                 let ratio = upper.recip() * circle(q);
-                out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "circle");
+                out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "Beckner");
                 out.check("ν = 1/2: lower C(q)/√q").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
                 out.check("ν = 1/2: upper C(q)/√q").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
                 out.check("lower bound of C(α)/upper bound of C(q)").at_most(found / upper, 1.0, "Hölder");

@@ -117,7 +117,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let scaled = constant.recip() * (fine[3][k] * 64f64.powf(theory));
             out.check(format!("{label}: S(64)/upper bound")).at_most(scaled, 1.0, "C(r), C*(r)");
             let definition = constant.recip() * [one[0], one[2]][k];
-            out.check(format!("{label}: `supremum`/library")).near(definition, 1.0, 1e-3, "64 cells");
+            out.check(format!("{label}, C: `supremum`/library")).near(definition, 1.0, 1e-3, "64 cells");
         }
         out.check("C*(r)/(C(r) C(1/2))").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
         out.observe("C*(r)/(C(r) C(1/2)), lower bound").at_least(c_dual / chain, 0.99, "equality at r = 1/2");

@@ -77,7 +77,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let quotient = value.recip() * definition;
             out.check("K, κ, κ̄: moment_on_mesh/library").near(quotient, 1.0, 0.01, "hat functions");
         }
-        out.check("κ/κ̄").at_most(kappa / midpoint, 1.0, "one gap");
+        out.check("κ/κ̄").at_most(kappa / midpoint, 1.0, "special case: one gap");
         out.check("κ̄/K").at_most(midpoint / product, 1.0, "product of L¹ norms");
         out.check("K/c").at_most(product / c, 1.0, "bound by potentials");
         out.check("κ̄/c₂").at_most(midpoint / pairs, 1.0, "bound by pairs of points");

@@ -115,7 +115,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     }
                 }
                 for pair in points.windows(2) {
-                    out.observe("edge bound/error, ratio of successive meshes").at_most(
+                    out.observe("edge bound/error: growth per refinement").at_most(
                         pair[1][2] / pair[0][2],
                         1.001,
                         "quadrature error",

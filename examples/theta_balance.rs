@@ -112,21 +112,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = second(theta) / (first(h, theta) * logarithm);
         let reference = *coarsest.get_or_insert(quotient);
         let compared = quotient / reference;
-        out.check("second/first bound at printed θ, normalised").near(compared, 1.0, 1e-9, "that at h = 1/8");
-        out.check("supremum/bound, at the crossing").at_most(best / second(at), 1.0, "upper bound");
-        out.check("supremum/bound, sharp θ").at_most(best / second(at_sharp), 1.0, "upper bound");
+        out.check("second/first bound at printed θ, normalised").near(compared, 1.0, 1e-9, "value, h = 1/8");
+        out.check("supremum/bound, both bounds equal").at_most(best / second(at), 1.0, "upper bound");
+        out.check("supremum/sharper bound, both equal").at_most(best / second(at_sharp), 1.0, "upper bound");
     }
     let [printed, cross, there, sharp] =
         ["bound", "crossing", "at_crossing", "sharp"].map(|column| out.exponent("h", column));
     if tau < 2.0 {
         let claimed = 2.0 * tau * tau - 5.0 * tau + 4.0;
-        out.check("θ at the crossing: exponent").near(cross, 2.0 * tau - 3.0, 1e-9, "2τ − 3, printed θ");
+        out.check("θ at equal bounds: exponent of h").near(cross, 2.0 * tau - 3.0, 1e-9, "2τ − 3, printed θ");
         out.check("exponent of h in the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
-        out.check("exponent of h in the bound, crossing").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
+        out.check("exponent of h where both bounds are equal").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
         let half_loss = (tau - 1.5) * (2.0 - tau);
-        out.stronger("exponent gained, sharp").near(sharp - printed, half_loss, 1e-9, "(τ − 3/2)(2 − τ)");
+        out.stronger("exponent gain, sharp bound").near(sharp - printed, half_loss, 1e-9, "(τ − 3/2)(2 − τ)");
     } else {
-        out.observe("θ at the crossing: exponent").near(cross, 2.0, 0.5, "h², up to ln² h");
+        out.observe("θ at equal bounds: exponent of h").near(cross, 2.0, 0.5, "h², up to ln² h");
         out.observe("exponent of h in the bound, printed θ").near(printed, 2.0, 0.5, "h² ln(1/h)");
     }
     for &theta in &zones[..10] {

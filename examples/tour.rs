@@ -66,7 +66,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let found =
             block::outcome(&block::Options { n: vec![8, 16, 32], cone: vec![cone], ..Default::default() })?;
         let key = format!("touching.bodyblock.cone{cone}.n32");
-        let [touching, apart] = at(&found, [&key, "two-solvers-change-of-j"])?;
+        let [touching, apart] = at(&found, [&key, "two-solvers-j-j"])?;
         let of = if cone == Cone::Nodal { "33 nodes" } else { "32 segments" };
         let says = if cone == Cone::Nodal {
             "a block, two solvers: one solution (2.9)"

@@ -170,7 +170,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check(format!("{cone} cone: random sets/best end gap")).at_most(
             ratio,
             1.0 + 1e-12,
-            "`by_definition`",
+            "worst case: gap at an end",
         );
     }
     if out.draws() {

@@ -24,15 +24,16 @@ pub struct ContactSet {
 impl ContactSet {
     /// The set with the given characteristic function.
     ///
-    /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Numbered from left to right.
+    /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Constraints are numbered from
+    /// left to right.
     pub fn new(active: &[bool]) -> Self {
         Self { active: active.to_vec() }
     }
 
     /// The empty contact set for `constraints` constraints.
     ///
-    /// This is the default initial guess of the active set ([`Start::Open`](crate::contact::Start::Open)); its face
-    /// is the whole space, so the first linear problem is unconstrained.
+    /// This is the default initial guess of the active set ([`Start::Open`](crate::contact::Start::Open)):
+    /// the first linear problem is unconstrained.
     ///
     /// ```
     /// let none = signorini::cone::ContactSet::empty(4);
@@ -50,8 +51,8 @@ impl ContactSet {
 
     /// Number of active constraints.
     ///
-    /// On a uniform mesh this is the length of the contact set in units of the segment length: for the midpoint cone
-    /// on n segments, the fraction count/n of the edge. Cost: O(constraints).
+    /// For the midpoint cone on a uniform mesh of n segments, the contact set covers the fraction count/n of the
+    /// edge. Cost: O(constraints).
     pub fn count(&self) -> usize {
         self.active.iter().filter(|&&active| active).count()
     }
@@ -99,7 +100,7 @@ impl ContactSet {
     /// use signorini::cone::ContactSet;
     /// let set = ContactSet::new(&[true, true, false, true, false]);
     /// assert_eq!(set.runs(), [0..2, 3..4]);
-    /// // the lengths of the runs sum to the number of active constraints
+    /// // the lengths of the contact intervals sum to the number of active constraints
     /// assert_eq!(set.runs().iter().map(|run| run.len()).sum::<usize>(), set.count());
     /// # Ok::<(), signorini::Error>(())
     /// ```

@@ -11,7 +11,7 @@ use crate::error::{Error, Result, ToolkitError};
 ///
 /// ```
 /// use signorini::cone::{Cone, Ends};
-/// // on a chain of n nodes there are n - 1 segments, on a ring n
+/// // an open edge of n nodes has n − 1 segments, a closed edge n
 /// let segments = |ends| Cone::Midpoint.on(6, ends).constraints();
 /// assert_eq!((segments(Ends::Open), segments(Ends::Joined)), (5, 6));
 /// # Ok::<(), signorini::Error>(())
@@ -34,8 +34,8 @@ pub enum Ends {
 /// | nodal | e_i | I | 0 |
 /// | midpoint | (e_i + e_{i+1})/2 | tridiag(1/4, 1/2, 1/4) | the sawtooth (−1)^i; 0 if closed with an odd number of nodes |
 ///
-/// The smallest eigenvalue of the midpoint B B' is about (π/2n)²; multipliers are therefore computed by recursion
-/// along a contact interval and not from B B'.
+/// The smallest eigenvalue of the midpoint B B' on an open edge of n nodes is about (π/(2n))²; multipliers are
+/// therefore computed by recursion along a contact interval and not from B B'.
 ///
 /// ```
 /// use signorini::cone::{Cone, Ends};
@@ -216,7 +216,8 @@ impl EdgeCone {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless bisecting that edge gives this one.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless bisection of the coarse
+    /// edge gives this one.
     pub fn refined_set(self, coarse: &ContactSet) -> Result<ContactSet> {
         let set = coarse.as_slice();
         let given = match (self.cone, self.ends) {

@@ -4,7 +4,7 @@ use crate::error::{Error, Result, ToolkitError};
 use std::fmt;
 use std::str::FromStr;
 
-/// The discrete noninterpenetration condition.
+/// The discrete noninterpenetration condition: the cone K^h (nodal) or K̄^h (midpoint) that approximates K.
 ///
 /// K^h ⊂ K for g affine on every segment, because u_N is piecewise affine there; K̄^h ⊃ K^h is not contained in K:
 /// u_N may exceed g on half of a segment.

@@ -107,15 +107,16 @@ impl KktResiduals {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
-    /// The smallest λ_i over the active constraints, relative to the λ scale; `None` if no constraint is active.
+    /// The smallest λ_i over the active constraints, relative to max |λ|, or to the force scale if all λ_i are below
+    /// rounding; `None` if no constraint is active.
     pub pressure: Option<f64>,
-    /// min −(B u − g)_i over the inactive constraints, relative to the displacement; `None` if all
+    /// min −(B u − g)_i over the inactive constraints, relative to the displacement scale; `None` if all
     /// constraints are active.
     pub gap: Option<f64>,
 }
 
 impl Margins {
-    /// True if contact is weak: the smallest active force or the smallest inactive gap is below `threshold`.
+    /// True if contact is weak: one of the two margins is at most `threshold`.
     ///
     /// Monotone in the threshold. Without contact only the gap is tested, with full contact only the force.
     ///

@@ -41,7 +41,7 @@ impl ContactProblem {
     /// use signorini::mesh::{SideParts, unit_square};
     /// let mesh = unit_square(4, SideParts::HANGING)?;
     /// let mut problem = ContactProblem::new(mesh, Form::elastic(Lame::new(1.0, 1.0)?), &[0.0; 50])?;
-    /// // both sides are free: a wind from the left
+    /// // the Neumann part consists of the lateral sides: a horizontal load that increases with height
     /// problem.add_surface_load(&Field::Vector(&|[_, y]| [0.1 * y, 0.0]))?;
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -54,7 +54,7 @@ impl ContactProblem {
     }
 
     /// Adds ∫ F(x, n)·v over the edges with the given label, n the outward normal. On the contact part this
-    /// load is added to the contact force.
+    /// load acts in addition to the contact force.
     ///
     /// Five Gauss points per edge are used. F receives the point and the outward unit normal.
     ///
@@ -62,7 +62,7 @@ impl ContactProblem {
     /// use signorini::{cone::Cone, contact::Solver, mesh::Part, problems::TestProblem};
     /// let mut problem = TestProblem::Closed.problem(4)?;
     /// let before = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
-    /// // a pressure of 1/4 on the contact edge in the direction −n lifts: the contact force falls by 1/4
+    /// // an upward load of density 1/4 on the contact edge (direction −n): the contact force decreases by 1/4
     /// problem.add_boundary_load(Part::Contact, &|_, [x, y]| Ok([-0.25 * x, -0.25 * y]))?;
     /// let after = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
     /// assert!((before - after - 0.25).abs() < 1e-12);
@@ -84,14 +84,14 @@ impl ContactProblem {
 
     /// Adds a vector of nodal forces (Cartesian, node-major).
     ///
-    /// F ← F + f: the entries are forces ∫ f·φ_i, not densities. The solution is Lipschitz continuous in F, in the
-    /// dual of the energy norm with constant 1.
+    /// F ← F + f: the entries are forces ∫ f·φ_i, not densities. The solution is Lipschitz continuous in F
+    /// with constant 1, in the energy norm for u and its dual norm for F.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
     /// let mut problem = TestProblem::Closed.problem(4)?;
     /// let before = problem.solve(Cone::Nodal, Solver::ActiveSet)?.contact_force;
-    /// // a force of 1 downwards on the first node of the bottom, in full contact: the contact carries all of it
+    /// // a force of 1 downwards on the second node of the bottom, in full contact: the contact carries all of it
     /// let mut force = vec![0.0; 50];
     /// force[2 * problem.edge().nodes()[1] + 1] = -1.0;
     /// problem.add_load(&force)?;

@@ -123,7 +123,8 @@ impl ContactProblem {
 
     /// The bilinear form.
     ///
-    /// Scalar: a(u, v) = ∫ ∇u·∇v + r u v; elastic: a(u, v) = ∫ 2μ ε(u):ε(v) + λ div u div v, plane strain.
+    /// Scalar: a(u, v) = ∫ ∇u·∇v + c u v, c the reaction coefficient; elastic: a(u, v) = ∫ 2μ ε(u):ε(v) +
+    /// λ div u div v, plane strain.
     ///
     /// ```
     /// use signorini::{fem::Form, problems::TestProblem};
@@ -216,7 +217,7 @@ impl ContactProblem {
     ///
     /// ```
     /// let problem = signorini::problems::TestProblem::Block.problem(2)?;
-    /// // n = (0, −1) on the bottom: a lift by 1 is u_N = −1
+    /// // n = (0, −1) on the bottom: u_N = −1 for an upward translation by 1
     /// let lift: Vec<f64> = [0.0, 1.0].repeat(9);
     /// assert_eq!(problem.normal_displacement(&lift)?, [-1.0; 3]);
     /// # Ok::<(), signorini::Error>(())
@@ -236,7 +237,7 @@ impl ContactProblem {
     /// ```
     /// use signorini::problems::TestProblem;
     /// let problem = TestProblem::Membrane.problem(4)?;
-    /// // the norm of y is the root of the area
+    /// // the energy norm of y is the square root of the area
     /// let y: Vec<f64> = problem.mesh().nodes().iter().map(|p| p[1]).collect();
     /// assert!((problem.energy_norm(&y)? - 1.0).abs() < 1e-14);
     /// # Ok::<(), signorini::Error>(())

@@ -8,7 +8,7 @@ use crate::error::Result;
 use crate::mesh::Hierarchy;
 
 /// The settings of [`ContactProblem::solve`](super::ContactProblem::solve); a [`Solver`] converts to settings with
-/// default values for all others.
+/// default values of all other fields.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -29,8 +29,8 @@ pub struct Settings<'a> {
     /// The requested bound on the algebraic error, for multigrid; by default a relative error of 1e-12 in the energy
     /// norm.
     pub accuracy: Accuracy,
-    /// The coarser meshes, for multigrid; the finest mesh of the hierarchy is that of the problem. By default the
-    /// coarser meshes omit every other line of a grid.
+    /// The coarser meshes, for multigrid; the finest mesh of the hierarchy is that of the problem. By default
+    /// every other line of a structured grid is omitted from each level to the next coarser one.
     pub hierarchy: Option<&'a Hierarchy>,
     /// A callback invoked after every step of multigrid; an error that it returns ends the iteration.
     #[allow(clippy::type_complexity)] // a callback, spelled out

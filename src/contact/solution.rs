@@ -23,7 +23,7 @@ pub(super) const ACCEPTED: f64 = 1e-8;
 
 /// Wall-clock time in seconds by phase.
 ///
-/// Phases that a solver does not have are 0.
+/// The time of a phase that the solver does not have is 0.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -73,7 +73,7 @@ impl Seconds {
 pub struct ContactSolution {
     /// The discrete cone.
     pub cone: Cone,
-    /// The solver that computed it.
+    /// The solver that was used.
     pub solver: Solver,
     /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i),
     /// prescribed nodes included, in the unit of length of the mesh.
@@ -97,8 +97,8 @@ pub struct ContactSolution {
     ///
     /// (B'λ)_i / ∫ φ_i, one per contact node, ≥ 0 in compression.
     pub pressure: Vec<f64>,
-    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force divided by nodal
-    /// length. At nodes on the Dirichlet boundary this is the reaction; for a scalar problem it is (∂u/∂n, 0).
+    /// (σ_N, σ_T) at the nodes of the contact edge, recovered from the residual K u − F: nodal force divided by
+    /// ∫ φ_i. At nodes on the Dirichlet boundary this is the reaction; for a scalar problem it is (∂u/∂n, 0).
     pub traction: Vec<Point>,
     /// The active constraints.
     pub contact_set: ContactSet,
@@ -121,8 +121,8 @@ pub struct ContactSolution {
     /// The standard deviation due to rounding of a sum of forces (a component of the reaction, or the contact force):
     /// ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
     ///
-    /// It is large relative to the loads where stiffnesses cancel, as for Poisson's ratio near 1/2; an imbalance
-    /// below it is within rounding.
+    /// It is large relative to the loads if the terms of K u nearly cancel, as for Poisson's ratio near 1/2; an
+    /// imbalance below it is within rounding.
     pub force_rounding: f64,
     /// The total contact force: the sum of the multipliers.
     ///

@@ -42,7 +42,8 @@ impl ContactProblem {
     /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces, and for a
     /// start from the other cone. [`ToolkitError::CountOutOfRange`] for a start from a coarser mesh or for
     /// [`Settings::sizes`] if the edge has several pieces, and for sizes on a closed edge;
-    /// [`ToolkitError::LengthMismatch`] for a contact set, sizes or a hierarchy of another length;
+    /// [`ToolkitError::LengthMismatch`] for a contact set or sizes of the wrong length, or a hierarchy
+    /// whose finest mesh is not that of the problem;
     /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive; [`ToolkitError::OutOfRange`] unless
     /// the share of the discretisation error is in (0, 1]; the error of the progress callback. The
     /// termination of the iteration is a status, not an error.

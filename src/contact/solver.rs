@@ -8,8 +8,8 @@ use std::str::FromStr;
 ///
 /// | solver | method | cost for N unknowns, n contact nodes |
 /// | --- | --- | --- |
-/// | `ActiveSet` | Schur complement S on the edge, Z'SZ on each face | one sparse factorization, O(n³) per step |
-/// | `InteriorPoint` | primal-dual central path on (K, B) | 11 to 16 sparse factorizations of size N |
+/// | `ActiveSet` | primal-dual active sets on the Schur complement S | one sparse factorization, O(n³) per step |
+/// | `InteriorPoint` | primal-dual interior point method on (K, B) | 11 to 16 sparse factorizations of size N |
 /// | `EdgeInteriorPoint` | the same on (S, B) | one sparse, about 15 dense factorizations of size n |
 /// | `Multigrid` | nested iteration, V-cycle preconditioner | O(N) for a fixed accuracy |
 ///

@@ -12,8 +12,8 @@
 use crate::cone::Cone;
 use crate::strip::{EdgeData, LateralCondition, restrict};
 
-/// The consistency terms on N/2, N/4, ..., 2 cells, as pairs (cells, term), finest grid first; N is a power of two,
-/// otherwise the sequence ends at the first odd number of cells.
+/// The consistency terms on N/2, N/4, ... cells, as pairs (cells, term), finest grid first; N is the number of cells
+/// of the data, and the sequence ends at 2 or at the first odd number of cells.
 ///
 /// No discrete problem is solved. The nodal term vanishes on every grid that has the transitions among its nodes.
 ///

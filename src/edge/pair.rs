@@ -145,7 +145,7 @@ impl ContactPair {
         Self { traces: Traces::Linears, values, slopes, pressures }
     }
 
-    /// The pair u_N = −(x − a)₊^{τ−1}, σ_N = −(a − x)₊^{τ−2}: one transition at a of any regularity 2 ≤ τ < 5/2.
+    /// The pair u_N = −(x − a)₊^{τ−1}, σ_N = −(a − x)₊^{τ−2}: one transition, at x = a, of regularity 2 ≤ τ < 5/2.
     ///
     /// The leading terms of a solution of regularity τ near a transition: contact for x < a, no contact for x > a, so
     /// the segments left of a have u_N' = 0 and those right of a have σ_N = 0.

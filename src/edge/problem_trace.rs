@@ -29,10 +29,10 @@ const STRIP_FACTOR: usize = 64;
 const ZERO: f64 = 1e-12;
 
 impl EdgeTrace {
-    /// The trace of the manufactured pair of a strip on its fine edge; a periodic edge is cut at 0, where the force
-    /// is halved.
+    /// The trace of the manufactured pair of a strip on the fine grid of the data; a periodic edge is cut at 0, where
+    /// the force is halved.
     ///
-    /// The nodal values and forces of the data, without a solver; |u_N| below 1e-12 of its largest value counts as
+    /// The nodal values and forces of the data, without a solver; a node is in contact only if its value is exactly
     /// zero.
     ///
     /// ```
@@ -59,8 +59,8 @@ impl EdgeTrace {
         EdgeTrace::new(&nodes, &values, &forces, 0.0)
     }
 
-    /// The trace on a fine grid that represents u for meshes of up to n segments; `tau` is the regularity of a strip
-    /// test problem.
+    /// The trace of u on a grid fine enough for comparison with meshes of up to n segments; `tau` is the regularity
+    /// of a strip test problem.
     ///
     /// # Errors
     /// Those of the test problems.

@@ -10,7 +10,7 @@ use crate::numeric::check::{require_entry, require_finite, require_length};
 /// A contact or non-contact interval of the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RadialInterval {
-    /// Inner radius, in the units of the data.
+    /// Inner radius, in the unit of the given radii.
     pub from: f64,
     /// Outer radius.
     pub to: f64,
@@ -19,7 +19,7 @@ pub struct RadialInterval {
 }
 
 impl RadialInterval {
-    /// The number of decades: log₁₀ of the ratio of outer and inner radius.
+    /// The number of decades: log₁₀ of the ratio of the outer to the inner radius.
     ///
     /// ```
     /// use signorini::edge::RadialInterval;
@@ -31,7 +31,7 @@ impl RadialInterval {
     }
 }
 
-/// The contact and non-contact intervals, from the inside outwards; constraints at radius 0 (the end itself) are
+/// The contact and non-contact intervals, from the inside outwards; constraints at radius 0 (the end of the edge) are
 /// omitted.
 ///
 /// ```

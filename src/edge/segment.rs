@@ -57,13 +57,13 @@ pub struct SegmentNorms {
     pub vertices: [f64; 2],
     /// Distance from each end point to the nearest zero of u_N in the segment; `None` if there is no zero.
     pub zero_distance: Option<[f64; 2]>,
-    /// |∫ u_N'| from each end point to that zero.
+    /// |∫ u_N'| from each end point to the nearest zero of u_N.
     pub increments: [f64; 2],
     /// Length of the longer of the two subintervals adjacent to the end points on which σ_N = 0.
     pub free_length: f64,
 }
 
-/// Norms of a trace on a segment.
+/// Norms of a trace v on a segment of length h_e; π^h v is its mean, ν the order of the seminorm.
 ///
 /// ‖v − π^h v‖₀ ≤ ‖v‖₀, and by (4.6) ‖v − π^h v‖₀ ≤ γ₁(ν) h_e^ν |v|_ν.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -168,14 +168,14 @@ impl SegmentNorms {
 
 impl ContactPair {
     /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. The seminorms have order ν,
-    /// the L^q norms the given exponent q ≥ 1; errors are rounding errors relative to the norms. Cost: O(N log(N/n))
-    /// for N cells.
+    /// the L^q norms the given exponent q ≥ 1; the errors of the squared seminorms are estimates of rounding. Cost:
+    /// O(N log(N/n)) for N cells.
     ///
     /// ```
     /// use signorini::edge::ContactPair;
     /// let pair = ContactPair::smooth_transition(256, 0.5, 2.25)?;
     /// let (whole, parts) = (pair.norms(1, 0.75, 2.0)?, pair.norms(4, 0.75, 2.0)?);
-    /// // ∫ σ_N is additive, the seminorms over segments add up to at most that of the edge.
+    /// // ∫ σ_N is additive; the squared seminorms on the segments sum to at most that on the edge.
     /// let force: f64 = parts.iter().map(|norms| norms.force).sum();
     /// let squares: f64 = parts.iter().map(|norms| norms.stress.seminorm().powi(2)).sum();
     /// assert!((force - whole[0].force).abs() < 1e-13 && squares <= whole[0].stress.seminorm().powi(2));
@@ -194,7 +194,8 @@ impl ContactPair {
     /// other: the Gram matrix is assembled once, and only the norms of one pair are stored at a time.
     ///
     /// # Errors
-    /// As for [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) without pairs,
+    /// As for [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange)
+    /// for an empty list,
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a pair on another grid.
     pub fn norms_of(
         pairs: &[Self],

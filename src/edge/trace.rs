@@ -51,7 +51,7 @@ impl EdgeTrace {
     /// The trace with the given increasing nodes, values u_N and forces λ ≥ 0 at the nodes.
     ///
     /// A node is in contact if u_N = 0 to within `rounding` (absolute, in units of u_N). It belongs to the support of
-    /// σ_N if λ exceeds `rounding` times the ratio of the largest force and the largest displacement.
+    /// σ_N if λ exceeds `rounding` times the ratio of the largest force to the largest displacement.
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),

@@ -29,7 +29,8 @@ const BYTES_PER_DEPTH: usize = 100;
 /// Position of an unknown that is prescribed.
 const PRESCRIBED: u32 = u32::MAX;
 
-/// The factorization and the condensed matrix S.
+/// The factorization of K_ii and the Schur complement S = K_kk − K_ki K_ii⁻¹ K_ik, i the eliminated unknowns and
+/// k the kept ones.
 ///
 /// ```
 /// use signorini::fem::{Condensation, Form, Frame, stiffness};

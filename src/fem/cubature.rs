@@ -53,7 +53,7 @@ impl Cubature {
 
     /// The same rule for integrands that are singular (integrable, or not smooth) at the given points.
     ///
-    /// Triangles that touch one of the points are cut toward it 40 times; all others keep the plain rule.
+    /// Triangles that contain one of the points are refined toward it in 40 steps; all others have the plain rule.
     ///
     /// ```
     /// use signorini::fem::Cubature;

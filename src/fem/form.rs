@@ -18,7 +18,7 @@ use crate::mesh::{Point, doubled_area};
 ///
 /// ```
 /// use signorini::fem::Lame;
-/// // Coercive in the plane from λ + μ > 0 on: a negative λ is admitted.
+/// // Coercive in the plane if μ > 0 and λ + μ > 0; λ may be negative.
 /// assert!(Lame::new(-0.9, 1.0).is_ok() && Lame::new(-1.0, 1.0).is_err());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,7 +60,7 @@ impl Lame {
 
     /// The constants of plane stress for Young's modulus E and Poisson's ratio ν: λ = E ν / (1−ν²), μ = E / (2(1+ν)).
     ///
-    /// The shear modulus is that of plane strain; λ is smaller for ν > 0: λ* = 2λμ/(λ + 2μ).
+    /// The shear modulus is that of plane strain; the first constant is 2λμ/(λ + 2μ), λ and μ those of plane strain.
     ///
     /// ```
     /// use signorini::fem::Lame;
@@ -102,7 +102,7 @@ impl Lame {
 /// use signorini::fem::{Form, Lame};
 /// let form = Form::elastic(Lame::new(1.0, 2.0)?);
 /// assert_eq!((Form::LAPLACE.components(), form.components()), (1, 2));
-/// // Regions beyond the list have the last material.
+/// // Regions beyond the end of the list have the last material.
 /// assert_eq!(form.material(7).map(|material| material.mu()), Some(2.0));
 /// # Ok::<(), signorini::Error>(())
 /// ```

@@ -10,7 +10,7 @@ use fractional_sobolev::Rule;
 /// The load vector of the P1 function with the given nodal values: consistent mass matrix times values.
 ///
 /// ∫ f_h φ_i, exact for P1 functions f_h; `values` and the result have `components` entries per node, node-major. The
-/// element mass matrix is A (1 + δ_ij)/12.
+/// element mass matrix is A (1 + δ_ij)/12, A the area.
 ///
 /// ```
 /// use signorini::fem::consistent_load;

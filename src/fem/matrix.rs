@@ -10,13 +10,13 @@ use std::collections::{BTreeMap, BTreeSet};
 /// Rows handled by one task of a parallel product.
 const CHUNK: usize = 4096;
 
-/// A sparse matrix of node blocks.
+/// A sparse matrix with one dense block per pair of neighbouring nodes.
 ///
 /// ```
 /// use signorini::fem::{Form, Frame, stiffness};
 /// use signorini::mesh::{SideParts, unit_square};
 /// let matrix = stiffness(&unit_square(2, SideParts::HANGING)?, &Form::LAPLACE, &Frame::cartesian());
-/// // The five-point stencil at the inner node: the diagonal neighbours of the cut cells have entry 0.
+/// // The five-point stencil at the inner node: the entries of the two diagonal neighbours are 0.
 /// assert!((matrix.diagonal(4) - 4.0).abs() < 1e-14);
 /// assert_eq!(matrix.neighbours(4), [0, 1, 3, 4, 5, 7, 8]);
 /// # Ok::<(), signorini::Error>(())

@@ -19,8 +19,8 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The nodes of the contact edge Γ_C in order, one piece after another.
 ///
-/// All arrays of contact unknowns of this crate have this order: along the chain with the domain on its left, which
-/// on a floor is from left to right.
+/// All arrays of contact unknowns in this crate use this order: along the chain with the domain on its left, that is,
+/// from left to right on a floor.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactEdge {
     nodes: Vec<usize>,
@@ -65,13 +65,14 @@ impl ContactEdge {
         }
     }
 
-    /// The contact edge of a triangulation, in one or several pieces without a common node, in the order of their
-    /// first appearance among the boundary edges. Only a single piece may be closed.
+    /// The contact edge of a triangulation, in one or more pieces that share no node, in the order of their
+    /// first appearance among the boundary edges. A closed curve must be the only piece.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
-    /// let sides = SideParts { right: Part::Neumann, top: Part::Contact, left: Part::Dirichlet, ..SideParts::HANGING
-    /// }; let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
+    /// let parts = [Part::Neumann, Part::Contact, Part::Dirichlet];
+    /// let sides = SideParts { right: parts[0], top: parts[1], left: parts[2], ..SideParts::HANGING };
+    /// let edge = ContactEdge::in_pieces(&unit_square(2, sides)?)?;
     /// assert_eq!(edge.normals()?, [[0.0, -1.0], [0.0, 1.0]]);
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -147,12 +148,12 @@ impl ContactEdge {
         &self.points
     }
 
-    /// The arc length at the nodes, from 0; a further piece starts at the final value of the previous one.
+    /// The arc length at the nodes, from 0; each further piece starts at the final value of the previous one.
     pub fn arc(&self) -> &[f64] {
         &self.arc
     }
 
-    /// True if the chain is closed, that is an entire boundary curve.
+    /// True if the chain is closed, that is, an entire boundary curve.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part::Contact, SideParts, unit_square};

@@ -1,6 +1,6 @@
 //! Points, boundary edges with their labels, lengths and areas.
 
-/// A point of the plane.
+/// A point in the plane.
 pub type Point = [f64; 2];
 
 /// The boundary condition on an edge: the three open parts of Section 2.1.

@@ -109,7 +109,7 @@ impl Hierarchy {
     }
 
     /// Adds `times` levels graded toward a node: on each level the triangles at that point are cut. Mesh sizes are
-    /// proportional to the distance from the point, down to 2^-times of the initial size.
+    /// proportional to the distance from the point, down to 2^−k times the initial size, k = `times`.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};

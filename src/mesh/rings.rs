@@ -38,8 +38,8 @@ pub enum Outline {
     Rectangle,
 }
 
-/// The triangulation by polar rings with `angles` sectors and ring k at e^{−k `step`}, down to the first ring below
-/// `smallest`.
+/// The triangulation by polar rings with `angles` sectors. Ring k is the outline scaled by e^{−k `step`}; the last
+/// scale factor is the first one ≤ `smallest`.
 ///
 /// ```
 /// use signorini::mesh::{Outline, polar_rings};

@@ -32,7 +32,7 @@ pub struct SideParts {
 const BYTES_OF_CELL: usize = 100;
 
 impl SideParts {
-    /// Contact at the bottom, Dirichlet at the top, free sides: the test problems `block` and `membrane`.
+    /// Contact at the bottom, Dirichlet at the top, free sides, as in the test problems `block` and `membrane`.
     pub const HANGING: SideParts =
         SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
 }

@@ -20,8 +20,8 @@ pub struct Triangulation {
 }
 
 impl Triangulation {
-    /// The triangulation with the given nodes, triangles and boundary edges, checked. Boundary edges may be given in
-    /// either direction.
+    /// The triangulation with the given nodes, triangles and boundary edges, which are validated. Boundary edges may
+    /// be given in either direction.
     ///
     /// ```
     /// use signorini::mesh::{BoundaryEdge, Part, Triangulation};
@@ -201,8 +201,8 @@ impl Triangulation {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle that the map inverts or
-    /// degenerates.
+    /// [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle whose image is
+    /// inverted or degenerate.
     pub fn mapped(mut self, map: impl Fn(Point) -> Point) -> Result<Self> {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;

@@ -21,8 +21,8 @@ const STRAIGHT: f64 = 1e-9;
 
 /// A corner of the body, or a change of conditions on a straight side, with the regularity of the solution there.
 ///
-/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + a smooth function, and r^λ φ ∈ H^τ exactly for τ < 1 + Re λ unless it
-/// is a polynomial.
+/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + a smooth function; r^λ φ, unless it is a polynomial, lies in H^τ if
+/// and only if τ < 1 + Re λ.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
@@ -51,7 +51,7 @@ impl fmt::Display for CornerSingularity {
 
 /// The regularity of a solution, with its corners and transitions.
 ///
-/// τ is the minimum over the corners, not attained: u ∈ H^{τ−ε} for every ε > 0.
+/// τ is the minimum over the corners: u ∈ H^{τ−ε} for every ε > 0, but in general u ∉ H^τ.
 ///
 /// ```
 /// use signorini::problems::{Parameters, TestProblem};
@@ -62,7 +62,7 @@ impl fmt::Display for CornerSingularity {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SolutionRegularity {
-    /// Supremum of the τ with u ∈ H^τ; at most 4, the limit of the exponents computed.
+    /// Supremum of the τ with u ∈ H^τ; at most 4, since only exponents with Re λ < 3 are computed.
     pub tau: f64,
     /// All corners and transitions, ordered by increasing regularity.
     pub corners: Vec<CornerSingularity>,
@@ -75,7 +75,7 @@ impl SolutionRegularity {
     }
 }
 
-/// The corners, transitions and regularity of a discrete solution. Cost: about a millisecond for each different
+/// The corners, transitions and regularity of a discrete solution. Cost: about a millisecond per distinct
 /// wedge.
 ///
 /// A boundary node is the vertex of a wedge if the boundary bends there or the condition (clamped, free, closed,

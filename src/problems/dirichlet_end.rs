@@ -11,9 +11,10 @@ use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Outline, polar_rings};
 
-/// The data of a test problem in which Dirichlet and contact boundary meet.
+/// The data of a test problem in which the Dirichlet and the contact boundary meet.
 ///
-/// The two parts meet at the origin at the angle π. The number of nodes is about `angles` · ln(1/`smallest`)/`step`.
+/// The two parts meet at the origin at an angle of π. The number of nodes is about
+/// `angles` · ln(1/`smallest`)/`step`.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, mesh::Outline, problems::DirichletEnd};
@@ -32,7 +33,7 @@ pub struct DirichletEnd {
     pub angles: usize,
     /// Logarithm of the ratio of the radii of consecutive rings.
     pub step: f64,
-    /// Smallest radius: the rings end below it.
+    /// Rings are added until their radius is at most this value.
     pub smallest: f64,
     /// Poisson's ratio in (−1, 1/2); `None` for the scalar problem.
     pub poisson: Option<f64>,
@@ -48,7 +49,7 @@ impl DirichletEnd {
     /// let (outline, poisson) = (Outline::HalfDisc, None);
     /// let body = DirichletEnd { outline, angles: 8, step: 0.4, smallest: 1e-3, poisson, direction: 90.0 };
     /// let problem = body.problem()?;
-    /// // the contact edge reaches from the origin to (1, 0)
+    /// // the contact edge extends from the origin to (1, 0)
     /// assert!((problem.contact_mesh()?.nodes().last().unwrap_or(&0.0) - 1.0).abs() < 1e-12);
     /// assert_eq!(problem.form(), &Form::LAPLACE);
     /// # Ok::<(), signorini::Error>(())

@@ -35,12 +35,12 @@ const RADIUS: f64 = 0.25;
 const READ: f64 = 1e-7;
 
 impl TestProblem {
-    /// Corners, transitions and the supremum of the τ with u ∈ H^τ, for the contact set of the nodal cone on 32 × 32
-    /// squares; at the ends of the contact edge that of meshes graded toward them is used.
+    /// Corners, transitions and the supremum of the τ with u ∈ H^τ. The contact set is computed with the nodal cone
+    /// on 32 × 32 squares, and at the ends of the contact edge on meshes graded toward them.
     ///
     /// ```
     /// use signorini::problems::{Parameters, TestProblem};
-    /// // clamped/free right angle at λ = μ: 1 + λ = 1.745
+    /// // clamped/free right angle, Poisson's ratio 1/4: exponent 0.745
     /// assert!((TestProblem::Block.regularity(&Parameters::default())?.tau - 1.745).abs() < 1e-3);
     /// # Ok::<(), signorini::Error>(())
     /// ```

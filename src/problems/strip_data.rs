@@ -29,13 +29,13 @@ const POSITION: f64 = 0.381966;
 const FAT_MEASURE: f64 = 0.5;
 
 registry! {
-    /// A test problem of the strip. Its block defines its parameters with their defaults, its data and the admissible
-    /// regularities.
+    /// A test problem on the strip. Each variant is defined in one block of the source: parameters with defaults,
+    /// data, admissible regularities.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
     /// let data = StripData::Transitions { gaps: 2 }.data(2.0, 64, LateralCondition::Natural)?;
-    /// // complementary at every node, with the gaps asked for
+    /// // complementarity at every node, and the requested number of non-contact intervals
     /// assert!(data.values().iter().zip(data.forces()).all(|(u, l)| *u <= 0.0 && *l >= 0.0 && u * l == 0.0));
     /// assert_eq!(data.gaps(), 2);
     /// # Ok::<(), signorini::Error>(())
@@ -139,8 +139,8 @@ impl Data {
 impl StripData {
     /// The test problem with one transition at a generic point.
     ///
-    /// The position x = 0.381966 is close to 1 − 1/φ = (3 − √5)/2, so that it varies within the cells of dyadic
-    /// meshes.
+    /// The position x = 0.381966 is close to 1 − 1/φ = (3 − √5)/2, so that its location relative to the
+    /// cells varies from one dyadic mesh to the next.
     ///
     /// ```
     /// let value = signorini::problems::StripData::transition().to_string();
@@ -163,9 +163,9 @@ impl StripData {
     }
 
     /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples have their own
-    /// number of cells and no regularity. Regularity above 2 requires transitions inside the edge: with natural sides
-    /// the non-contact interval of a single transition reaches the side with a nonzero slope, so that u is not in H²
-    /// for any τ.
+    /// number of cells and no regularity. Regularity above 2 requires transitions inside the edge: with natural
+    /// lateral conditions the non-contact interval of a single transition reaches the lateral boundary with a nonzero
+    /// slope, so that u is not in H² for any τ.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -196,7 +196,7 @@ impl StripData {
     }
 
     /// The pair at τ = 2 with u_N and λ multiplied by ℓ^{−α}, ℓ(r) = 2 + ln(1/r), r the distance to the ends of their
-    /// interval: for α > 1/2 they have the regularity of H² itself, for α = 0 only that of H^τ with τ < 2.
+    /// interval: for α > 1/2 they have the regularity of u ∈ H², for α = 0 only that of u ∈ H^τ, τ < 2.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};

@@ -15,13 +15,13 @@ use crate::mesh::{Part, Point, SideParts, Triangulation, mapped_grid, unit_squar
 use std::f64::consts::PI;
 
 registry! {
-    /// A named test problem. Its block defines its domain, form and data.
+    /// A named test problem. Each variant is defined in one block of the source: domain, form and data.
     ///
     /// λ = μ = 1 corresponds to Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
-    /// // pressed down on a clamped top: full contact, ∫ f = −1 is shared by the top and the plane
+    /// // clamped at the top and pressed down: full contact; the top and the plane carry the load ∫ f = −1
     /// let found = TestProblem::Closed.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
     /// assert_eq!(found.contact_set.count(), 5);
     /// assert!((found.contact_force + found.reaction[1] - 1.0).abs() < 1e-12);
@@ -179,8 +179,8 @@ fn bracket(n: usize) -> Result<Triangulation> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
-    /// Opening ω at the left end of the contact edge of `corner`, `leaning` and `raised`, at both ends of
-    /// that of `taper`, in degrees, in [20, 160]; for `taper` in [70, 160].
+    /// Opening ω in degrees: at the left end of the contact edge for `corner`, `leaning` and `raised`, in [20, 160];
+    /// at both ends for `taper`, in [70, 160].
     pub angle: f64,
     /// Poisson's ratio of `incompressible`, in (0, 1/2).
     pub poisson: f64,
@@ -221,7 +221,7 @@ impl TestProblem {
     /// ```
     /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
     /// let setting = Parameters { poisson: 0.25, ..Parameters::default() };
-    /// // E = 5/2 and ν = 1/4 are λ = μ = 1
+    /// // E = 5/2 and ν = 1/4 give λ = μ = 1
     /// let form = TestProblem::Incompressible.bilinear_form(&setting)?;
     /// let Form::Elastic { materials } = form else { panic!("a scalar form") };
     /// let lame: Lame = materials[0];
@@ -281,7 +281,7 @@ impl TestProblem {
     /// use signorini::{cone::Cone, contact::Solver, mesh::Hierarchy, problems::TestProblem};
     /// let hierarchy = Hierarchy::refined(TestProblem::MembraneReaction.mesh(2)?, 1)?;
     /// let fine = TestProblem::MembraneReaction.on(hierarchy.levels()[1].clone())?;
-    /// // refinement of a structured mesh is the structured mesh
+    /// // uniform refinement of a structured mesh gives the structured mesh with 2n × 2n squares
     /// assert_eq!(fine.free_unknowns(), TestProblem::MembraneReaction.problem(4)?.free_unknowns());
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -299,7 +299,7 @@ impl TestProblem {
     /// let energy = |cone| -> signorini::Result<f64> {
     ///     Ok(TestProblem::Block.problem(8)?.solve(cone, Solver::ActiveSet)?.energy)
     /// };
-    /// // K^h is contained in the midpoint cone, so that the minimum of J over it is not smaller
+    /// // K^h is contained in the midpoint cone, so that the minimum of J over K^h is not smaller
     /// assert!(energy(Cone::Midpoint)? <= energy(Cone::Nodal)?);
     /// # Ok::<(), signorini::Error>(())
     /// ```

@@ -12,12 +12,12 @@
 use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// The powers p, q and α of one transition.
+/// The exponents p, q and α at one transition.
 ///
 /// ```
 /// use signorini::problems::TransitionPowers;
 /// let data = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: 0.0 }.data(0.5, 8)?;
-/// // λ = 1 on [0, 1/2] as nodal forces: the total is its measure; u_N = −δ with δ(3/4) = (1/4)(3/4)
+/// // λ = 1 on [0, 1/2]: the nodal forces sum to 1/2; u_N(3/4) = −(1/4)(3/4)
 /// assert!((data.forces().iter().sum::<f64>() - 0.5).abs() < 1e-15);
 /// assert!((data.values()[6] + 0.1875).abs() < 1e-15);
 /// # Ok::<(), signorini::Error>(())
@@ -37,7 +37,7 @@ impl TransitionPowers {
     ///
     /// ```
     /// use signorini::problems::TransitionPowers;
-    /// // τ = 5/2 is the natural r^{3/2}, with σ_N of size r^{1/2}
+    /// // τ = 5/2 corresponds to the natural r^{3/2}, with σ_N of size r^{1/2}
     /// let powers = TransitionPowers::of_regularity(2.5);
     /// assert_eq!((powers.opening, powers.pressure), (1.5, 0.5));
     /// # Ok::<(), signorini::Error>(())
@@ -46,11 +46,11 @@ impl TransitionPowers {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }
     }
 
-    /// The data of the test problem on an edge of `cells` cells with natural sides and a transition at
-    /// `position` ∈ (0, 1).
+    /// The data of the test problem on an edge of `cells` cells with natural lateral conditions and a
+    /// transition at a = `position` ∈ (0, 1).
     ///
     /// u_N is evaluated at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of
-    /// each assigned to each node, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
+    /// each assigned to each end of the cell, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges;

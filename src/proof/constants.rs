@@ -16,7 +16,7 @@ const LAW: i32 = 16;
 /// At τ = 2 the law is evaluated only for θ ≤ 1/2: ln(1/θ) vanishes at θ = 1, γ does not.
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
-/// The constants C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones, that is
+/// The constants C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones, that is,
 /// subintervals of length θ at an end of the unit interval.
 ///
 /// ```
@@ -58,8 +58,8 @@ impl ProofConstants {
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for arguments outside these ranges;
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if a constant does not reach its
-    /// tolerance.
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if the tolerance of a constant
+    /// is not met.
     pub fn new(tau: f64, q: f64, thetas: &[f64]) -> Result<Self> {
         Error::require("tau", tau, "(3/2, 5/2)", tau > 1.5 && tau < 2.5)?;
         let order = Order::half_plus(tau - 2.0)?;

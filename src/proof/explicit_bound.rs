@@ -48,7 +48,7 @@ const ROUND_UP: f64 = 1.0 + 1e-14;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshShape {
     /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For arbitrary triangles the ratio of the largest circumradius
-    /// and h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
+    /// to h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
     pub interpolation: f64,
     /// The relative height H: the rectangle of height H h on each contact segment lies in Ω.
     pub height: f64,
@@ -89,7 +89,9 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
 /// The bound for one form, one cone, and one shape of mesh.
 ///
 /// The norm is the energy norm of the form; the constants depend neither on h nor on u, and each of them is rounded
-/// up.
+/// up. Notation: |v|_a² ≤ M ‖∇v‖², ‖∇σ_N‖ ≤ S |u|₂, θ = coth(πH), A and H of [`MeshShape`], B of
+/// [`half_plane_korn`] (1 for ∫∇u·∇v), c of [`ExplicitBound::new`], S_h the union of the rectangles of height H h on
+/// the contact segments.
 ///
 /// ```
 /// use signorini::{cone::Cone, fem::Form};
@@ -102,16 +104,16 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExplicitBound {
-    /// M^{1/2} A.
+    /// M^{1/2} A, the constant of the interpolation error.
     pub approximation: f64,
-    /// b: (θ/π) S B for the midpoint cone, 0 for the nodal one.
+    /// b, the constant of the projection term: (θ/π) S B for the midpoint cone, 0 for the nodal cone.
     pub projection: f64,
-    /// 2 c π θ S.
+    /// 2 c π θ S, the constant of the consistency term.
     pub consistency: f64,
 }
 
 impl ExplicitBound {
-    /// The bound with the constant `segment` = c, rounded up: the consistency term of a segment (step 3) is at most c
+    /// The bound with the constant `segment` = c, rounded up: the consistency term of a segment is at most c
     /// h² |σ_N| |u_N'| at ν = 1/2. For the nodal cone c is [`super::product_bound`], K or κ, for the midpoint cone
     /// half of one of the first two. `korn` is B, used only by the midpoint cone in elasticity.
     ///

@@ -42,13 +42,13 @@ pub struct SegmentConstant {
     pub value: Estimate,
     /// The measure |E| of the contact set, accurate to about 1e-6.
     pub contact: f64,
-    /// The two moments whose product it is: on E and on N.
+    /// The two factors: the moments on the contact set E and on its complement N.
     pub moments: [MomentConstant; 2],
 }
 
 impl SegmentConstant {
-    /// Lower and upper bounds, the products of those of both moments: an independent computation of the value at this
-    /// contact set.
+    /// Lower and upper bounds of the constant: the products of the bounds of the two moments, an independent check of
+    /// the value for this contact set.
     ///
     /// ```
     /// use fractional_sobolev::{Order, Tolerance};
@@ -66,7 +66,8 @@ impl SegmentConstant {
         Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
     }
 
-    /// The larger relative distance of these bounds from the value, its error included.
+    /// The larger of the relative distances of the two [`SegmentConstant::bounds`] from the value, including
+    /// its error.
     ///
     /// # Errors
     /// As for [`SegmentConstant::bounds`].
@@ -111,7 +112,8 @@ pub fn product_constant(
 /// The best constant κ(ν) of the consistency term of either cone over the contact sets with one non-contact interval,
 /// at an end.
 ///
-/// κ(ν) = max_e A(e) B(1−e) ≤ K(ν) ≤ c(ν), by restriction of the contact sets and by potentials.
+/// κ(ν) = max_e A(e) B(1−e) ≤ K(ν) ≤ c(ν); A(e) and B(e) are the suprema of ∫ x f and ∫ f over |f|_ν = 1, f = 0
+/// outside (0, e).
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -131,9 +133,11 @@ pub fn consistency_constant(
     largest_product(order.given()?, Moment::FromFreeEnd, Moment::Mass, tolerance.given()?)
 }
 
-/// The constant κ̄(ν): the term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact set.
+/// The constant κ̄(ν): the consistency term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact
+/// set.
 ///
-/// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since sets with one non-contact interval at an end are included.
+/// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since sets with one non-contact interval at an end are included; B as in
+/// [`consistency_constant`], D(e) the supremum of ∫ (e − x) f over the same functions.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -151,7 +155,7 @@ pub fn midpoint_bound(order: impl Given<Order>, tolerance: impl Given<Tolerance>
 }
 
 /// The best constant of the consistency term for one non-contact interval of length b = `gap` at an end: A(1−b) B(b)
-/// for the nodal cone, A(b) B(1−b) for the midpoint cone.
+/// for the nodal cone, A(b) B(1−b) for the midpoint cone, A and B as in [`consistency_constant`].
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};

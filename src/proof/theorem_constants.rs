@@ -36,6 +36,9 @@ const ACCURACY: f64 = 1e-5;
 const ROUND_UP: f64 = 1.0 + 1e-13;
 
 /// The constants of Theorems 3.1 and 4.1 for one τ, all rounded up.
+///
+/// C(s) is that of [`interpolation_constant`] on the right isosceles triangle with legs of length 1, K(ν) that of
+/// [`product_constant`], P(ν) that of [`projection_constant`]; θ = coth π; M and B: [`TheoremConstants::elastic`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TheoremConstants {
     /// The regularity τ.
@@ -44,7 +47,7 @@ pub struct TheoremConstants {
     pub order: Order,
     /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
-    /// K(ν).
+    /// K(ν), the constant of the consistency term.
     pub segment: f64,
     /// (θ/π)^{1/2} P(ν); B (θ/π)^{1/2} P(ν) for elasticity.
     pub projection: f64,

@@ -35,8 +35,8 @@ const RATIO: f64 = 0.25;
 /// Largest number of bisections of every cell: 320 cells in each part.
 const HALVINGS: u32 = 4;
 
-/// The supremum of term / (|σ_N|_ν |u_N'|_ν) on (0, 1) with non-contact intervals (0, left) and (1 − right, 1) and
-/// contact between them; `left` may be 0. It is at most ½.
+/// The supremum of the consistency term divided by |σ_N|_ν |u_N'|_ν, ν = τ − 3/2, on (0, 1) with non-contact
+/// intervals (0, left) and (1 − right, 1) and contact between them; `left` may be 0. It is at most ½.
 ///
 /// The value is that of conforming trial functions, a lower bound of the supremum; the error estimate is the change
 /// at the last bisection, which bounds the remaining error if the values converge at least linearly in the cell
@@ -48,7 +48,7 @@ const HALVINGS: u32 = 4;
 /// let tolerance = fractional_sobolev::Tolerance::new(0.1)?;
 /// let left = worst_ratio(Cone::Nodal, 1.75, 0.1, 0.3, tolerance)?.value;
 /// let right = worst_ratio(Cone::Nodal, 1.75, 0.3, 0.1, tolerance)?.value;
-/// // Mirrored gaps give the same ratio, and no contact set exceeds 1/2.
+/// // The ratio is invariant under reflection and at most 1/2.
 /// assert!((left / right - 1.0).abs() < 1e-10 && left <= 0.5);
 /// # Ok::<(), signorini::Error>(())
 /// ```

@@ -24,7 +24,7 @@ use std::fmt;
 /// The uncertainty means that the order as h → 0 differs from p by at most this amount, for all lower-order terms
 /// that are consistent with the levels. It is not a bound: on strips and corners with known order and 5 to 10 levels,
 /// the interval contains the true order in at least 95 of 100 cases. Few levels, scatter, or a slope that still
-/// changes make it large; compare it with the difference that is to be decided. Cost: a few milliseconds.
+/// changes make it large; compare it with the difference between the orders in question. Cost: a few milliseconds.
 ///
 /// ```
 /// use signorini::rates::ConvergenceOrder;

@@ -46,7 +46,7 @@ impl Wedge {
     /// use signorini::singular::{Medium, Wedge};
     /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::Scalar)?;
     /// let found = flat.exponents_on_arc(24, 1.0)?;
-    /// // Clamped meets free on a straight side: λ = 1/2, 3/2, 5/2.
+    /// // Transition from clamped to free on a straight side: λ = 1/2, 3/2, 5/2.
     /// assert_eq!(found.len(), 3);
     /// assert!(found.iter().enumerate().all(|(k, lambda)| (lambda.re - k as f64 - 0.5).abs() < 1e-10));
     /// # Ok::<(), signorini::Error>(())

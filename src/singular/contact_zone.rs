@@ -55,14 +55,15 @@ impl ContactZone {
         Ok(Self { kappa, epsilon, length })
     }
 
-    /// The constant ε = ln κ/(2π): the leading exponents at a flat transition from clamped to free are 1/2 ± iε.
+    /// The constant ε = ln κ/(2π), κ = 3 − 4ν: the leading exponents at a flat transition from clamped to free are
+    /// 1/2 ± iε.
     pub fn epsilon(&self) -> f64 {
         self.epsilon
     }
 
     /// The contact pressure −σ_N at the distance r from the end; 0 outside the contact interval.
     ///
-    /// It is 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it decreases like r^{−1/2} near the Dirichlet end and
+    /// It is 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it behaves like r^{−1/2} as r → 0 and
     /// vanishes like (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
@@ -71,7 +72,7 @@ impl ContactZone {
         2.0 * (2.0 * self.epsilon * (r / self.length).sqrt().acos()).sinh() / r.sqrt()
     }
 
-    /// The opening −u_N at the distance r; 0 on the contact interval, negative where the field would penetrate.
+    /// The opening −u_N at the distance r; 0 on the contact interval, negative where u_N ≤ 0 is violated.
     ///
     /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it behaves like (r − ℓ)^{3/2}
     /// near ℓ.

@@ -86,8 +86,8 @@ impl Wedge {
 
     /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent responsible.
     ///
-    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. At a transition of contact on a
-    /// straight side the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
+    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. At a transition from contact to
+    /// no contact on a straight side the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};

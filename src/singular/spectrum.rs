@@ -62,8 +62,8 @@ impl Exponent {
 
     /// True if all its functions r^λ U(θ) are polynomials in x and y: an integer exponent without logarithm.
     ///
-    /// Harmonic functions of integer degree are polynomials, and so are κφ − z conj φ′ − conj ψ with φ, ψ
-    /// powers z^k.
+    /// Homogeneous harmonic functions of positive integer degree are polynomials, and so are κφ − z conj φ′ − conj ψ
+    /// with φ, ψ powers z^k.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -80,7 +80,7 @@ impl Exponent {
 }
 
 /// The exponents of a wedge, ordered by increasing real part. There is no tolerance: Newton's method converges to
-/// rounding, and the error estimates account for the digits lost at double zeros.
+/// rounding accuracy, and the error estimates account for the digits lost at double zeros.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// The exponents with 0 < Re λ < 3.
@@ -98,9 +98,9 @@ impl Spectrum {
 
 impl Wedge {
     /// All exponents with 0 < Re λ < 3. Exponents within 1e-12 of 0 or 3 are excluded; exponents that agree to a
-    /// relative distance of 1e-12 are identified. The error of each accounts for the rounding of its characteristic
-    /// function, evaluated in double-double, and of the result; opening and Poisson's ratio are taken as exact. Cost:
-    /// about a millisecond.
+    /// relative distance of 1e-12 are identified. Each error estimate accounts for the rounding of the characteristic
+    /// function, evaluated in double-double, and of the result; the opening and Poisson's ratio are taken as exact.
+    /// Cost: about a millisecond.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -166,8 +166,8 @@ impl Wedge {
     }
 
     /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the argument
-    /// principle on one rectangle per factor. The zero at 0, which belongs to translations or to no field, is
-    /// included.
+    /// principle on one rectangle per factor. The zero at λ = 0, which corresponds to a translation or
+    /// to no field at all, is included.
     ///
     /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function; it is independent of the list
     /// of exponents.
@@ -182,7 +182,8 @@ impl Wedge {
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless −3 ≤ left < right ≤ 4;
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with a zero on one of the lines.
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if a zero is too close to
+    /// one of the lines Re λ = left, right.
     pub fn count(&self, left: f64, right: f64) -> Result<usize> {
         Error::require("left end", left, "[-3, right end)", left >= -LARGEST && left < right)?;
         Error::require("right end", right, "(left end, 4]", right <= LARGEST + 1.0)?;
@@ -198,7 +199,7 @@ impl Wedge {
 impl Spectrum {
     /// All zeros as (Re λ, Im λ), repeated according to multiplicity, with both members of each conjugate pair.
     ///
-    /// There are as many as [`Spectrum::zeros`] counts.
+    /// Their number is [`Spectrum::zeros`].
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};

@@ -106,7 +106,8 @@ impl FromStr for SideConditions {
 
 /// The material of the wedge.
 ///
-/// The exponents do not depend on μ. Plane stress is plane strain with ν_P replaced by ν/(1 + ν).
+/// The exponents do not depend on the shear modulus. Plane stress with Poisson's ratio ν is plane strain with
+/// Poisson's ratio ν/(1 + ν).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Medium {
     /// The Laplace equation.
@@ -137,7 +138,7 @@ pub struct Wedge {
 const SMALLEST: f64 = 1e-5;
 
 impl Wedge {
-    /// The wedge with the given opening in radians, in [1e-5, 2π], medium and side conditions.
+    /// The wedge with the given side conditions and medium and an opening angle in [1e-5, 2π], in radians.
     ///
     /// ```
     /// use signorini::singular::{Medium, SideConditions, Wedge};

@@ -9,10 +9,11 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::check::{require_finite, require_length};
 use crate::text::pairs;
 
-/// Complementary data (u_N, λ) on a fine edge.
+/// Complementary data (u_N, λ) at the nodes of a fine grid on the contact edge.
 ///
-/// Values and forces are ordered by x = i/n; there are n + 1 of them with natural sides, n with periodic sides. The
-/// forces are λ_i = −∫ σ_N φ_i, so that Σ_i λ_i is the total contact force.
+/// Values and forces are ordered by x = i/n, n the number of cells; there are n + 1 of them with natural sides, n
+/// with periodic sides. The forces are λ_i = −∫ σ_N φ_i, φ_i the hat functions, so that Σ_i λ_i is the total contact
+/// force.
 ///
 /// ```
 /// use signorini::{cone::Cone, strip::{EdgeData, LateralCondition, Strip}};
@@ -50,7 +51,7 @@ impl EdgeData {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite);
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign; [`Error::NotComplementary`] if
-    /// both are nonzero at a node; [`Error::EmptyContact`] if u_N = 0 at no node.
+    /// both are nonzero at a node; [`Error::EmptyContact`] if u_N < 0 at all nodes.
     pub fn new(cells: usize, sides: LateralCondition, values: &[f64], forces: &[f64]) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", values), ("lambda", forces)] {
@@ -146,7 +147,7 @@ impl EdgeData {
         self.regularity
     }
 
-    /// Number of non-contact intervals on the fine edge: maximal ranges of nodes with u_N < 0.
+    /// Number of non-contact intervals: maximal sets of consecutive nodes with u_N < 0.
     ///
     /// With periodic sides a non-contact interval through x = 0 is counted once.
     ///

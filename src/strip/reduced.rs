@@ -13,7 +13,7 @@ use crate::fem::Lame;
 /// let strip = Strip::scalar(64, 64)?;
 /// let (force, constant) = strip.condense(|x, _| [(6.0 * x).cos() + 0.3, 0.0])?;
 /// let solution = strip.operator().solve_contact(&force, Cone::Nodal, None, 1e-13)?;
-/// // min J, and λ u_N = 0
+/// // J(u) < J(0), and the KKT residuals are small
 /// assert!(solution.energy + constant < constant && solution.kkt.worst() < 1e-12);
 /// # Ok::<(), signorini::Error>(())
 /// ```
@@ -46,7 +46,7 @@ impl Strip {
         Ok(Self(Kind::Scalar(ScalarStrip::new(cells, layers)?)))
     }
 
-    /// The strip for elasticity with one material, with periodic sides.
+    /// The strip of a homogeneous, isotropic elastic material, with periodic sides.
     ///
     /// On (0, 1) × (0, m/n), plane strain, u = 0 on top, no friction. The edge matrix of a mode, Hermitian 2 × 2, is
     /// computed by log₂ m doublings of a layer; its relative accuracy is 1e-13 for λ = μ, 1e-12 for λ = 100 μ. Cost:
@@ -95,18 +95,18 @@ impl Strip {
     }
 
     /// The edge load b and the constant c of J(g) = ½ g'A g − b'g + c for the load ∫ f_h·v, f_h the nodal interpolant
-    /// of f (scalar: of its first component), by the consistent P1 mass matrix; c is the energy of the interior with
-    /// the edge fixed. Cost: O(n m log n).
+    /// of f (scalar: of its first component), assembled with the consistent P1 mass matrix; c is the minimal energy
+    /// for zero edge displacement (g = 0). Cost: O(n m log n).
     ///
-    /// Block elimination from the top: with pivots C_j of the rows, y_j ← F_j − R C_{j+1}⁻¹ y_{j+1} and
-    /// c = −½ Σ_j y_j* C_j⁻¹ y_j over the interior rows. In the elastic strip b belongs to u_N; the energy of the
-    /// condensed tangential edge displacement is part of c.
+    /// Block elimination from the top: with the load F_j and the pivot C_j of row j and the coupling R of adjacent
+    /// rows, y_j ← F_j − R C_{j+1}⁻¹ y_{j+1} and c = −½ Σ_j y_j* C_j⁻¹ y_j over the interior rows. In the elastic
+    /// strip b acts on u_N; c includes the energy of the eliminated tangential edge displacement.
     ///
     /// ```
     /// use signorini::strip::Strip;
     /// let strip = Strip::scalar(8, 8)?;
     /// let (b, c) = strip.condense(|_, _| [1.0, 0.0])?;
-    /// // without contact: J(u) = -½ b'A⁻¹b + c, and ∫ f u = -2 J; exactly 1/3 for u = (1 - y²)/2 as h → 0
+    /// // without contact: J(u) = -½ b'A⁻¹b + c, and ∫ f u = -2 J → 1/3 as h → 0, the value for u = (1 - y²)/2
     /// let w = strip.operator().solve(&b)?;
     /// let energy: f64 = c - 0.5 * b.iter().zip(&w).map(|(b, w)| b * w).sum::<f64>();
     /// assert!((-2.0 * energy - 1.0 / 3.0).abs() < 1.0 / 64.0);

@@ -5,7 +5,8 @@ use crate::error::{Error, Result, ToolkitError};
 
 /// The lateral conditions at x = 0 and x = 1.
 ///
-/// Modes: cos(θ_k i), θ_k = kπ/n, k = 0, ..., n with natural sides; e^{iθ_k j}, θ_k = 2πk/n with periodic ones.
+/// Modes at the nodes j/n of an edge of n cells: cos(θ_k j), θ_k = kπ/n, k = 0, ..., n with natural sides;
+/// e^{iθ_k j}, θ_k = 2πk/n with periodic ones.
 ///
 /// ```
 /// use signorini::strip::LateralCondition::{Natural, Periodic};

@@ -57,12 +57,12 @@ fn holds(functions: usize, unions: usize, key: &str) {
 
 #[test]
 fn random_functions_of_each_family_lose_seminorm() {
-    holds(if crate::MANY { 10_000 } else { 500 }, 1, "functions-v-nu-v-nu");
+    holds(if crate::MANY { 10_000 } else { 500 }, 1, "random-v-v-nu-v-nu");
 }
 
 #[test]
 fn random_unions_are_no_worse_than_the_interval_at_the_end() {
-    holds(1, if crate::MANY { 1010 } else { 100 }, "unions-gamma-e-gamma-0-theta");
+    holds(1, if crate::MANY { 1010 } else { 100 }, "unions-of-intervals-gamma-e-gamma-0-theta");
 }
 
 #[test]

@@ -75,8 +75,8 @@ pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estima
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning) + f64::MIN_POSITIVE, work)
 }
 
-/// |x^a|_ν on (0, 1), accurate also where its square underflows: |x^a|_ν √(a − ν + 1/2) / |a| is even in a up
-/// to relative terms of the size of a.
+/// |x^a|_ν on (0, 1), accurate also where its square underflows: for small |a|,
+/// |x^a|_ν √(a − ν + 1/2) / |a| is constant up to relative terms of order a.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;

@@ -18,7 +18,7 @@ pub type Result<T> = std::result::Result<T, Error>;
 /// use fractional_sobolev::{Constraint, Error, Order, gamma};
 /// let refused = gamma(0.25, Constraint::mean_zero_on(0.0..0.5), 1e-15).unwrap_err();
 /// assert!(matches!(refused, Error::ToleranceNotMet { .. }));
-/// assert!(refused.best().is_some_and(|best| best.relative_error() < 1e-11)); // what was reached is kept
+/// assert!(refused.best().is_some_and(|best| best.relative_error() < 1e-11)); // the error carries the best estimate
 /// assert!(matches!(Order::new(f64::NAN), Err(Error::OutOfRange { name: "nu", .. })));
 ///
 /// ```

@@ -50,7 +50,7 @@ impl Tolerance {
     /// ```
     /// use fractional_sobolev::{Function, Tolerance};
     /// let wave = Function::from_fn(&[0.0, 1.0], |x: f64| (300.0 * x).cos())?;
-    /// let few = Tolerance::fast().with_work(1000); // not one value per wave
+    /// let few = Tolerance::fast().with_work(1000); // too few for 48 periods
     /// assert!(wave.seminorm(0.5, Tolerance::fast()).is_ok() && wave.seminorm(0.5, few).is_err());
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```

@@ -38,7 +38,7 @@ use std::ops::Range;
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
-/// | formula | (−1, 1), below 2 with its derivative | rules graded to the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
+/// | formula | (−1, 1), below 2 with its derivative | rules graded towards the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
 /// | load | (−1, 0) | supremum over the piecewise linear functions on the mesh | O(N) per step of an iteration |
 /// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
@@ -116,7 +116,7 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// Layers at a breakpoint are resolved for any width down to 1e-290. Between the breakpoints f is sampled
-    /// at some dozens of points: a kink or a wide peak is detected, at additional cost, but a layer narrower
+    /// at a few dozen points: a kink or a wide peak is detected, at additional cost, but a layer narrower
     /// than about 1/50 of the interval may lie between these points and is then missed in both the value and
     /// the error. Declare its position as a breakpoint and express f by the distance to it:
     ///
@@ -284,8 +284,8 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`] if the index of a corner is not that of a node; [`Error::OutOfRange`] for an
-    /// inadmissible exponent.
+    /// [`Error::Node`] for a corner that is not a node of a triangle or is declared twice; [`Error::Triangle`] for a
+    /// triangle with more than one declared corner; [`Error::OutOfRange`] unless −1 < a ≤ 20.
     pub fn from_plane_positions(
         mesh: &Triangles,
         corners: &[(usize, f64)],
@@ -321,7 +321,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::Function;
     /// use std::f64::consts::PI;
-    /// // p = 2, α = 1: v = (x² − 3y², 2xy), ∇v has x² twice with 4 and y² with 36 and 4
+    /// // p = 2, α = 1: v = (x² − 3y², 2xy), |∇v|²_{1/2} = 8 |x|²_{1/2} + 40 |y|²_{1/2}
     /// let norm = Function::elastic_corner(2.0, 1.0, 1.0)?.seminorm(1.5, 1e-12)?.value;
     /// let y = Function::sector_power(1.0, 1.0, PI, 1.0)?.seminorm(0.5, 1e-12)?.value;
     /// let both = Function::sector_power(2.0, 2.0, PI, 1.0)?.seminorm(1.5, 1e-12)?.value;
@@ -549,12 +549,12 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The dual norm sup ∫ u v / ‖v‖ with respect to the norm of order 0 < s < 1 that [`DualOf`] names;
-    /// [`Function::norm`] of order −s is the one for [`DualOf::Slobodeckij`].
+    /// The dual norm sup ∫ u v / ‖v‖ with respect to the norm of order 0 < s < 1 selected by [`DualOf`];
+    /// [`Function::norm`] of order −s is the dual norm for [`DualOf::Slobodeckij`].
     ///
     /// In the interpolation spaces the dual norm of a piecewise polynomial is Balakrishnan's integral of
-    /// resolvents, each in closed form on every element: exact to rounding on every mesh, at the cost of some
-    /// hundred passes over the elements. For [`DualOf::Slobodeckij`] the supremum is taken over the piecewise
+    /// resolvents, each in closed form on every element: exact to rounding on every mesh, at the cost of about
+    /// a hundred passes over the elements. For [`DualOf::Slobodeckij`] the supremum is taken over the piecewise
     /// linear functions on M equal elements, with a correction of the discretisation error; M is doubled up to
     /// 2^20, and the error estimate is the change at the last doubling. A formula is replaced by a piecewise
     /// polynomial on a mesh graded towards its breakpoints; the L² norm of the difference bounds the dual norm
@@ -593,13 +593,13 @@ impl<'a> Function<'a> {
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
-    /// // x - 1/2 against 0: 1 + 1/12
+    /// // u = x − 1/2, v = 0: ‖u − v‖²_{1/2} = 1/12 + 1
     /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
     /// let zero = Function::piecewise(&Mesh::uniform(10, 1.0)?, 0, &[0.0; 10])?;
     /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
     /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
     /// assert!(u.minus(&u).is_err());
-    /// // x² and its interpolants: the rate of order 1/2
+    /// // x² and its interpolants: the error in |·|_{1/2} decreases like h^{3/2}
     /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x)?;
     /// let error = |n: usize| {
     ///     let field = Function::interpolate(&Mesh::uniform(n, 1.0)?, 1, |x| x * x)?;

@@ -26,7 +26,7 @@ const BALANCED: f64 = 1e-8;
 /// to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on a uniform
 /// mesh, 60 N on other meshes, 200 N on a grid. On an interval the fast product is prepared at its first use.
 /// The entries of the dense matrix are sums of a few integrals of one sign each, exact to rounding, and cost
-/// O(N²) kernel values. Constants are subtracted from x before a product, since A maps them to zero.
+/// O(N²) kernel values. Where A maps constants to zero, the mean of x is subtracted before a product.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};
@@ -94,7 +94,7 @@ impl std::fmt::Debug for Gram {
 impl Gram {
     /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral over the
     /// square of the interval, which is the form of the *regional* fractional Laplacian. The form of the
-    /// integral one, over the whole line, is [`Gram::zero_outside`].
+    /// *integral* fractional Laplacian, over the whole line, is [`Gram::zero_outside`].
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an order or a tolerance outside its range.
@@ -301,8 +301,8 @@ impl Gram {
     ///
     /// They are computed by a block iteration with preconditioned residuals (LOBPCG): 5 to 20 steps of a few
     /// products each. The error bounds the distance to the spectrum by the residual and the tolerance of the
-    /// product. Their ratio is the condition number of A relative to M, on the functions of mean zero if
-    /// constants have seminorm zero.
+    /// product. The ratio of the two eigenvalues is the condition number of A relative to M, on the functions of mean
+    /// zero if constants have seminorm zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};

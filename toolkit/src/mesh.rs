@@ -30,7 +30,7 @@ const BYTES: usize = 48;
 /// assert_eq!(mesh.lengths(), Mesh::from_lengths(&[0.25, 0.75])?.lengths());
 /// assert!(mesh.len() == 2 && mesh.total() == 1.0);
 /// assert_eq!((mesh.from_left(), mesh.from_right()), (&[0.0, 0.25, 1.0][..], &[1.0, 0.75, 0.0][..]));
-/// // graded to both ends, and to a point inside
+/// // graded towards both ends, and towards an interior point
 /// assert_eq!(Mesh::graded(&[0.0, 1.0], 1, 0.5)?.nodes(), [0.0, 0.25, 0.5, 0.75, 1.0]);
 /// let graded = Mesh::graded(&[0.0, 0.3, 1.0], 20, 0.5)?;
 /// assert!(graded.lengths().iter().any(|&h| h < 1e-6));

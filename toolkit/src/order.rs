@@ -44,7 +44,7 @@ impl Order {
     ///
     /// ```
     /// use fractional_sobolev::Order;
-    /// let order = Order::half_plus(-1e-20)?; // 1/2 − 1e-20 is no binary64 number
+    /// let order = Order::half_plus(-1e-20)?; // 1/2 − 1e-20 is not a binary64 number
     /// assert!(order.value() == 0.5 && order.offset() == -1e-20);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -82,7 +82,7 @@ impl Order {
     ///
     /// ```
     /// use fractional_sobolev::{Function, Mesh, Order};
-    /// // u′ = ±1 jumps: finite below 3/2, however close
+    /// // u′ = ±1 jumps: the seminorm is finite for every order below 3/2
     /// let tent = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 0.5, 0.0])?;
     /// assert!(tent.seminorm(Order::half_plus(-1e-20)?.plus_one(), 1e-8)?.value > 1e9);
     /// assert!(tent.seminorm(Order::HALF.plus_one(), 1e-8).is_err());
@@ -160,8 +160,8 @@ fn unreadable(text: &str) -> Error {
     }
 }
 
-/// The order s of a norm, −1 < s < 2, stored by its fractional part, so that its distance from ±1/2 and 3/2 has
-/// full relative accuracy.
+/// The order s of a norm, −1 < s < 2, stored as −ν, 0, ν, 1 or 1 + ν with an [`Order`] ν, so that its distance from
+/// ±1/2 and 3/2 has full relative accuracy.
 ///
 /// It is given as a plain number, as an [`Order`] ν for s = ν, as `-ν`, or by [`Order::plus_one`].
 ///

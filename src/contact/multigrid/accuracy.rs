@@ -6,7 +6,7 @@ use std::fmt;
 /// The requested accuracy of a discrete solution.
 ///
 /// It is compared with the error estimate |u_h − ũ|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K ũ − B'λ⁺ and
-/// C = λ⁺'(g − B ũ) ≥ 0.
+/// C = λ⁺'(g − B ũ) ≥ 0, ũ an approximation in the cone, λ⁺ the positive part of the multipliers.
 ///
 /// ```
 /// use signorini::contact::{Accuracy, Settings, Solver};
@@ -40,8 +40,8 @@ impl Default for Accuracy {
 
 /// The progress of the multigrid iteration.
 ///
-/// Levels are counted from the first one above the coarsest; `error` is an estimate of |u_k − x|_a on the current
-/// level.
+/// Levels are counted from the first one above the coarsest; `error` is an estimate of |u − x|_a, x the
+/// iterate and u the solution of the linear problem for the current contact set.
 ///
 /// ```
 /// use signorini::contact::{Progress, Settings, Solver};
@@ -58,7 +58,7 @@ impl Default for Accuracy {
 pub struct Progress {
     /// The level, from 1.
     pub level: usize,
-    /// The number of levels.
+    /// The number of levels, the coarsest included.
     pub levels: usize,
     /// Number of unknowns of the level.
     pub unknowns: usize,
@@ -119,7 +119,7 @@ impl fmt::Display for Fallback {
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
 /// let found = TestProblem::Membrane.problem(32)?.solve(Cone::Nodal, Solver::Multigrid)?;
 /// let levels = found.multigrid.map(|report| report.levels).unwrap_or_default();
-/// // four times as many unknowns from level to level, and cycles that contract
+/// // about four times as many unknowns from level to level, convergence factors below 1
 /// assert!(levels.windows(2).all(|pair| pair[1].unknowns > 3 * pair[0].unknowns));
 /// assert!(levels.iter().all(|level| level.factor < 1.0));
 /// # Ok::<(), signorini::Error>(())
@@ -132,7 +132,8 @@ pub struct MultigridLevel {
     pub steps: usize,
     /// Number of conjugate gradient steps, each with one V-cycle.
     pub gradient_steps: usize,
-    /// The convergence factor 1 − κ of one V-cycle, estimated from the conjugate gradients.
+    /// The convergence factor 1 − κ of one V-cycle, κ the smallest eigenvalue of the preconditioned matrix, estimated
+    /// from the coefficients of the conjugate gradients.
     pub factor: f64,
     /// The estimated algebraic error in the energy norm.
     pub error: f64,
@@ -160,7 +161,7 @@ pub struct MultigridReport {
     /// The estimated discretisation error in the energy norm.
     pub discretisation: Option<f64>,
     /// Number of contact sets tried by elimination on the coarsest mesh, or on the mesh itself if the direct solver
-    /// was used; the initial guess comes from coarser functions on the edge.
+    /// was used; the initial guess is computed with coarser functions on the edge.
     pub coarsest_steps: usize,
     /// The levels above the coarsest one.
     pub levels: Vec<MultigridLevel>,

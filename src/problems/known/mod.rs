@@ -68,7 +68,7 @@ enum Formula {
 }
 
 impl KnownSolution {
-    /// The scalar solution u = −Re (z − 2/5)^{3/2} with contact on \[0, 2/5\], that of
+    /// The scalar solution u = −Re (z − 2/5)^{3/2} with contact on \[0, 2/5\]: the solution of
     /// [`TestProblem::Manufactured`](super::TestProblem::Manufactured).
     ///
     /// ```
@@ -77,7 +77,7 @@ impl KnownSolution {
     /// let problem = u.problem(16)?;
     /// let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
     /// let error = u.error(&problem, &solution.displacement, 1e-2)?;
-    /// // a tenth of the norm of u on this mesh
+    /// // less than a tenth of the norm of u_h
     /// assert!(error.value < 0.1 * problem.energy_norm(&solution.displacement)?);
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -108,7 +108,7 @@ impl KnownSolution {
     /// ```
     /// use signorini::problems::KnownSolution;
     /// let u = KnownSolution::two_transitions(None);
-    /// // u = −((x − 3/10)(7/10 − x))^{3/2} in the gap, symmetric
+    /// // u = −((x − 3/10)(7/10 − x))^{3/2} on the non-contact interval, symmetric
     /// assert!((u.displacement([0.5, 0.0])[0] + 0.008).abs() < 1e-15);
     /// assert!((u.displacement([0.4, 0.0])[0] - u.displacement([0.6, 0.0])[0]).abs() < 1e-15);
     /// # Ok::<(), signorini::Error>(())
@@ -120,7 +120,8 @@ impl KnownSolution {
     /// The solution r^p near the transition at x = 2/5, with contact for x < 2/5; scalar for `None`, otherwise
     /// elastic.
     ///
-    /// u_N = −c r^p outside contact, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N.
+    /// u_N = −c r^p outside contact, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N;
+    /// c = |sin pπ|, for elasticity times (λ + 2μ)/(2μ (λ + μ)).
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -138,11 +139,11 @@ impl KnownSolution {
         Ok(Self { formula: Formula::Power(Power::new(p, lame)?) })
     }
 
-    /// The scalar solution with the given powers at a transition at `position`, contact to its right, and Dirichlet
-    /// conditions on the other three sides.
+    /// The scalar solution with a transition at `position` and the given exponents there, contact to its right, and
+    /// Dirichlet conditions on the other three sides.
     ///
-    /// u = Re F − 4y, F = i z^p/sin πp about a = `position` (p = 1: with logarithms); no contact for 0 ≤ x < a,
-    /// contact for a ≤ x ≤ 1; u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
+    /// u = Re F − 4y, F = i z^p/sin πp (p = 1: with logarithms), z = x − a + iy, a = `position`, r = |x − a|; no
+    /// contact for 0 ≤ x < a, contact for a ≤ x ≤ 1; u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
     ///
     /// ```
     /// use signorini::problems::{KnownSolution, TransitionPowers};
@@ -274,7 +275,7 @@ impl KnownSolution {
         }
     }
 
-    /// The normal stress σ_N at (x, 0); scalar: the contact force density, ∂u/∂n minus the load of the edge.
+    /// The normal stress σ_N at (x, 0); scalar: the contact force density, ∂u/∂n minus the edge load.
     ///
     /// It is ≤ 0, and zero outside contact; a density in the units of the modulus.
     pub fn normal_stress(&self, x: f64) -> f64 {
@@ -288,7 +289,7 @@ impl KnownSolution {
 
     /// The problem on the structured mesh with n × n squares, with the data of u.
     ///
-    /// Dirichlet data are interpolated at the nodes; loads of the edge are integrated exactly or by rules graded
+    /// Dirichlet data are interpolated at the nodes; edge loads are integrated exactly or by rules graded
     /// toward the transition.
     ///
     /// ```
@@ -337,8 +338,8 @@ impl KnownSolution {
         self.with_field(|field| field.sample(problem.mesh().nodes()))
     }
 
-    /// The norms of u − v for nodal values v on the mesh of a problem, by a fixed rule graded toward the
-    /// transitions: four points along each side of a triangle, with a relative error of 1e-3.
+    /// The norms of u − v for nodal values v on the mesh of a problem, by a fixed cubature rule graded toward
+    /// the transitions, with 4 × 4 points per triangle and a relative error of 1e-3.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -360,7 +361,7 @@ impl KnownSolution {
     }
 
     /// The energy error a(u − v, u − v)^{1/2} for nodal values v on the mesh of a problem. Its error estimate is the
-    /// difference from the rule with one point less along each side of a triangle; points are added until the
+    /// difference from the rule with n − 1 instead of n points per direction; points are added until the
     /// tolerance is met. Near the transition the rule converges algebraically, and the true quadrature error may be a
     /// few times as large. Cost: two passes over the mesh with 9 to 25 points per triangle for two digits.
     ///
@@ -370,13 +371,13 @@ impl KnownSolution {
     /// let problem = u.problem(8)?;
     /// let zero = vec![0.0; problem.mesh().nodes().len()];
     /// let [norm, error] = [u.error(&problem, &zero, 1e-2)?, u.error(&problem, &u.interpolant(&problem)?, 1e-2)?];
-    /// // interpolation of order h: far below the norm of u
+    /// // the interpolation error is O(h), far below the norm of u
     /// assert!(error.value < 0.2 * norm.value && norm.error <= 1e-2 * norm.value);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors
-    /// As for [`error_norms`]; [`ToolkitError::ToleranceNotMet`] if 16 points along each side do not meet the tolerance.
+    /// As for [`error_norms`]; [`ToolkitError::ToleranceNotMet`] if 16 × 16 points per triangle do not suffice.
     pub fn error(
         &self,
         problem: &ContactProblem,
@@ -424,9 +425,9 @@ impl KnownSolution {
         }
     }
 
-    /// The seminorm |u|₂ on (0, 1) × (0, 1/n), the root of the sum over components of ∫ u_xx² + 2 u_xy² + u_yy²; the
-    /// error estimate is the difference from a rule with fewer points, and points are added until the tolerance is
-    /// met.
+    /// The seminorm |u|₂ on (0, 1) × (0, 1/n), the square root of the sum over components of ∫ u_xx² + 2 u_xy² +
+    /// u_yy²; the error estimate is the difference from a rule with fewer points, and points are added until the
+    /// tolerance is met.
     ///
     /// It enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over
     /// strips and finite, since u ∈ H^{5/2−ε}.
@@ -435,13 +436,13 @@ impl KnownSolution {
     /// use signorini::problems::KnownSolution;
     /// let u = KnownSolution::one_transition(None);
     /// let [all, half] = [u.second_seminorm(1, 1e-3)?.value, u.second_seminorm(2, 1e-3)?.value];
-    /// // the second derivatives are of size r^{−1/2}: most of them lies near the edge
+    /// // the second derivatives behave like r^{−1/2}: |u|₂² is concentrated near the edge
     /// assert!(half < all && half * half > 0.5 * all * all);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is that of
+    /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is
     /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`] if
     /// the largest number of points does not meet the tolerance.
     pub fn second_seminorm(&self, n: usize, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
@@ -452,11 +453,11 @@ impl KnownSolution {
         }
     }
 
-    /// The seminorm |∇u|_{τ−1} on the half disc about the transition that contains the square, for 3/2 < τ < 2; ‖D²u‖
-    /// at τ = 2: ‖D²(r^p sin pφ)‖² = p² q π R^{2q}, q = p − 1; for elasticity α² + β² + 1 − q + q² times this,
-    /// divided by 4μ².
+    /// The seminorm |∇u|_{τ−1} for 3/2 < τ < 2, and ‖D²u‖ for τ = 2, on the smallest half disc centred at the
+    /// transition that contains the square.
     ///
-    /// R is the radius of the half disc.
+    /// For τ = 2, with R the radius and q = p − 1: ‖D²(r^p sin pφ)‖² = p² q π R^{2q}; for elasticity this times (α² +
+    /// β² + 1 − q + q²)/(4μ²), α = μ/(λ + μ), β = 1 + α.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -470,7 +471,7 @@ impl KnownSolution {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for τ ≥ p + 1; [`ToolkitError::OutOfRange`] unless 1 < τ ≤ 2;
-    /// [`ToolkitError::Incompatible`] unless u is that of [`KnownSolution::power`]; and the errors of
+    /// [`ToolkitError::Incompatible`] unless u is [`KnownSolution::power`]; and the errors of
     /// [`Function::elastic_corner`](fractional_sobolev::Function::elastic_corner).
     pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
@@ -495,7 +496,7 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is that of
+    /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is
     /// [`KnownSolution::power`]; and the errors of [`Function::seminorm`](fractional_sobolev::Function::seminorm).
     pub fn edge_seminorm(
         &self,

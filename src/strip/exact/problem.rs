@@ -66,10 +66,11 @@ impl FromStr for StripKind {
 
 /// A contact problem on the strip of height 1 whose exact solution has given complementary edge data.
 ///
-/// The load b = A u_N + λ on the fine edge is restricted to all coarser edges by P', so that every coarse problem is
-/// the Galerkin problem of the reference. The errors |u − u_h|_a depend only on the edge values: with d = u_N − P
-/// u_h,N, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, where G ≥ 0 is the excess of the energy of the coarse strip
-/// over that of the fine one.
+/// The load b = A u_N + λ on the fine grid is restricted to all coarser grids by P', P linear interpolation of edge
+/// values to the finer grid, so that every coarse problem is the Galerkin discretisation of the reference problem.
+/// The errors |u − u_h|_a depend only on the edge values: for the scalar strip, with d = u_N − P u_h,N,
+/// |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, where G ≥ 0 is the excess of the energy of the coarse strip over that
+/// of the fine one.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -101,8 +102,9 @@ impl StripProblem {
     /// cells of the data.
     ///
     /// # Errors
-    /// As for [`EdgeData::new`]; [`ToolkitError::Incompatible`] for sides of the other kind and for a continuous
-    /// elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells is a power of two.
+    /// As for [`EdgeData::new`]; [`ToolkitError::Incompatible`] for the lateral conditions of the other kind of strip
+    /// and for a continuous elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells is a
+    /// power of two.
     pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(Self(match kind {
             StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(edge_data, (1, 1), reference)?),
@@ -122,7 +124,8 @@ impl StripProblem {
 
     /// Replaces the test problem by another one on the same grid, at a much lower cost than a new problem.
     ///
-    /// Operators and defects are kept; the loads and the modes of u_N are recomputed in O(N log N).
+    /// The operators A and the excess energies G are kept; the loads and the modes of u_N are recomputed in
+    /// O(N log N).
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the grids differ.
@@ -133,7 +136,7 @@ impl StripProblem {
         }
     }
 
-    /// The edge operator on `cells` cells and the number of unknowns it represents.
+    /// The edge operator on `cells` cells and the number of unknowns of the two-dimensional problem.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -164,7 +167,8 @@ impl StripProblem {
 
     /// The load b on the edge of `cells` cells, as nodal forces.
     ///
-    /// b_n = P'...P' (A u_N + λ), one entry per edge node; Σ_i b_i is the same on every level.
+    /// b = P'···P' (A u_N + λ), P linear interpolation to the grid of half the mesh size. There is one entry per edge
+    /// node; Σ_i b_i is the same on every level.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -188,15 +192,15 @@ impl StripProblem {
     /// The error |u − u_h|_a of the discrete solution with edge values `values` on `cells` cells. There is no
     /// tolerance: the energy is a finite sum of nonnegative terms over modes, computed up to rounding.
     ///
-    /// The `error` of the estimate bounds the rounding error of the modes, η (γ max S)^{1/2} ‖u_N‖₂ with η = ε log₂
-    /// P. Cost: O(N).
+    /// The `error` of the estimate includes the rounding error of the modes, which is of size
+    /// ε log₂ P (max S)^{1/2} ‖u_N‖₂, S the symbol of A and P the period in cells. Cost: O(N).
     ///
     /// ```
     /// use signorini::problems::StripData;
     /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
     /// let data = StripData::transition().data(2.0, 16, LateralCondition::Natural)?;
     /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
-    /// // v = 0 on the coarse edge: the error is the energy norm of u itself
+    /// // u_h = 0 at the nodes of the coarse grid: the error is the energy norm of u itself
     /// let norm = problem.operator(16)?.0.energy(data.values())?.sqrt();
     /// assert!((problem.error(8, &[0.0; 9])?.value - norm).abs() < 1e-12);
     /// # Ok::<(), signorini::Error>(())

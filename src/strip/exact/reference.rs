@@ -6,8 +6,8 @@ use std::str::FromStr;
 
 /// The reference with which discrete solutions are compared.
 ///
-/// `Nested` measures |u_fine − u_h|_a, which does not include the error of the fine mesh; `Harmonic` includes it and
-/// also depends only on the edge values.
+/// With `Nested` the error is |u_fine − u_h|_a, u_fine the discrete solution on the fine mesh; the error of the fine
+/// mesh is not included. With `Harmonic` it is. Both errors depend only on the edge values.
 ///
 /// ```
 /// use signorini::strip::Reference;

@@ -20,15 +20,15 @@ use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::fmt;
 
-/// A symmetric positive definite translation-invariant operator on the contact edge, given by its symbol.
+/// A symmetric positive definite translation-invariant operator A on the contact edge, given by its symbol S(θ).
 ///
 /// It is the Schur complement of the stiffness matrix of the body on the contact edge: ½ g'A g is the minimal energy
-/// of the body with edge displacement g. S grows like θ for 1/m ≪ θ ≪ 1, so that g'A g is equivalent to |g|²_{1/2} +
-/// ‖g‖²/H.
+/// of the body with edge displacement g. For a strip of m layers and height H, S grows like θ for 1/m ≪ θ ≪ 1, so
+/// that g'A g is equivalent to |g|²_{1/2} + ‖g‖²/H.
 ///
 /// ```
 /// use signorini::strip::{EdgeOperator, LateralCondition};
-/// // any positive symbol on θ = 2πk/P, here S = 1: with natural sides A is W = diag(1/2, 1, ..., 1, 1/2)
+/// // any positive values S(2πk/P), P = 8 the period; S = 1: with natural sides A is W = diag(1/2, 1, ..., 1, 1/2)
 /// let identity = EdgeOperator::new(4, LateralCondition::Natural, &[1.0; 5])?;
 /// let image = identity.apply(&[2.0; 5])?;
 /// assert!(image.iter().zip([1.0, 2.0, 2.0, 2.0, 1.0]).all(|(a, b)| (a - b).abs() < 1e-14));
@@ -50,13 +50,14 @@ impl fmt::Debug for EdgeOperator {
 }
 
 impl EdgeOperator {
-    /// The operator with the given symbol at θ = 2πk/P, k = 0 ... P/2.
+    /// The operator with the given values of the symbol at θ = 2πk/P, k = 0, ..., P/2, where P is the period in
+    /// cells: 2n with natural sides, n with periodic sides.
     ///
-    /// Cost: O(n), and the plans of two transforms of length P.
+    /// Cost: O(n), and the planning of two transforms of length P.
     ///
     /// ```
     /// use signorini::strip::{EdgeOperator, LateralCondition::Periodic};
-    /// // S(θ) = 4 sin²(θ/2) on a ring of 4 nodes plus 1: second differences, row (−1, 3, −1)
+    /// // S(θ) = 1 + 4 sin²(θ/2), closed edge of 4 nodes: identity plus second differences, row (−1, 3, −1)
     /// let a = EdgeOperator::new(4, Periodic, &[1.0, 3.0, 5.0])?;
     /// let column = a.apply(&[1.0, 0.0, 0.0, 0.0])?;
     /// assert!(column.iter().zip([3.0, -1.0, 0.0, -1.0]).all(|(a, b)| (a - b).abs() < 1e-14));
@@ -111,10 +112,10 @@ impl EdgeOperator {
         cone.on(self.nodes(), self.sides.ends())
     }
 
-    /// The symbol S(2πk/P), k = 0 ... P/2.
+    /// The values S(2πk/P), k = 0, ..., P/2, of the symbol, P the period in cells.
     ///
-    /// These are the eigenvalues of A with periodic sides, and of W⁻¹A with natural sides; nondimensional, O(1), the
-    /// smallest is about 1/m at k = 0.
+    /// These are the eigenvalues of A with periodic sides, and of W⁻¹A with natural sides. They are nondimensional
+    /// and O(1); for a strip of m layers the smallest one is about 1/m, at k = 0.
     pub fn symbol(&self) -> &[f64] {
         &self.symbol
     }
@@ -157,8 +158,8 @@ impl EdgeOperator {
 
     /// The product A g: the nodal forces that hold the edge at the displacement g.
     ///
-    /// Cost: two real transforms of length P, O(n log n). The relative rounding error is about ε log₂ P in the
-    /// Euclidean norm.
+    /// Cost: two real transforms of length P, the period in cells: O(n log n). The relative rounding error is about
+    /// ε log₂ P in the Euclidean norm.
     ///
     /// ```
     /// use signorini::strip::Strip;
@@ -183,8 +184,8 @@ impl EdgeOperator {
 
     /// The solution A⁻¹ b: the edge displacement under nodal forces b.
     ///
-    /// It minimises ½ g'A g − b'g over all g: the edge without contact. Rounding errors are amplified by the
-    /// condition number of A, max S/min S, about 3m. Cost: O(n log n).
+    /// It minimises ½ g'A g − b'g over all g, that is, without the contact condition. Rounding errors are amplified
+    /// by the condition number of A, max S/min S, about 3m for a strip of m layers. Cost: O(n log n).
     ///
     /// ```
     /// use signorini::strip::Strip;
@@ -206,7 +207,8 @@ impl EdgeOperator {
 
     /// The quadratic form g'A g, as a sum of nonnegative terms over the modes.
     ///
-    /// (γ/P) Σ_k S(θ_k) |ĝ(k)|², twice the minimal energy J of the unloaded body with edge displacement g.
+    /// It equals (γ/P) Σ_k S(θ_k) |ĝ(k)|², k modulo the period P, γ = 1/2 with natural and 1 with periodic sides:
+    /// twice the minimal energy J of the unloaded body with edge displacement g.
     ///
     /// ```
     /// use signorini::strip::Strip;

@@ -4,7 +4,8 @@ use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 
 /// A discrete contact solution on the edge, with its KKT residuals.
 ///
-/// A w − b + B'λ = 0, B w ≤ 0, λ ≥ 0 and λ'B w = 0 up to `kkt`. Hence w'A w = b'w, and the energy is −½ b'w.
+/// With the values w, the load b and the constraints B w ≤ 0 of the cone, A w − b + B'λ = 0, B w ≤ 0, λ ≥ 0 and
+/// λ'B w = 0 up to the residuals `kkt`. Hence w'A w = b'w, and the energy is −½ b'w.
 ///
 /// ```
 /// use signorini::{cone::Cone, strip::Strip};
@@ -42,8 +43,8 @@ pub struct EdgeSolution {
     pub margins: Margins,
     /// Number of inner iterations of each step.
     ///
-    /// Each has one FFT product; the number is independent of n and of the number of non-contact intervals up to a
-    /// small factor.
+    /// Each requires one product A g by FFT; up to a small factor their number depends neither on n nor on the number
+    /// of non-contact intervals.
     pub inner_iterations: Vec<usize>,
 }
 
@@ -53,7 +54,7 @@ impl EdgeSolution {
     /// ```
     /// use signorini::{cone::Cone, strip::Strip};
     /// let strip = Strip::scalar(8, 8)?;
-    /// // b ≤ 0 pulls away everywhere: the solution without contact is that of the problem
+    /// // the load b < 0 opens the contact everywhere: the solution is that without the contact condition
     /// let found = strip.operator().solve_contact(&[-1.0; 9], Cone::Nodal, None, 1e-12)?;
     /// let free = strip.operator().solve(&[-1.0; 9])?;
     /// assert!(found.contact.count() == 0 && found.steps() <= 3);

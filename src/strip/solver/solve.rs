@@ -39,12 +39,12 @@ const INNER_STEPS: usize = 200;
 const STALLED: f64 = 0.5;
 
 impl EdgeOperator {
-    /// The contact solution, the minimiser of ½ g'A g − b'g over the cone, for nodal forces b; `start` is a solution
-    /// on the edge of twice the mesh size, or on this edge.
+    /// The contact solution, the minimiser of ½ g'A g − b'g over the cone, for nodal forces b; the initial guess
+    /// `start` is a solution on the grid of twice the mesh size or on the same grid.
     ///
     /// The residual of the linear problem on the final contact set is at most `tolerance`, relative and in the energy
-    /// norm, and the set reproduces itself at this accuracy; 1e-13 is about a hundred times the rounding level of
-    /// binary64. Cost: O(n log n) per inner iteration, a few dozen of them per level.
+    /// norm, and a further step at this accuracy leaves the set unchanged; 1e-13 is about a hundred times the
+    /// rounding level of binary64. Cost: O(n log n) per inner iteration, a few dozen of them per level.
     ///
     /// ```
     /// use signorini::{cone::Cone, strip::Strip};
@@ -58,7 +58,7 @@ impl EdgeOperator {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`], [`ToolkitError::NotFinite`], [`ToolkitError::OutOfRange`] for
-    /// invalid data. The termination of the iteration is a status; a tolerance below rounding leads to
+    /// invalid data. How the iteration ended is reported in `status`; a tolerance below the rounding level leads to
     /// [`Status::Stalled`].
     pub fn solve_contact(
         &self,

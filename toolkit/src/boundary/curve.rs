@@ -82,8 +82,9 @@ impl Curve {
         Self::build(vertices, meshes, false)
     }
 
-    /// The closed curve with `count` elements on every side, graded towards the corners on both halves of a
-    /// side like (i/n)^β; the elements are equal for β = 1. `count` must be even.
+    /// The closed curve with `count` elements on every side, graded towards both ends of a side of length ℓ: the
+    /// distances of the nodes from the nearer end are (ℓ/2) (i/n)^β, n = `count`/2, β = `exponent`; all elements of a
+    /// side are equal for β = 1. `count` must be even.
     ///
     /// ```
     /// use fractional_sobolev::Curve;

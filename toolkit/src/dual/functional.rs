@@ -16,10 +16,10 @@ use crate::piecewise::PiecewisePolynomial;
 /// | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
 /// | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
 ///
-/// λ_k = (kπ/L)². The first at ν = 1/2 is the norm ∥·∥\_{1/2,*} of (4.7) and Remark 2; the others are \[L²,
-/// H¹\]_ν and \[L², H¹_0\]_ν by eigenpairs.
+/// λ_k = (kπ/L)², L the length of I. The dual of the first norm at ν = 1/2 is ∥·∥\_{1/2,*} of (4.7) and Remark 2.
+/// The other two are the norms of \[L², H¹\]_ν and \[L², H¹_0\]_ν, expressed by eigenpairs.
 ///
-/// The first two are equivalent norms of one space, with different constants; the third is larger than the
+/// The first two are equivalent norms on the same space, with different constants; the third is larger than the
 /// second, and for ν ≥ 1/2 its space is smaller, so that its dual norm is smaller than that of the second.
 ///
 /// ```

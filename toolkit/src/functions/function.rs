@@ -10,11 +10,11 @@ use crate::numeric::scale::power_of_two;
 /// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
 
-/// A point of the interval, known by its distance to the nearest breakpoint.
+/// A point of the interval, given by its signed distance from the nearest breakpoint.
 ///
 /// ```
 /// use fractional_sobolev::{Function, Position};
-/// // (x − 1/2) on both sides of the break 1/2, exact however close to it
+/// // x − 1/2 on both sides of the breakpoint 1/2, exact at any distance from it
 /// let f = |at: Position| if at.anchor() == 1 { at.offset() } else { at.x() - 0.5 };
 /// let u = Function::from_positions(&[0.0, 0.5, 1.0], f)?;
 /// assert!((u.seminorm(0.5, 1e-4)?.value - 1.0).abs() < 1e-4);

@@ -36,7 +36,7 @@ use crate::order::SobolevOrder;
 ///
 /// |∇u|_s is the seminorm of order s of the gradient, for 0 < s < 1 the double integral over the domain; |∇u|₀ = ‖∇u‖,
 /// |∇u|₁ = ‖D²u‖, to which (1−s)^{1/2} |u'|_s tends on an interval and ((1−s) 2/π)^{1/2} |∇u|_s in the plane. The limit
-/// s → 0 of the double integral is not ‖∇u‖; its constant is returned for 0 < s < 1e-30.
+/// s → 0 of the double integral is not ‖∇u‖; for 0 < s < 1e-30 the constant for this limit is returned.
 ///
 /// # Method
 ///
@@ -52,13 +52,13 @@ use crate::order::SobolevOrder;
 /// that are linear on m cells per element, and the best constant exceeds it by at most `error`; the error
 /// decreases like m^{-1-2s}, at most like m^{-2}. The matrices are dense; cost O((N m)³).
 ///
-/// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners give
-/// a lower bound: a generalised eigenvalue problem. The bounds of degrees p, p − 2, ... converge like
-/// p^{-k}, with k estimated from three of them; the constant is their extrapolated limit, and its error the
-/// sum of the change of that limit from p − 2 to p, a part of its distance from the bound, and the
-/// contribution of the last direction of the powers. p increases from 10, or from 14 for tolerances below 1e-5,
-/// to 30 at most. `upper` is proved but for rounding, by eigenvalues of matrices for cells similar to the
-/// triangle: at most twice the constant for s ≥ 1/4; for the gradient at s = 1 it is Kobayashi's (Proc. Symp.
+/// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners, times
+/// polynomials in an angular variable, give a lower bound by a generalised eigenvalue problem. The bounds of degrees
+/// p, p − 2, ... converge like p^{-k}, with k estimated from three of them; the constant is their extrapolated limit,
+/// and its error the sum of the change of that limit from p − 2 to p, a part of its distance from the bound, and
+/// twice the contribution of the last angular polynomial. p increases from 10, or from 14 for tolerances below 1e-5,
+/// to 30 at most. `upper` is a proved bound up to rounding errors, from eigenvalues of matrices for cells similar to
+/// the triangle: at most twice the constant for s ≥ 1/4; for the gradient at s = 1 it is Kobayashi's (Proc. Symp.
 /// RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
 ///
 /// ```

@@ -34,8 +34,9 @@ const FIRST: usize = 4;
 /// ```
 ///
 /// The dual norm on an interval is dual to the seminorm |ψ|\_{1/2}, so that (4.7) follows element by element: Σ
-/// |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x in L²-orthonormal
-/// coordinates; the chain of estimates in the paper gives γ₁(r) γ₁(1/2) instead, which is equal at r = 1/2.
+/// |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x, A_r the matrix of
+/// |·|²_r in an L²-orthonormal basis; the chain of estimates in the paper gives γ₁(r) γ₁(1/2) instead, which is equal
+/// at r = 1/2.
 ///
 /// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower
 /// bound from piecewise linear functions on cells, and the best constant exceeds it by at most `error`; the

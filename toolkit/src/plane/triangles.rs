@@ -126,8 +126,8 @@ impl Triangles {
         Self::new(&nodes, &(1..points.len()).map(|k| [0, k, k + 1]).collect::<Vec<_>>())
     }
 
-    /// The refined triangulation in which every triangle at a node is divided into three: a smaller copy at
-    /// that node, with `share` < 1 times its sides, and two triangles that fill the rest.
+    /// The refined triangulation in which every triangle at a node is divided into three: a copy at that
+    /// node, scaled by the factor `share` < 1, and two triangles that fill the rest.
     ///
     /// ```
     /// use fractional_sobolev::Triangles;

@@ -15,9 +15,9 @@ use crate::estimate::{Estimate, Tolerance};
 /// # Method
 ///
 /// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
-/// pencil (‖·‖₀², |·|_ν²) on the slope space of `slopes`, on the mesh of `mesh`; the space is conforming, so
-/// that every value is a lower bound up to rounding. The error estimate compares two spaces of different shape;
-/// their difference is mostly the error of the coarser one. Cost: a few hundred unknowns for every θ.
+/// pencil (‖·‖₀², |·|_ν²) on functions whose slopes are polynomials on graded cells; the space is conforming, so that
+/// every value is a lower bound up to rounding. The error estimate is the difference of the values on two such spaces
+/// with different cells and degrees, mostly the error of the coarser one. Cost: a few hundred unknowns for every θ.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma};
@@ -80,9 +80,9 @@ impl Gamma {
         Extremal::on_interval(self.found.function.clone())
     }
 
-    /// Two-sided bounds that do not use the eigenvalue (proof: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m
-    /// the mean of u over (0,1)). Cost: γ₁, and one linear solve with the factorized matrices of [`gamma`],
-    /// which a `Gamma` stores (about a megabyte).
+    /// Two-sided bounds that do not use the eigenvalue: ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|_ν², m the mean of u
+    /// over (0,1), γ₁ the constant of the whole interval, N the dual norm of u ↦ m. Cost: γ₁, and one linear solve
+    /// with the factorized matrices of [`gamma`], which a `Gamma` stores (about a megabyte).
     ///
     /// The upper bound is the smaller of √(γ₁² + N²) and a bound from a 2 × 2 matrix, in which the representer
     /// of m is treated separately. It is a bound up to the errors of γ₁ and N.

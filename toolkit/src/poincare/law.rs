@@ -27,8 +27,8 @@ const NEAR_HALF: f64 = 0.01;
 ///
 /// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u:
 /// with its representer r, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
-/// functions of mean zero). Within 0.01 below 1/2, and above 1/2 if γ₀ cannot be computed in binary64, the same
-/// expansion holds with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
+/// functions of mean zero). For 0.49 ≤ ν < 1/2, and for ν > 1/2 if γ₀ cannot be computed in binary64, the same
+/// expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -109,7 +109,7 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for θ near 1, where the law through 1/2 does not hold, and for a zone in the
+    /// [`Error::OutOfRange`] for θ near 1, where the expansion for ν near 1/2 does not hold, and for a zone in the
     /// interior of (0,1) with ν = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known.
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         match &self.form {
@@ -154,12 +154,12 @@ impl Law {
         }
     }
 
-    /// Lower and upper bound of γ_θ(1/2)², with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`,
+    /// A lower and an upper bound of γ_θ(1/2)², with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`,
     /// which may exceed ln of the largest binary64 number.
     ///
     /// The lower bound is the square of the quotient of a ramp in ln x, the upper bound is γ₁² + N², where N is
-    /// bounded by the Cauchy-Schwarz inequality along chains of equal steps in ln x. Cost: some thousand
-    /// evaluations per bisection step.
+    /// bounded by the Cauchy-Schwarz inequality along chains of equal steps in ln x. Cost: about a
+    /// thousand evaluations per bisection step.
     ///
     /// ```
     /// use fractional_sobolev::law;
@@ -171,7 +171,7 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, ν = 1/2 and the place is an end; those of [`gamma`].
+    /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, ν = 1/2 and the zone is at an end; those of [`gamma`].
     pub fn bracket(&self, log: f64) -> Result<[f64; 2]> {
         if self.order.offset() != 0.0 || !self.at_end {
             return Err(self.no_formula("{1/2}, for a zone at an end"));

@@ -13,7 +13,7 @@ use crate::estimate::{Estimate, Tolerance};
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, GammaBounds, gamma};
-/// // how much is certain without the eigenvalue: the bounds over the constant of the whole interval
+/// // the bounds, which do not use the eigenvalue, relative to the constant of the whole interval
 /// let found: GammaBounds = gamma(0.5, Constraint::mean_zero_on(0.0..1e-3), 1e-3)?.bounds()?;
 /// let [low, high] = [found.lower, found.upper].map(|bound| bound / found.whole.value);
 /// assert!(1.0 < low && low < high && high < 1.1 * low);
@@ -28,7 +28,7 @@ pub struct GammaBounds {
     /// A conforming lower bound: the quotient of a function of the space, less its rounding error. For orders
     /// so small that γ is extrapolated from larger ones, γ less its error.
     pub lower: f64,
-    /// An upper bound from γ₁ and the dual norm N, sharpened and raised by the estimated errors of γ₁ and N.
+    /// A sharpened upper bound from γ₁ and the dual norm N, increased by the estimated errors of γ₁ and N.
     pub upper: f64,
     /// The constant γ₁(ν) of the whole interval.
     pub whole: Estimate,

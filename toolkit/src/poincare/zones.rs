@@ -14,8 +14,8 @@ const TOUCHING: f64 = 4.0 * f64::EPSILON;
 
 /// A zone E ⊂ (0,1): an interval, or a union of disjoint intervals with gaps between them.
 ///
-/// A range `a..b` or an array of ranges is accepted wherever a zone is an argument. The zone is stored by
-/// lengths, so that short intervals and short gaps have full relative accuracy at any position.
+/// A range `a..b` or an array of ranges is accepted wherever a zone is an argument. The zone is stored as a
+/// list of lengths, so that short intervals and short gaps have full relative accuracy at any position.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};

@@ -49,7 +49,7 @@ const FAR: f64 = 690.0;
 /// assert!((near.value * 2e-9 - 3f64.sqrt() / std::f64::consts::PI).abs() < 1e-8);
 /// let [half_plane, right, acute] = [Domain::HalfPlane, Domain::Corner(1.571), Domain::Corner(0.5)]
 ///     .map(|domain| trace_constant(domain, 0.75, 1e-4).map(|found| found.constant.value));
-/// assert!(half_plane == right && acute? > half_plane?); // a right angle does no harm, an acute one does
+/// assert!(half_plane == right && acute? > half_plane?); // a right angle does not increase C, an acute one does
 /// assert_eq!(trace_constant(Domain::Square, 1.0, 1e-8)?.constant.value, std::f64::consts::TAU.sqrt());
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
@@ -89,11 +89,16 @@ pub fn trace_constant(
 ///
 /// # Method
 ///
-/// w = r^{s−1+iτ} ψ(θ), ψ(0) = 1. Per unit of ln r the edge has the symbol of the half line, and the wedge
+/// For w = r^{s−1+iτ} ψ(θ), ψ(0) = 1, and s < 1 the quotient is C(τ)/min E_τ. Per unit of ln r the squared seminorm
+/// is C(τ), the Mellin symbol of the half line, on the edge and E_τ(ψ) on the wedge, where u runs over ℝ:
 ///
+/// ```text
 /// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
+/// K_τ(a) = ∫ cos(τu) (2 cosh u − 2 cos a)^{−1−s} du,
+/// D_τ(a) = ∫ (cosh((1−s)u) − cos(τu)) (2 cosh u − 2 cos a)^{−1−s} du.
+/// ```
 ///
-/// whose minimum over ψ is approximated from above by finite elements: up to quadrature the value is a lower
+/// The minimum over ψ is approximated from above by finite elements: up to quadrature the value is a lower
 /// bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient equals
 /// the closed form for *every* τ, as two independent computations confirm. For s = 1 the quotient is 2(πτ
 /// coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.

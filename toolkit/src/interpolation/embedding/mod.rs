@@ -107,13 +107,14 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 /// For s = 1/2 the range of q is 2 ≤ q < ∞. C ≥ 1, as u = 1 shows.
 ///
 /// **Lower bound.** Piecewise linear functions on a mesh graded geometrically towards 0 and the iteration u ← B⁻¹ ∫
-/// |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s, which increases the quotient. For the Hölder constant the norm of the
-/// functional v ↦ ∫₀^θ v on the slopes v = u', by one solve, at all nodes θ. Cost: O(N³) once, with N some hundred,
-/// and O(N²) per step; the factorized matrix of the last order is cached.
+/// |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s, which increases the quotient. For the Hölder constant, the largest
+/// value over the nodes θ of θ^{−α} times the norm of the functional v ↦ ∫₀^θ v, v = u'. Cost: O(N³) once, N a few
+/// hundred to about a thousand, and O(N²) per step; the factorized matrix of the last order is cached.
 ///
-/// **Upper bound.** The even reflection of u to the circle, the double integral there in closed form, and Beckner's
-/// sharp inequality (Ann. of Math. 138 (1993) 213-242): C² ≤ max_k m_k/w_k over the frequencies k. Hölder's
-/// inequality gives C(α) ≤ C(q), q = 1/(1−α). Cost: one pass over k.
+/// **Upper bound.** Let c_k be the Fourier coefficients of the even reflection of u to a circle. The double integral
+/// on the circle has a closed form, so that ‖u‖²_s ≥ Σ w_k |c_k|², and Beckner's sharp inequality (Ann. of Math. 138
+/// (1993) 213-242) is ‖u‖²_q ≤ Σ m_k |c_k|²: C² ≤ max_k m_k/w_k. Hölder's inequality gives C(α) ≤ C(q), q = 1/(1−α).
+/// Cost: one pass over k.
 ///
 /// ```
 /// use fractional_sobolev::{Target, embedding_constant};

@@ -28,7 +28,7 @@ pub(super) struct Corners {
 ///
 /// ```
 /// use fractional_sobolev::{Function, Triangles};
-/// // r² sin²φ + x² = r² about the declared corner 0, on the unit square as two triangles at it
+/// // r² sin²φ + x² = r² about the declared corner 0, a node of both triangles of the unit square
 /// let square = Triangles::star(&[[1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])?;
 /// let w = Function::from_plane_positions(&square, &[(0, 2.0)], |at| {
 ///     assert!(at.triangle() < 2 && at.offset(0)[0] >= 0.0);

@@ -25,9 +25,9 @@ use crate::quadrature::Rule;
 ///
 /// # Method
 ///
-/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, by one linear solve on the slope space
-/// of `slopes`. The space is conforming, so that every value is a lower bound up to rounding, and its error is
-/// the square of the approximation error in |w|_ν; the error estimate compares two spaces, as for `gamma`.
+/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, by one linear solve on the spaces of
+/// [`gamma`](crate::gamma). The space is conforming, so that every value is a lower bound up to rounding, and its
+/// error is the square of the approximation error in |w|_ν; the error estimate compares two spaces, as for `gamma`.
 ///
 /// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of a given length
 /// the zone at an end has the largest moment for m = 1 (by rearrangement). Cost: one factorization for a few
@@ -73,7 +73,7 @@ pub fn moment(
 /// ```
 /// use fractional_sobolev::{Moment, MomentConstant, moment};
 /// let found: MomentConstant = moment(0.5, 0.5..1.0, Moment::Mass, 1e-9)?;
-/// // K(1/2) = B(1/2)², forty digits by another program
+/// // M² at e = 1/2, computed independently with forty digits
 /// let exact = found.closed_form()?;
 /// assert!((exact.value.powi(2) - 0.051_868_428_388_348_907).abs() < 1e-14);
 /// // the bounds of the strong form enclose both
@@ -127,7 +127,7 @@ impl MomentConstant {
         Ok(Extremal::on_interval(if self.place.at_right { found.mirrored() } else { found }))
     }
 
-    /// A lower and an upper bound from the strong form of the equation, computed independently of the Gram
+    /// A lower and an upper bound of M from the strong form of the equation for w, computed independently of the Gram
     /// matrices.
     ///
     /// # Method
