@@ -50,7 +50,10 @@ impl Rational {
                 (if j < 5 { t.powi(j as i32) } else { -f * t.powi(j as i32 - 5) }) / q[i]
             };
             let right = DMatrix::from_fn(points.len(), 8, row).svd(false, true).v_t;
-            v = right.ok_or_else(|| Error::Option("no singular vectors".into()))?.row(7).transpose();
+            v = right
+                .ok_or_else(|| Error::Option("no singular vectors were computed".into()))?
+                .row(7)
+                .transpose();
             q = points.iter().map(|(t, _)| (v[5] + t * (v[6] + t * v[7])).abs()).collect();
         }
         Ok(Self([v[0], v[1], v[2], v[3], v[4]], [v[5], v[6], v[7]]))

@@ -70,7 +70,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // d and e are squared norms of N's representer, once and twice through the operator of ‖·‖₀².
     let end = law(half, 0.0, 1e-10)?;
     let Some([a, c, d, e]) = end.expansion.map(|all| all.map(Measured::from)) else {
-        return Err(Error::Option("no expansion at one half".to_owned()));
+        return Err(Error::Option("the law has no expansion at nu = 1/2".to_owned()));
     };
     // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on functions with mean zero on the zone whose slopes are polynomials in ln r
     // (degree up to 11), r the distance to the nearest of 0, θ, 1, on elements that grow geometrically away from there; hat

@@ -57,8 +57,9 @@ pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f
             }
         }
     }
-    let factors =
-        norm.cholesky().ok_or_else(|| Error::Option("the Gram matrix is not positive".to_owned()))?;
+    let factors = norm
+        .cholesky()
+        .ok_or_else(|| Error::Option("the Gram matrix is not positive definite".to_owned()))?;
     Ok(loads.map(|load| load.dot(&factors.solve(&load)).sqrt()))
 }
 

@@ -48,7 +48,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let (alpha, nu) = (options.alpha, options.nu.value());
     let (first, smooth) = (alpha - nu + 0.5, 2.0 - nu);
     if first <= 0.0 || alpha == 1.0 {
-        return Err(Error::option("alpha", "expected above nu − 1/2, and not 1"));
+        return Err(Error::option("alpha", "must be greater than nu − 1/2 and different from 1"));
     }
     let u = Function::from_positions(&[0.0, 1.0], |at| at.distance_to(0).powf(alpha))?;
     for &beta in &options.beta {

@@ -80,7 +80,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let text = match (options.load.is_empty(), &options.mesh) {
         (true, None) => "0.015, 0.02 - 0.03*x",
         (true, Some(_)) => {
-            return Err(Error::option("load", "--mesh needs --load \"fx, fy\", of a scalar problem \"f\""));
+            return Err(Error::option(
+                "load",
+                "--mesh requires --load \"fx, fy\" (\"f\" for a scalar problem)",
+            ));
         }
         _ => &options.load,
     };
@@ -98,7 +101,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     };
     let surfaces = mesh.regions().iter().max().map_or(1, |&last| last as usize + 1);
     if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len()) {
-        let what = format!("as many as --poisson, 1 or {surfaces}, one for each surface");
+        let what = format!("expected as many values as for --poisson: 1, or one per surface ({surfaces})");
         return Err(Error::option("young", &what));
     }
     let lame = if options.plane_stress { Lame::plane_stress } else { Lame::plane_strain };

@@ -90,7 +90,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     orders.extend(options.nu.iter().map(|&nu| (nu, vec![-1.0 / nu.offset()])));
     let largest = options.q.iter().fold(200.0f64, |a, q| a.max(*q));
     let (mesh, form) = space(30 + (1.2 * largest) as usize)?;
-    let broken = || Error::Option("B is not positive definite".to_owned());
+    let broken = || Error::Option("the Gram matrix is not positive definite".to_owned());
     let factor = Cholesky::new(form.clone()).ok_or_else(broken)?;
     for (nu, exponents) in orders {
         for q in exponents {

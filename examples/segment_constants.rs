@@ -47,8 +47,10 @@ fn moment_on_mesh(nu: Order, e: f64, m: impl Fn(f64) -> f64) -> Result<f64> {
     // ∫ m φ_b over the element between the nodes a and b, m linear
     let over = |a: usize, b: usize| (x[b] - x[a]).abs() * (m(x[a]) + 2.0 * m(x[b])) / 6.0;
     let load = DVector::from_fn(free, |i, _| over(i + 1, i) + if i > 0 { over(i - 1, i) } else { 0.0 });
-    let solution =
-        form.cholesky().ok_or_else(|| Error::Option("A is not positive definite".to_owned()))?.solve(&load);
+    let solution = form
+        .cholesky()
+        .ok_or_else(|| Error::Option("the matrix is not positive definite".to_owned()))?
+        .solve(&load);
     Ok(load.dot(&solution).sqrt())
 }
 

@@ -52,7 +52,8 @@ fn by_definition(nu: Order, a: f64) -> Result<f64> {
     let square = |hats: Range<usize>, weight: DVector<f64>| -> Result<f64> {
         let b = (&mass * weight).rows(hats.start, hats.len()).into_owned();
         let a = gram.view((hats.start, hats.start), (hats.len(), hats.len())).into_owned();
-        let singular = || Error::option("tau", "the Gram matrix is not positive definite to rounding");
+        let singular =
+            || Error::option("tau", "the Gram matrix is not positive definite in double precision");
         Ok(b.dot(&a.cholesky().ok_or_else(singular)?.solve(&b)))
     };
     let ones = DVector::from_element(n + 1, 1.0);

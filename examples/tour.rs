@@ -40,7 +40,8 @@ example! { long "Hild & Renard 2012", "an a priori error analysis of Signorini's
 fn at<const N: usize>(found: &Outcome, keys: [&str; N]) -> Result<[f64; N]> {
     let mut numbers = [0.0; N];
     for (number, key) in numbers.iter_mut().zip(keys) {
-        *number = found.value(key).ok_or_else(|| Error::Option(format!("the tour: no number {key}")))?;
+        *number =
+            found.value(key).ok_or_else(|| Error::Option(format!("tour: no number with the key {key}")))?;
     }
     Ok(numbers)
 }

@@ -111,10 +111,9 @@ pub fn search(cone: Cone, form: &DMatrix<f64>, sets: usize) -> Result<f64> {
             contact[random(n)..].iter_mut().for_each(|cell| *cell = !*cell);
         }
         let ratio = by_definition(cone, &contact, form);
-        largest =
-            largest.max(ratio.ok_or_else(|| {
-                Error::option("tau", "the Gram matrix is not positive definite to rounding")
-            })?);
+        largest = largest.max(ratio.ok_or_else(|| {
+            Error::option("tau", "the Gram matrix is not positive definite in double precision")
+        })?);
     }
     Ok(largest)
 }

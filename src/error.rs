@@ -55,7 +55,7 @@ pub enum Error {
         place: [f64; 2],
     },
     /// Contact data without a node in contact.
-    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one node at least")]
+    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one or more nodes")]
     EmptyContact {
         /// Number of nodes of the contact edge.
         nodes: usize,

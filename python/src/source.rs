@@ -51,7 +51,7 @@ impl Source {
                     n if n == places.len() => Function::linears(&mesh, values),
                     n if n + 1 == places.len() => Function::piecewise(&mesh, 0, values),
                     given => {
-                        Err(Error::LengthMismatch { name: "array of values", given, expected: places.len() })
+                        Err(Error::LengthMismatch { name: "array of nodal values (or of element values, one fewer)", given, expected: places.len() })
                     }
                 }
             }

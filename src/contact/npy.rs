@@ -19,7 +19,7 @@ use crate::error::{Error, Result, ToolkitError};
 #[doc(alias("NumPy", "export", "write", "file"))]
 pub fn npy(values: &[f64], columns: usize) -> Result<Vec<u8>> {
     if columns == 0 || !values.len().is_multiple_of(columns) {
-        let range = "divisors of the number of values";
+        let range = "the set of divisors of the number of values";
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "columns", value: columns, range }));
     }
     let rows = values.len() / columns;

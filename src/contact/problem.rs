@@ -81,7 +81,7 @@ impl ContactProblem {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "Dirichlet edges",
                 value: 0,
-                range: "[1, inf), unless there is a reaction term",
+                range: "[1, inf), the range for a form without reaction term",
             }));
         }
         if !reaction {

@@ -80,7 +80,7 @@ impl ContactProblem {
     fn by_sizes(&self, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
         self.edge.require_one_piece()?;
         if self.edge().is_closed() {
-            let range = "[2, 2]: sizes require an open contact edge";
+            let range = "{2}, the number required with displacement sizes";
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "ends of the contact edge",
                 value: 0,

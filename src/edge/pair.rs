@@ -197,7 +197,7 @@ impl ContactPair {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N.
     pub(super) fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
         if n == 0 || !self.cells().is_multiple_of(n) {
-            let range = "the divisors of the number of fine cells";
+            let range = "the set of divisors of the number of grid cells";
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "segments", value: n, range }));
         }
         let width = self.cells() / n;

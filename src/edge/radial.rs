@@ -54,7 +54,7 @@ pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInt
     require_finite("radius", radii)?;
     for (k, &radius) in radii.iter().enumerate() {
         let above = if k == 0 { radius >= 0.0 } else { radius > radii[k - 1] };
-        require_entry("radius", k, radius, "[0, inf), increasing", above)?;
+        require_entry("radius", k, radius, "(previous radius, inf); [0, inf) at index 0", above)?;
     }
     let mut found: Vec<RadialInterval> = Vec::new();
     for (i, &radius) in radii.iter().enumerate().filter(|(_, radius)| **radius > 0.0) {

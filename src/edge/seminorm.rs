@@ -48,7 +48,7 @@ impl SeminormForm {
     pub(super) fn squared(&self, segment: &Segment<'_>, ends: &[[f64; 2]]) -> Result<Estimate> {
         if ends.len() != self.cells || segment.traces != self.traces {
             return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-                name: "cells",
+                name: "cells of the segment",
                 given: ends.len(),
                 expected: self.cells,
             }));

@@ -83,7 +83,7 @@ pub fn error_norms(
             let slopes: f64 = difference.iter().flatten().map(|d| d * d).sum();
             if !slopes.is_finite() {
                 return Err(Error::Toolkit(ToolkitError::NotFinite {
-                    name: "gradient",
+                    name: "squared gradient of the error in a triangle",
                     index: t,
                     value: slopes,
                 }));

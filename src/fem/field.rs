@@ -48,7 +48,7 @@ impl Field<'_> {
         };
         match value.into_iter().find(|v| !v.is_finite()) {
             Some(value) => Err(Error::Toolkit(ToolkitError::NotFiniteAt {
-                name: "a load or a given function",
+                name: "value of a load or of a function",
                 point,
                 value,
             })),

@@ -89,8 +89,8 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
                 Error::Toolkit(ToolkitError::Incompatible {
                     what: "form",
                     given: "scalar".to_owned(),
-                    with: "stresses",
-                    expected: "elastic",
+                    with: "the computation of stresses",
+                    expected: "an elastic form",
                 })
             })?;
             let element = Element::new(mesh.corners(t));

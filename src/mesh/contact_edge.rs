@@ -133,7 +133,7 @@ impl ContactEdge {
             value => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "pieces of the contact edge",
                 value,
-                range: "[1, 1]",
+                range: "{1}",
             })),
         }
     }

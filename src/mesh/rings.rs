@@ -55,7 +55,7 @@ pub enum Outline {
 /// unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: areas of smaller rings underflow.
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
-        let range = "multiples of 4 in [4, 512]";
+        let range = "{4, 8, 12, ..., 512}";
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "angles per ring",
             value: angles,
@@ -64,7 +64,12 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     }
     Error::require("logarithmic step of the rings", step, "[1e-3, 2]", (1e-3..=2.0).contains(&step))?;
     let admissible = (SMALLEST..=0.5).contains(&smallest);
-    Error::require("smallest radius", smallest, "[1e-140, 1/2]: areas underflow below", admissible)?;
+    Error::require(
+        "smallest radius",
+        smallest,
+        "[1e-140, 1/2] (areas of smaller triangles underflow)",
+        admissible,
+    )?;
     let rings = (-smallest.ln() / step).ceil() as usize + 1;
     let count = rings * (angles + 1) + 1;
     if count > MOST {

@@ -25,7 +25,7 @@ pub(crate) struct Gap {
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     if count == 0 || count > cells / 4 {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "gaps",
+            name: "non-contact intervals",
             value: count,
             range: "[1, cells / 4]",
         }));

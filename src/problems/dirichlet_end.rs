@@ -60,7 +60,7 @@ impl DirichletEnd {
     /// Poisson's ratio or a direction that is not finite.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Self { outline, angles, step, smallest, poisson, direction } = *self;
-        Error::require("direction of the load", direction, "finite values", direction.is_finite())?;
+        Error::require("direction of the load", direction, "(-inf, inf)", direction.is_finite())?;
         let form = match poisson {
             None => Form::LAPLACE,
             Some(nu) => {

@@ -217,7 +217,7 @@ impl StripData {
         let form = self.form();
         let Data::Powers(gaps) = form.data else {
             let (what, with, expected) =
-                ("test problem", "a logarithm", "a test problem whose data are powers");
+                ("test problem", "a logarithmic factor", "a test problem whose data are powers");
             return Err(Error::Toolkit(ToolkitError::Incompatible {
                 what,
                 given: self.to_string(),

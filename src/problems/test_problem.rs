@@ -343,7 +343,7 @@ impl TestProblem {
     /// that is not admissible.
     pub fn on_with(self, mesh: Triangulation, setting: &Parameters) -> Result<ContactProblem> {
         let scale = setting.load_scale;
-        Error::require("load scale", scale, "finite values", scale.is_finite())?;
+        Error::require("load scale", scale, "(-inf, inf)", scale.is_finite())?;
         let body = self.form();
         let density = match body.load {
             Load::Exact { problem, .. } => return problem(mesh, scale),

@@ -128,7 +128,7 @@ impl ProofConstants {
         if self.tau > 2.0 {
             return Ok(self.factors.printed);
         }
-        let range = "the lengths for which the constants were computed";
+        let range = "the list of lengths for which the constants were computed";
         self.gammas.get(&theta.to_bits()).copied().ok_or(Error::Toolkit(ToolkitError::OutOfRange {
             name: "theta",
             value: theta,

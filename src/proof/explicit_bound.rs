@@ -141,7 +141,7 @@ impl ExplicitBound {
                     what: "form",
                     given: format!("{form:?}"),
                     with: "the bound with explicit constants",
-                    expected: "the Laplacian, or elasticity with one material",
+                    expected: "the Laplacian, or linear elasticity with a homogeneous material",
                 }));
             }
         };

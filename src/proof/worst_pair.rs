@@ -65,8 +65,8 @@ pub fn worst_ratio(
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let tolerance = tolerance.given()?;
-    Error::require("left gap", left, "[0, 1)", (0.0..1.0).contains(&left))?;
-    Error::require("right gap", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
+    Error::require("left non-contact interval", left, "[0, 1)", (0.0..1.0).contains(&left))?;
+    Error::require("right non-contact interval", right, "(0, 1 - left)", right > 0.0 && right < 1.0 - left)?;
     let order = Order::new(Error::require("tau", tau, "(3/2, 2)", tau > 1.5 && tau < 2.0)? - 1.5)?;
     let mut work = Work::default();
     let mut lower = |halvings: u32| -> Result<f64> {

@@ -64,7 +64,7 @@ impl Wedge {
                 range: "[2, 200]",
             }));
         }
-        Error::require("height", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
+        Error::require("bound of |Im lambda|", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
         let (a, b) = self.pencil(degree)?;
         let inverses = SHIFTS.map(|shift| {
             let inverse = (&a - faer::Scale(shift) * &b).partial_piv_lu().solve(&b);

@@ -64,7 +64,7 @@ pub(super) fn zeros_in_strip(f: &Factor, right: f64, points: &mut u64) -> Result
 }
 
 fn lost() -> Error {
-    let why = "zeros too close to each other or to the path";
+    let why = "zeros are too close to each other or to the path of integration";
     Error::out_of_reach("zeros of a characteristic function", SAME, 1.0, why)
 }
 

@@ -103,8 +103,8 @@ impl EdgeData {
         let (values, densities): (Vec<f64>, Vec<f64>) =
             rows.iter().map(|&(_, [u, force])| (u, force)).unzip();
         let (cells, range) = match sides {
-            LateralCondition::Natural => (values.len().saturating_sub(1), "2^k + 1 with k >= 1"),
-            LateralCondition::Periodic => (values.len(), "2^k with k >= 1"),
+            LateralCondition::Natural => (values.len().saturating_sub(1), "{2^k + 1: k >= 1}"),
+            LateralCondition::Periodic => (values.len(), "{2^k: k >= 1}"),
         };
         if !cells.is_power_of_two() || cells < 2 {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {

@@ -64,7 +64,7 @@ impl LateralCondition {
 pub(crate) fn check_cells(cells: usize, sides: LateralCondition) -> Result<()> {
     let (admissible, range) = match sides {
         LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
-        LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "even numbers in [2, 2^26]"),
+        LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}"),
     };
     if admissible && cells <= 1 << 26 {
         Ok(())

@@ -184,18 +184,15 @@ fn bad_bodies_are_refused_in_one_clear_line() {
     let mesh = Some(repository("examples/data/l_shape.msh"));
     let load = |load: &str| Options { load: load.to_owned(), ..Default::default() };
     for (options, why) in [
-        (load("z, 0"), "unknown name 'z': known are x, y, pi"),
+        (load("z, 0"), "unknown name 'z': expected x, y, pi"),
         (load("sin x, 0"), "needs its argument in parentheses"),
-        (load("x y, 0"), "follows without a sign"),
+        (load("x y, 0"), "operator missing"),
         (load("1, 2, 3"), "3 components"),
-        (Options { mesh, ..Default::default() }, "--mesh needs --load"),
+        (Options { mesh, ..Default::default() }, "--mesh requires --load"),
         (load("ln(x - 1), 0"), "is not finite: NaN at ("),
         (load("0, 1/(x - x)"), "is not finite: inf at ("),
         (Options { poisson: vec![0.5], ..Default::default() }, "Poisson's ratio"),
-        (
-            Options { young: vec![1.0, 2.0], poisson: vec![0.0; 2], ..Default::default() },
-            "one for each surface",
-        ),
+        (Options { young: vec![1.0, 2.0], poisson: vec![0.0; 2], ..Default::default() }, "one per surface"),
         (Options { mesh: Some("no/such.msh".into()), ..load("0, 1") }, "no/such.msh"),
     ] {
         let error = outcome(&options).expect_err(why);

@@ -128,7 +128,7 @@ fn bad_scenes_are_named() {
         (StripData::FatCantor { depth: 0 }, 1.75, "depth"),
         (StripData::Cantor { ratio: 0.5, depth: 3 }, 1.75, "ratio"),
         (StripData::Transition { position: 1.0 }, 1.75, "position"),
-        (StripData::Transitions { gaps: 64 }, 1.75, "gaps"),
+        (StripData::Transitions { gaps: 64 }, 1.75, "non-contact intervals"),
     ] {
         refused(build(scene, tau), words);
     }
@@ -144,9 +144,9 @@ fn bad_scenes_are_named() {
     refused(EdgeData::new(4, LateralCondition::Natural, &[0.0; 4], &[0.0; 4]), "length");
     let odd = EdgeData::new(6, LateralCondition::Natural, &[0.0; 7], &[0.0; 7]).unwrap();
     let scalar = |data| StripProblem::new(StripKind::Scalar, data, Reference::Nested, 2);
-    refused(scalar(&odd), "powers of two");
+    refused(scalar(&odd), "{2, 4, 8, 16, ...}");
     let ring = EdgeData::new(8, LateralCondition::Periodic, &[0.0; 8], &[0.0; 8]).unwrap();
-    refused(scalar(&ring), "sides");
+    refused(scalar(&ring), "lateral condition");
     let flat = EdgeData::new(8, LateralCondition::Natural, &[0.0; 9], &[0.0; 9]).unwrap();
     let exact = scalar(&flat).unwrap();
     refused(exact.load(16), "cells");

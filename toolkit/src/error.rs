@@ -164,7 +164,7 @@ pub enum Error {
         triangles: [usize; 2],
     },
     /// A triangle of a mesh is invalid.
-    #[error("triangle {triangle} {reason} {value:?}")]
+    #[error("triangle {triangle} {reason} {}", plain(*value))]
     Triangle {
         /// Its index, from 0.
         triangle: usize,
@@ -189,6 +189,11 @@ pub enum Error {
         /// Description of the error.
         reason: &'static str,
     },
+}
+
+/// A number as it appears in the message: node numbers and counts as integers.
+fn plain(value: f64) -> String {
+    if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value:.0}") } else { format!("{value:?}") }
 }
 
 /// The best value as it appears in the message; empty if there is none.

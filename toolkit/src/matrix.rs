@@ -261,7 +261,7 @@ impl Gram {
             Error::require(
                 "sum of the load",
                 sum,
-                "[-1e-8, 1e-8] times the sum of its absolute values",
+                "[-1e-8, 1e-8] times the sum of the absolute values of its entries",
                 admissible,
             )?;
         }
@@ -335,7 +335,7 @@ impl Gram {
             Form::Grid { .. } => Err(Error::Incompatible {
                 what: "operation",
                 given: what.to_owned(),
-                with: "a grid of the plane",
+                with: "a grid in the plane",
                 expected: "apply, mass, diagonal, to_dense",
             }),
         }

@@ -65,7 +65,7 @@ impl Mesh {
     pub fn from_nodes(nodes: &[f64]) -> Result<Self> {
         require_finite("node", nodes)?;
         for (k, pair) in nodes.windows(2).enumerate() {
-            require_entry("node", k + 1, pair[1], "the numbers above the previous node", pair[0] < pair[1])?;
+            require_entry("node", k + 1, pair[1], "(previous node, inf)", pair[0] < pair[1])?;
         }
         let left = nodes.first().copied().unwrap_or(0.0);
         Self::at(left, nodes.windows(2).map(|pair| pair[1] - pair[0]).collect())
@@ -179,7 +179,7 @@ impl Mesh {
         Error::require("total length", total, "(0, inf)", total.is_finite())?;
         let shortest = lengths.iter().copied().fold(f64::INFINITY, f64::min);
         let admissible = shortest >= f64::MIN_POSITIVE && total / shortest <= LARGEST_RATIO;
-        let range = "[2.3e-308, inf) and at least 1e-303 of the interval";
+        let range = "[max(2.3e-308, 1e-303 L), inf), L the length of the interval";
         Error::require("shortest element length", shortest, range, admissible)?;
         Ok(Self { left, lengths, from_left, from_right })
     }

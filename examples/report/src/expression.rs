@@ -37,13 +37,13 @@ impl Expression {
     /// [`Error::Option`] with the text and the reason.
     pub fn parse(text: &str) -> Result<Self> {
         if text.len() > LONGEST {
-            return Err(Error::Option(format!("an expression of more than {LONGEST} characters")));
+            return Err(Error::Option(format!("the expression has more than {LONGEST} characters")));
         }
         let mut reader = Reader { rest: text.trim(), depth: 0 };
         let whole = reader.sum().and_then(|whole| match reader.peek() {
             None => Ok(whole),
-            Some(')') => Err("a parenthesis is closed that was not opened".to_owned()),
-            Some(',') => Err("a comma between arguments of no function".to_owned()),
+            Some(')') => Err("unmatched closing parenthesis".to_owned()),
+            Some(',') => Err("a comma outside the arguments of a function".to_owned()),
             Some(_) => Err(reader.two_in_a_row()),
         });
         whole.map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
@@ -97,14 +97,14 @@ impl Reader<'_> {
     }
 
     fn two_in_a_row(&self) -> String {
-        format!("'{}' follows without a sign: a product is 2*x", self.rest)
+        format!("operator missing before '{}': write a product as 2*x", self.rest)
     }
 
     /// [+-] product {+- product}
     fn sum(&mut self) -> Checked<Expression> {
         self.depth += 1;
         if self.depth > DEEPEST {
-            return Err(format!("parentheses more than {DEEPEST} deep"));
+            return Err(format!("parentheses are nested more than {DEEPEST} deep"));
         }
         let first = if self.takes('-') {
             Expression::two(|a, b| a - b, Expression::number(0.0), self.product()?)
@@ -161,7 +161,7 @@ impl Reader<'_> {
             }
             Some('*') => Err("'*' has nothing before it; a power is x^2".to_owned()),
             Some(c @ ('/' | '^' | ')' | ',')) => Err(format!("'{c}' has nothing before it")),
-            Some(c) => Err(format!("'{c}' has no meaning; there are + - * / ^ and parentheses")),
+            Some(c) => Err(format!("unknown character '{c}': expected + - * / ^ or parentheses")),
         }
     }
 
@@ -204,7 +204,7 @@ impl Reader<'_> {
             Ok(Expression::two(f, a, b))
         } else {
             let known: Vec<&str> = ONE.iter().map(|f| f.0).chain(TWO.map(|f| f.0)).collect();
-            Err(format!("unknown name '{word}': known are x, y, pi, e, {}", known.join(", ")))
+            Err(format!("unknown name '{word}': expected x, y, pi, e, {}", known.join(", ")))
         }
     }
 
@@ -218,7 +218,8 @@ impl Reader<'_> {
         match self.peek() {
             Some(')') => {
                 self.takes(')');
-                let wrong = |found: Vec<_>| format!("{of} has {} arguments, and takes {N}", found.len());
+                let wrong =
+                    |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
                 arguments.try_into().map_err(wrong)
             }
             None => Err("a parenthesis is not closed".to_owned()),
@@ -265,30 +266,30 @@ mod tests {
     #[test]
     fn what_is_not_clear_is_refused_in_one_line() {
         let faults = [
-            ("x + z", "unknown name 'z': known are x, y, pi, e, abs"),
+            ("x + z", "unknown name 'z': expected x, y, pi, e, abs"),
             ("sin x", "'sin' needs its argument in parentheses"),
             ("2*-x", "two signs in a row"),
             ("2^-1", "two signs in a row"),
             ("x**2", "a power is x^2"),
             ("2^3^2", "two powers in a row"),
-            ("max(x)", "max has 1 arguments, and takes 2"),
-            ("sin(x, y)", "sin has 2 arguments"),
-            ("(x, y)", "a parenthesis has 2 arguments"),
+            ("max(x)", "number of arguments of max: 1, expected 2"),
+            ("sin(x, y)", "number of arguments of sin: 2"),
+            ("(x, y)", "number of arguments of a parenthesis: 2"),
             ("(x", "is not closed"),
-            ("x)", "was not opened"),
+            ("x)", "unmatched closing"),
             ("", "is empty"),
             ("*x", "nothing before it"),
             ("x*", "ends too early"),
-            ("2x", "follows without a sign"),
-            ("x y", "follows without a sign"),
-            ("2 (x)", "follows without a sign"),
-            ("(x y)", "follows without a sign"),
-            ("x & y", "follows without a sign"),
-            ("&", "'&' has no meaning"),
+            ("2x", "operator missing"),
+            ("x y", "operator missing"),
+            ("2 (x)", "operator missing"),
+            ("(x y)", "operator missing"),
+            ("x & y", "operator missing"),
+            ("&", "unknown character '&'"),
             ("1.2.3", "is not a number"),
-            ("{x}", "has no meaning"),
+            ("{x}", "unknown character"),
             ("sin()", "nothing before it"),
-            ("1e", "follows without a sign"),
+            ("1e", "operator missing"),
         ];
         for (text, why) in faults {
             let error = Expression::parse(text).err().unwrap().to_string();

@@ -124,7 +124,7 @@ impl Outcome {
         let fault = |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
         let keys: BTreeSet<String> = self.checks.iter().map(Checked::key).collect();
         if keys.len() < self.checks.len() {
-            return fault(&self.label, "two checks with one key");
+            return fault(&self.label, "two checks have the same key");
         }
         let by_number = |(_, check): &(usize, &Checked)| check.decision() != Decision::ByProof;
         for (at, check) in self.checks.iter().enumerate().filter(by_number) {
@@ -142,7 +142,7 @@ impl Outcome {
                 }
             }
             if lines.len() < 3 {
-                return fault(&label, "one line for two decisions");
+                return fault(&label, "two decisions print the same line");
             }
         }
         Ok(())
@@ -172,7 +172,8 @@ impl Outcome {
     pub(crate) fn plant(&mut self, key: &str) -> Result<()> {
         let known: Vec<String> = self.checks.iter().map(Checked::key).collect();
         let check = self.checks.iter_mut().find(|check| check.key() == key);
-        let check = check.ok_or_else(|| Error::option("fault", &format!("one of {}", known.join(", "))))?;
+        let check =
+            check.ok_or_else(|| Error::option("fault", &format!("expected one of {}", known.join(", "))))?;
         *check = check.moved(Decision::Fails);
         Ok(())
     }

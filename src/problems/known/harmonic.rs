@@ -41,10 +41,10 @@ impl Harmonic {
     pub(super) fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;
         let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
-        Error::require("p", opening, "[3/10, 9/10], 1, [11/10, 3/2]", is_in)?;
+        Error::require("p", opening, "the union of [3/10, 9/10], {1} and [11/10, 3/2]", is_in)?;
         Error::require("q", pressure, "(-1, inf)", pressure > -1.0 && pressure.is_finite())?;
         let is_log = logarithm == 0.0 || opening == 1.0 && logarithm > 0.0 && logarithm.is_finite();
-        Error::require("alpha", logarithm, "0; [0, inf) at p = 1", is_log)?;
+        Error::require("alpha", logarithm, "{0}; [0, inf) if p = 1", is_log)?;
         Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
         Ok(Self { powers, position, whole_boundary })
     }

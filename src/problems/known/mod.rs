@@ -449,7 +449,7 @@ impl KnownSolution {
         let tolerance = tolerance.given()?;
         match self.formula {
             Formula::Westergaard(known) => known.second_seminorm(n, tolerance),
-            _ => Err(self.without("the seminorm of second derivatives", "one transition or two")),
+            _ => Err(self.without("the seminorm of second derivatives", "one with one or two transitions")),
         }
     }
 
@@ -477,7 +477,7 @@ impl KnownSolution {
         let tolerance = tolerance.given()?;
         match self.formula {
             Formula::Power(known) => known.body_seminorm(tau, tolerance),
-            _ => Err(self.without("the seminorm of fractional order", "a power about one transition")),
+            _ => Err(self.without("the seminorm of fractional order", "KnownSolution::power")),
         }
     }
 
@@ -508,7 +508,7 @@ impl KnownSolution {
         let (order, tolerance) = (order.given()?, tolerance.given()?);
         match self.formula {
             Formula::Power(known) => known.edge_seminorm(datum, part, order, tolerance),
-            _ => Err(self.without("the seminorm on the edge", "a power about one transition")),
+            _ => Err(self.without("the seminorm on the edge", "KnownSolution::power")),
         }
     }
 

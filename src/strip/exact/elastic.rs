@@ -60,10 +60,10 @@ impl ExactElastic {
     ) -> Result<Self> {
         if edge_data.sides() != LateralCondition::Periodic {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
-                what: "sides",
+                what: "lateral condition",
                 given: format!("{:?}", edge_data.sides()),
                 with: "the elastic strip",
-                expected: "periodic sides",
+                expected: "periodic",
             }));
         }
         let cells = edge_data.cells();

@@ -11,7 +11,7 @@ pub(crate) fn level_of(fine: usize, cells: usize, levels: usize) -> Result<usize
     level.ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {
         name: "cells",
         value: cells,
-        range: "the cells of the reference grid divided by powers of two",
+        range: "{N, N/2, N/4, ...}, N the number of cells of the reference grid",
     }))
 }
 
@@ -22,7 +22,7 @@ pub(crate) fn power_of_two(cells: usize) -> Result<()> {
         Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "powers of two, at least 2",
+            range: "{2, 4, 8, 16, ...}",
         }))
     }
 }
@@ -34,7 +34,7 @@ pub(crate) fn layers_on(cells: usize, height: (usize, usize)) -> Result<usize> {
         return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
             name: "cells",
             value: cells,
-            range: "the n for which n·height is an integer",
+            range: "{n: n*height is an integer}",
         }));
     }
     let layers = cells * up / down;

@@ -56,7 +56,7 @@ impl FromStr for StripKind {
             "scalar" => Ok(StripKind::Scalar),
             "elastic" => Ok(StripKind::Elastic),
             _ => Err(Error::Toolkit(ToolkitError::UnknownName {
-                what: "kind",
+                what: "kind of strip problem",
                 given: text.to_owned(),
                 expected: "scalar or elastic",
             })),
@@ -110,7 +110,7 @@ impl StripProblem {
             StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(edge_data, (1, 1), reference)?),
             StripKind::Elastic if reference != Reference::Nested => {
                 return Err(Error::Toolkit(ToolkitError::Incompatible {
-                    what: "reference",
+                    what: "reference solution",
                     given: reference.to_string(),
                     with: "the elastic strip",
                     expected: "nested",

@@ -39,7 +39,7 @@ impl FromStr for Reference {
             "nested" => Ok(Reference::Nested),
             "harmonic" => Ok(Reference::Harmonic),
             _ => Err(Error::Toolkit(ToolkitError::UnknownName {
-                what: "reference",
+                what: "reference solution",
                 given: text.to_owned(),
                 expected: "nested or harmonic",
             })),

@@ -58,10 +58,10 @@ impl ExactEdge {
     pub(super) fn scalar(edge_data: &EdgeData, height: (usize, usize), reference: Reference) -> Result<Self> {
         if edge_data.sides() != LateralCondition::Natural {
             return Err(Error::Toolkit(ToolkitError::Incompatible {
-                what: "sides",
+                what: "lateral condition",
                 given: format!("{:?}", edge_data.sides()),
                 with: "the scalar strip",
-                expected: "natural sides",
+                expected: "natural",
             }));
         }
         let cells = edge_data.cells();

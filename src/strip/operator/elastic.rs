@@ -83,7 +83,7 @@ impl ElasticStrip {
             return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
                 name: "layers",
                 value: layers,
-                range: "powers of two",
+                range: "{1, 2, 4, 8, ...}",
             }));
         }
         let matrices = edge_matrices(cells, layers, lame);

@@ -100,9 +100,9 @@ impl Curve {
     pub fn algebraic(vertices: &[[f64; 2]], count: usize, exponent: f64) -> Result<Self> {
         if !count.is_multiple_of(2) {
             return Err(Error::CountOutOfRange {
-                name: "elements of a side",
+                name: "elements per side",
                 value: count,
-                range: "the even numbers",
+                range: "{2, 4, 6, ...}",
             });
         }
         let mesh = Mesh::two_sided_algebraic(count / 2, exponent, 1.0)?;
@@ -153,7 +153,7 @@ impl Curve {
                     }
                     Relation::Apart if self.cross(i, j) => {
                         let nodes = [j, (j + 1) % self.vertices.len()];
-                        return Err(Error::Edge { nodes, reason: "meets another side" });
+                        return Err(Error::Edge { nodes, reason: "intersects another edge of the polygon" });
                     }
                     _ => {}
                 }

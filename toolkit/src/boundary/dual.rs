@@ -119,7 +119,7 @@ fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
         }
     }
     let factored =
-        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "form of H^nu", pivot: 0 })?;
+        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "Gram matrix of H^nu", pivot: 0 })?;
     let solution = factored.solve(&load);
     Ok(load.dot(&solution).max(0.0).sqrt())
 }

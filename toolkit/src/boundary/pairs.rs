@@ -25,8 +25,8 @@ const MOST_POINTS: usize = 16;
 const OF_CUT: u64 = 4;
 /// Message: the work limit is exceeded.
 const NEEDLES: &str = "the work limit is reached: two sides without a common corner, or at a small angle, are so close to \
-     each other that elements are subdivided to that distance; grade the elements towards that place, or raise \
-     Tolerance::with_work";
+     each other that elements are subdivided down to their distance; grade the mesh towards that place, or raise \
+     the limit with Tolerance::with_work";
 
 /// The rules for one order.
 pub(super) struct CurvePairs<'a> {

@@ -82,8 +82,8 @@ fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate>
     let scale: Vec<f64> = (0..n).map(|i| entry(i, i).sqrt().recip()).collect();
     let matrix = DMatrix::from_fn(n, n, |i, j| entry(i, j) * scale[i] * scale[j]);
     let rhs = DMatrix::from_fn(n, 1, |i, _| load[i] * scale[i]);
-    let factor =
-        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "M + A, scaled", pivot: n })?;
+    let factor = Cholesky::new(&matrix)
+        .ok_or(Error::NotPositiveDefinite { what: "scaled mass plus Gram matrix", pivot: n })?;
     let mut x = factor.solve(&rhs);
     let residual = &rhs - product(&matrix, &x);
     x += factor.solve(&residual);
@@ -147,7 +147,7 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
     for steps in 1..=20 * n.min(2000) {
         let not_settled = gains.len() < SETTLED - 1 && iteration.rho() > 0.0;
         let Step::Gain(gain) = iteration.step(&mut system, &mut x)? else {
-            return Err(Error::NotPositiveDefinite { what: "M + A", pivot: steps });
+            return Err(Error::NotPositiveDefinite { what: "mass plus Gram matrix", pivot: steps });
         };
         gains.push(gain);
         value.add(gain);

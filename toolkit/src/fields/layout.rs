@@ -69,7 +69,7 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
     Error::require(
         "left end of the mesh",
         partition.left(),
-        "the left end of the function's interval; both ends must agree",
+        "{left end of the function's interval}: the mesh and the function must have the same interval",
         same,
     )?;
     let mut cuts: Vec<Vec<f64>> = vec![Vec::new(); partition.len()];

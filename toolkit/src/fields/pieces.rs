@@ -132,9 +132,9 @@ fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<P
             }
             (None, Content::Singular(_)) => {
                 return Err(Error::CountOutOfRange {
-                    name: "singular cell away from the breakpoints",
+                    name: "index of a singular cell",
                     value: k,
-                    range: "none",
+                    range: "the set of cells adjacent to a breakpoint",
                 });
             }
         }

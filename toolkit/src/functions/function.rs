@@ -184,7 +184,7 @@ impl<'a> SingularFunction<'a> {
             return Err(Error::CountOutOfRange {
                 name: "breakpoints",
                 value: breaks.len(),
-                range: "[2, inf), including the ends of the interval",
+                range: "[2, inf) (both ends of the interval are breakpoints)",
             });
         }
         let total = breaks[breaks.len() - 1] - breaks[0];
@@ -192,7 +192,8 @@ impl<'a> SingularFunction<'a> {
         for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            let range = "(c + 1e-290 max(1, length), inf), c the previous breakpoint";
+            let range =
+                "(c + 1e-290 max(1, L), inf), c the previous breakpoint, L the length of the interval";
             require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
@@ -308,7 +309,7 @@ impl<'a> SingularFunction<'a> {
         self.budget.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
-        require_finite_at("function value near breakpoint", anchor, value)?;
+        require_finite_at("function value near a breakpoint", anchor, value)?;
         Ok(value)
     }
 }

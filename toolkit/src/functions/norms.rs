@@ -115,7 +115,7 @@ impl SingularFunction<'_> {
         Error::require(
             "length of the derivative's interval",
             derivative.length(),
-            "the length of the function's interval",
+            "{length of the function's interval}",
             same,
         )?;
         whole([self.l2_norm(tolerance), derivative.norm(order, tolerance)], tolerance)

@@ -68,7 +68,7 @@ impl PiecewisePolynomial {
         Error::require(
             "length of the derivative's interval",
             total,
-            "the length of the function's interval",
+            "{length of the function's interval}",
             same,
         )?;
         if !self.is_continuous() {

@@ -166,7 +166,7 @@ impl PiecewisePolynomial {
         let piece = self.pieces.get(element).ok_or(Error::CountOutOfRange {
             name: "element",
             value: element,
-            range: "the indices of the elements",
+            range: "[0, number of elements)",
         })?;
         Ok(piece.value(t))
     }
@@ -180,7 +180,7 @@ impl PiecewisePolynomial {
             return Err(Error::CountOutOfRange {
                 name: "end of the element range",
                 value: elements.end,
-                range: "the ends of nonempty ranges of elements",
+                range: "(start of the range, number of elements]",
             });
         }
         Ok(Self {

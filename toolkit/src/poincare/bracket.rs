@@ -43,7 +43,7 @@ const ROUNDED_UP: f64 = 1e-9;
 /// Lower and upper bound of γ_θ(1/2)² at L = ln(1/θ): the square of the quotient of the ramp, and γ₁² + N² with
 /// N bounded by the inequality along chains.
 pub(super) fn bracket(log: f64) -> Result<[f64; 2]> {
-    Error::require("L", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
+    Error::require("ln(1/theta)", log, "[1, 1e15]", (1.0..=1e15).contains(&log))?;
     let whole = gamma(Order::HALF, Constraint::mean_zero(), Tolerance::balanced())?.constant;
     let whole = whole.value + whole.error;
     let dual = Chains::new(whole, log)?.dual_norm() * (1.0 + ROUNDED_UP);

@@ -99,7 +99,12 @@ impl Gamma {
     /// As [`gamma`]; [`Error::OutOfRange`] for a condition at a point, for which there is no such bound.
     pub fn bounds(&self) -> Result<GammaBounds> {
         let order = self.order.value();
-        Error::require("nu", order, "bounds of a zone, not of a point", !self.constraint.is_point())?;
+        Error::require(
+            "nu",
+            order,
+            "the empty set (no bounds for u = 0 at a point)",
+            !self.constraint.is_point(),
+        )?;
         two_sided(self.order, &self.constraint, &self.found, self.tolerance)
     }
 }

@@ -120,7 +120,8 @@ impl Law {
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
             Form::Unknown => {
-                Err(self.no_formula("the orders other than 1/2, for a zone in the interior of (0, 1)"))
+                Err(self
+                    .no_formula("the set of orders with a known law for a zone in the interior of (0, 1)"))
             }
         }
     }
@@ -149,7 +150,7 @@ impl Law {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
             _ if self.order.is_below_half() => end_limit(self.order, self.tolerance),
             _ => Err(self.no_formula(
-                "(0, 1/2), or orders so far above 1/2 that the constant of a point is computable",
+                "(0, 1/2) and the orders above 1/2 for which the constant for u = 0 at a point is computable",
             )),
         }
     }

@@ -106,7 +106,7 @@ impl UniformLaw {
         Error::require("theta", theta, "(0, 1/2]", theta > 0.0 && theta <= 0.5)?;
         let lambda = self.square(theta)?;
         let above = lambda > self.whole_square;
-        Error::require("theta", theta, "lengths so small that the law holds", above)?;
+        Error::require("theta", theta, "the range of theta in which the law holds", above)?;
         let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
         let known = self.slope.error * growth
             + self.constant.error
@@ -132,7 +132,12 @@ impl UniformLaw {
             let residual = lambda - s - d / lambda - e / (lambda * lambda);
             lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
         }
-        Error::require("theta", theta, "lengths so small that the law is positive", lambda > 0.0 && s > 0.0)?;
+        Error::require(
+            "theta",
+            theta,
+            "the range of theta in which the law is positive",
+            lambda > 0.0 && s > 0.0,
+        )?;
         Ok(lambda)
     }
 }

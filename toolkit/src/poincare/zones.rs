@@ -85,7 +85,7 @@ impl Zones {
     fn between(a: f64, b: f64) -> Result<Self> {
         require_start(a)?;
         let inside = b - a >= SHORTEST && b <= 1.0;
-        Error::require("zone end", b, "(a, 1], at least 1e-300 above a", inside)?;
+        Error::require("zone end", b, "[a + 1e-300, 1], a the zone start", inside)?;
         Ok(Self { lengths: vec![a, b - a, 1.0 - b] })
     }
 
@@ -106,8 +106,8 @@ impl Zones {
     pub fn union(intervals: &[Range<f64>]) -> Result<Self> {
         require_count(intervals.len())?;
         for (k, interval) in intervals.iter().enumerate() {
-            require_finite_at("start of interval", k, interval.start)?;
-            require_finite_at("end of interval", k, interval.end)?;
+            require_finite_at("start of an interval", k, interval.start)?;
+            require_finite_at("end of an interval", k, interval.end)?;
         }
         let mut sorted = intervals.to_vec();
         sorted.sort_by(|a, b| a.start.total_cmp(&b.start));
@@ -117,10 +117,10 @@ impl Zones {
             if k > 0 {
                 let apart = gap > TOUCHING * start;
                 require_entry(
-                    "start of interval",
+                    "start of an interval",
                     k,
                     start,
-                    "the numbers above the end of the previous interval",
+                    "(end of the previous interval, inf)",
                     apart,
                 )?;
             }
@@ -148,7 +148,7 @@ impl Zones {
         if lengths.len() % 2 == 1 {
             let expected = lengths.len() + 1;
             return Err(Error::LengthMismatch {
-                name: "lengths of gaps and intervals",
+                name: "list of gap and interval lengths",
                 given: expected - 1,
                 expected,
             });
@@ -162,7 +162,7 @@ impl Zones {
         for (k, &length) in lengths.iter().enumerate() {
             let name = if k % 2 == 0 { "gap" } else { "interval" };
             let admissible = (SHORTEST..=1.0).contains(&length) || (k == 0 && length == 0.0);
-            require_entry(name, k / 2, length, "[1e-300, 1]; {0} as the first gap", admissible)?;
+            require_entry(name, k / 2, length, "[1e-300, 1] (or 0 for the first gap)", admissible)?;
         }
         Error::require("end of the last interval", 1.0 - rest, "(0, 1]", rest >= -f64::EPSILON)?;
         lengths.push(if rest <= f64::EPSILON { 0.0 } else { rest });

@@ -79,7 +79,7 @@ impl Rule {
         let mut points = recurrence.eigenvalues().ok_or(Error::OutOfRange {
             name: "alpha + beta",
             value: alpha + beta,
-            range: "the exponents for which the recurrence is finite",
+            range: "the range in which the recurrence is finite",
         })?;
         points.iter_mut().for_each(|t| *t = recurrence.polish(*t));
         points.sort_by(f64::total_cmp);

@@ -98,7 +98,7 @@ fn bounds_on(shape: &TriangleShape, s: f64, n: i64) -> Result<[f64; 2]> {
 }
 
 fn indefinite() -> Error {
-    Error::NotPositiveDefinite { what: "energy of pairs of cells", pivot: 0 }
+    Error::NotPositiveDefinite { what: "matrix of the energy of pairs of cells", pivot: 0 }
 }
 
 /// An upper bound of the largest λ with B x = λ A x: a Rayleigh quotient, increased until λ A − B has a Cholesky factor.
@@ -115,7 +115,7 @@ fn largest(b: &DMatrix<f64>, a: &DMatrix<f64>) -> Result<f64> {
     let mut margin = MARGIN;
     while Cholesky::new(&(a * (value * (1.0 + margin)) - b)).is_none() {
         margin *= 2.0;
-        Error::require("margin of an eigenvalue", margin, "below 1", margin < 1.0)?;
+        Error::require("margin of an eigenvalue", margin, "[0, 1)", margin < 1.0)?;
     }
     Ok(value * (1.0 + margin))
 }

@@ -51,7 +51,7 @@ impl<'a> SingularPlaneFunction<'a> {
         for triangle in 0..made.mesh.triangles().len() {
             for shares in SAMPLES {
                 let value = made.at_shares(triangle, shares);
-                require_finite_at("function value in triangle", triangle, value)?;
+                require_finite_at("function value in a triangle", triangle, value)?;
                 made.largest = made.largest.max(value.abs());
             }
         }

@@ -54,11 +54,12 @@ pub fn moment(
 ) -> Result<MomentConstant> {
     let (order, zone, tolerance) = (order.given()?, zone.given()?, tolerance.given()?);
     let Some((zone, length, at_right)) = zone.at_one_end() else {
-        let range = "lengths in (0, 1) of an interval that touches 0 or 1";
-        return Err(Error::OutOfRange { name: "zone", value: zone.length(), range });
+        let range = "(0, 1), for an interval with an end at 0 or 1";
+        return Err(Error::OutOfRange { name: "length of the zone", value: zone.length(), range });
     };
     // The end from which the other length is known is given exactly.
-    let (name, given) = if at_right { ("length", length) } else { ("length of the zone", zone) };
+    let (name, given) =
+        if at_right { ("length of the complement", length) } else { ("length of the zone", zone) };
     let admissible = (SHORTEST..=LONGEST).contains(&given);
     Error::require(name, given, "[1e-300, 1 - 1e-15]", admissible)?;
     let place = Place { zone, length, at_right };

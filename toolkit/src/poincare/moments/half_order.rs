@@ -46,7 +46,7 @@ const ROUNDINGS: f64 = 20.0;
 /// # Errors
 /// [`Error::OutOfRange`] unless 1e-6 ≤ e ≤ 0.7.
 pub(super) fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate> {
-    Error::require("length", length, "[1e-6, 0.7]", (1e-6..=LONGEST).contains(&length))?;
+    Error::require("length of the complement", length, "[1e-6, 0.7]", (1e-6..=LONGEST).contains(&length))?;
     let [mass, first] = SERIES.get_or_init(|| {
         let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
         let ratios: Vec<f64> = (1..=POWERS).map(|k| ratio(k, &roots)).collect();
