@@ -135,7 +135,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     out.check("two solvers: |ΔJ|/|J|").at_most(of_j, 1e-11, "rounding error");
                     if !u.margins.is_weak(1e-9) {
                         let other = v.contact_set.distance(&u.contact_set);
-                        out.check("constraints active for one solver only").at_most(other, 0.0, "uniqueness");
+                        out.check("constraints active for one solver").at_most(other, 0.0, "uniqueness");
                     }
                 }
                 if let Some(estimate) = estimate {

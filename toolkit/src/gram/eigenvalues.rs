@@ -1,9 +1,12 @@
 //! The smallest positive and the largest eigenvalue of A x = λ M x.
 //!
 //! For the smallest one, the preconditioner is the inverse spectral power, and the iteration starts from a few
-//! long waves. For the largest one, it starts from the vectors of the largest eigenvalues of the tridiagonal
-//! pencil (K, M) and from hat functions where a_ii/m_ii is largest, and the preconditioner is (κM − K)⁻¹, κ
-//! slightly above the largest eigenvalue of (K, M).
+//! long waves. For the largest one, the preconditioner is (κM − K)⁻¹, K the stiffness matrix and κ slightly above the
+//! largest eigenvalue of (K, M), and the iteration starts from vectors of the largest eigenvalues of (K, M), from hat functions
+//! where a_ii/m_ii is largest, and from vectors of windows of [`WINDOW`] basis functions: vectors of large eigenvalues live on a few short elements, of which
+//! there may be many groups far from each other. In all windows of a row at once a Krylov space of M⁻¹A is spanned,
+//! each product restricted to the windows, and the windows with the largest Ritz values are taken. Vectors that change
+//! sign from element to element interact little at a distance, so that one product serves all windows.
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};
@@ -11,6 +14,9 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
 use crate::numeric::block_iteration::{Pencil, smallest};
+use crate::numeric::dense::symmetric_eigen;
+use nalgebra::DMatrix;
+use std::ops::Range;
 
 /// Number of vectors in a block.
 const BLOCK: usize = 3;
@@ -20,6 +26,16 @@ const STEPS: usize = 300;
 
 /// Relative distance of κ from the largest eigenvalue of (K, M).
 const ABOVE: f64 = 1e-4;
+
+/// Number of basis functions in a window; the windows of a second row begin in the middle of those of the first.
+const WINDOW: usize = 48;
+
+/// Dimension of the Krylov space of a window, and number of windows that are taken.
+const KRYLOV: usize = 16;
+const TAKEN: usize = 6;
+
+/// Smallest share of a product that a new direction of a window has.
+const NEW: f64 = 1e-8;
 
 /// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
@@ -139,8 +155,75 @@ pub(crate) fn extreme_eigenvalues(
         }
         start.push(x);
     }
+    let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
+    for first in [0, WINDOW / 2] {
+        for x in vectors_of_windows(&small, count, first)? {
+            let quotient = dot(0..count, &x, &small.apply(&x)?) / dot(0..count, &x, &small.mass(&x));
+            windows.push((quotient, x));
+        }
+    }
+    windows.sort_by(|a, b| b.0.total_cmp(&a.0));
+    start.extend(windows.into_iter().take(TAKEN).map(|(_, x)| x));
     let high = found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
     Ok([low, high])
+}
+
+fn dot(window: Range<usize>, a: &[f64], b: &[f64]) -> f64 {
+    a[window.clone()].iter().zip(&b[window]).map(|(a, b)| a * b).sum()
+}
+
+/// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.
+fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<Vec<f64>>> {
+    let ends = (0..).map(|k| first + k * WINDOW).take_while(|&end| end < count);
+    let edges: Vec<usize> = [0].into_iter().chain(ends.filter(|&end| end > 0)).chain([count]).collect();
+    let windows: Vec<Range<usize>> = edges.windows(2).map(|pair| pair[0]..pair[1]).collect();
+    // Basis, its products with A and M; orthonormal with respect to M in each window.
+    let [mut basis, mut images, mut masses]: [Vec<Vec<f64>>; 3] = Default::default();
+    let mut x: Vec<f64> = (0..count)
+        .map(|i| if i % 2 == 0 { 1.0 } else { -1.0 } * (1.0 + 0.3 * (1.7 * i as f64).cos()))
+        .collect();
+    for _ in 0..KRYLOV {
+        // No element belongs to two windows.
+        windows.iter().for_each(|window| x[window.end - 1] = 0.0);
+        for window in &windows {
+            let before = dot(window.clone(), &x, &x);
+            for (v, m) in basis.iter().zip(&masses).chain(basis.iter().zip(&masses)) {
+                let share = dot(window.clone(), m, &x);
+                window.clone().for_each(|i| x[i] -= share * v[i]);
+            }
+            if dot(window.clone(), &x, &x) <= NEW * NEW * before {
+                window.clone().for_each(|i| x[i] = 0.0); // the space of this window is exhausted
+            }
+        }
+        let mut m = small.mass(&x);
+        for window in &windows {
+            let size = dot(window.clone(), &x, &m).sqrt();
+            let factor = if size > 0.0 { size.recip() } else { 0.0 };
+            window.clone().for_each(|i| (x[i], m[i]) = (factor * x[i], factor * m[i]));
+        }
+        let image = small.apply(&x)?;
+        let next = small.mass_inverse(&image);
+        basis.push(std::mem::replace(&mut x, next));
+        images.push(image);
+        masses.push(m);
+    }
+    let ritz = |window: &Range<usize>| {
+        let form = DMatrix::from_fn(KRYLOV, KRYLOV, |i, j| dot(window.clone(), &basis[i], &images[j]));
+        symmetric_eigen(&(0.5 * (&form + form.transpose())))
+    };
+    let value = |window: &Range<usize>| ritz(window)?.0.last().copied();
+    let vector = |window: &Range<usize>| {
+        let (_, vectors) = ritz(window)?;
+        let mut x = vec![0.0; count];
+        for (k, v) in basis.iter().enumerate() {
+            window.clone().for_each(|i| x[i] += vectors[(k, KRYLOV - 1)] * v[i]);
+        }
+        Some(x)
+    };
+    let mut values: Vec<(f64, &Range<usize>)> =
+        windows.iter().filter_map(|window| Some((value(window)?, window))).collect();
+    values.sort_by(|a, b| b.0.total_cmp(&a.0));
+    Ok(values.into_iter().take(TAKEN).filter_map(|(_, window)| vector(window)).collect())
 }
 
 /// Vectors close to those of the largest eigenvalues of (K, M), by inverse iteration.

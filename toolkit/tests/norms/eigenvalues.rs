@@ -77,3 +77,19 @@ fn too_few_functions_are_refused() -> Result<()> {
     assert!(matches!(form.extreme_eigenvalues(), Err(Error::CountOutOfRange { .. })));
     Ok(())
 }
+
+/// Thousands of groups of short elements have eigenvalues within a percent of the largest one.
+#[test]
+fn the_largest_eigenvalue_of_a_random_mesh_does_not_depend_on_the_tolerance() {
+    let mut random = SplitMix::new(17);
+    for _ in 0..2 {
+        let nodes: Vec<f64> = (0..20_000).map(|i| f64::from(i) + 0.8 * random.uniform()).collect();
+        let mesh = Mesh::from_nodes(&nodes).unwrap();
+        let largest = |asked| Gram::new(&mesh, 0.5, asked).unwrap().extreme_eigenvalues().unwrap()[1];
+        let fine = largest(1e-7);
+        for asked in [1e-3, 1e-5] {
+            let coarse = largest(asked);
+            assert!((coarse.value - fine.value).abs() <= coarse.error + fine.error, "{coarse} {fine}");
+        }
+    }
+}
