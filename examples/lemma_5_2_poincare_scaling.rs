@@ -47,7 +47,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let slope = out.slope("theta", "gamma", |theta| -theta.ln(), |gamma| gamma * gamma);
             out.not_sharp("slope of γ² against ln(1/θ)").near(slope, 1.5 / PI.powi(2), 0.01, "3/(2π²)");
             let gamma_1 = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
-            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(gamma_1, 0.0, "for θ ≤ 1/2");
+            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(gamma_1, 0.0, "limit of C ln(1/θ)");
         } else {
             let next = longer.powf(2.0 * nu.value().min(nu.offset().abs())); // relative size of the law's next term
             let exponent = out.exponent("theta", "gamma");

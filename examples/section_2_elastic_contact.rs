@@ -154,7 +154,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (active, last) = (|i: usize| u.contact_set.contains(i), u.contact_set.constraints() - 1);
             let changes = (0..last).filter(|&i| active(i) != active(i + 1)).count();
             let is_one_gap = active(0) && active(last) && changes == 2;
-            out.check("membrane: solutions without a single gap").holds(is_one_gap, "sign changes of f");
+            out.check("membrane: solutions without exactly one gap").holds(is_one_gap, "sign changes of f");
         }
         solved.push((body, cone, n, problem, u));
     }

@@ -93,8 +93,8 @@ impl ContactSet {
 
     /// The contact intervals: maximal ranges of consecutive active indices.
     ///
-    /// They are the components of the discrete contact set, as half-open ranges in ascending order; any two of them
-    /// are separated by at least one inactive constraint. Cost: O(constraints).
+    /// Half-open ranges in ascending order, consecutive ones separated by at least one inactive constraint: the components
+    /// of the contact set on an open edge; on a closed edge an interval through node 0 is listed as two. Cost: O(constraints).
     ///
     /// ```
     /// use signorini::cone::ContactSet;

@@ -38,8 +38,8 @@ pub struct Settings<'a> {
     /// Expected relative sizes of the displacement at the nodes of the contact edge, all positive, for
     /// [`Solver::EdgeInteriorPoint`] in the nodal cone: each node has its own barrier weight.
     ///
-    /// Near a singular point this resolves every decade of the mesh; with equal weights only half as many are
-    /// resolved in `section_1_clamped_end`.
+    /// Near a singular point the contact set is then resolved in every decade of r that the mesh covers; with equal
+    /// weights only in about half of them (example `section_1_clamped_end`).
     pub sizes: Option<&'a [f64]>,
 }
 

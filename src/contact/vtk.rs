@@ -71,10 +71,9 @@ impl ContactProblem {
 
 /// One array, twelve numbers a line.
 fn array(text: &mut String, kind: &str, name: &str, components: usize, values: &[impl std::fmt::Debug]) {
-    let _ = writeln!(
-        text,
-        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" format=\"ascii\">"
-    );
+    // Readers take a number of components for a second index, which scalars do not have.
+    let width = if components > 1 { format!(" NumberOfComponents=\"{components}\"") } else { String::new() };
+    let _ = writeln!(text, "<DataArray type=\"{kind}\" Name=\"{name}\"{width} format=\"ascii\">");
     for line in values.chunks(12) {
         for value in line {
             let _ = write!(text, "{value:?} ");

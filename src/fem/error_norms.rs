@@ -26,8 +26,8 @@ pub struct ErrorNorms {
 /// The norms of the difference between the function `exact`, given with its gradient, and the P1 function with
 /// Cartesian nodal `values`.
 ///
-/// The gradient is evaluated only at the points of the rule. For u = x² on right isosceles triangles with legs h the
-/// squared H¹ seminorm of the error is h²/3.
+/// The gradient is evaluated only at the points of the rule. For u = x² and its interpolant on the unit
+/// square, cut into right isosceles triangles with legs h, the squared H¹ seminorm of the error is h²/3.
 ///
 /// ```
 /// use signorini::fem::{Cubature, Field, Form, error_norms};

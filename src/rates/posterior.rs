@@ -69,9 +69,6 @@ pub(super) const ENERGY: [Model; 8] = [
     (Terms::Logarithm, 1.5, 0.14),
     (Terms::Any, 0.7, 0.14),
 ];
-/// Models of a general quantity.
-pub(super) const ANY: [Model; 3] =
-    [(Terms::None, 0.0, 0.1), (Terms::Any, 0.7, 0.45), (Terms::Any, 1.5, 0.45)];
 
 /// The exponents q of [`Terms::Any`]: densest where terms are hard to distinguish from the leading one.
 const ANY_EXPONENTS: [f64; 8] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0];

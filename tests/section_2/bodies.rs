@@ -34,7 +34,7 @@ fn elastic() -> Form {
 fn both_formats_of_gmsh_hold_the_same_body() {
     let (four, two) = (parse_msh(L_SHAPE).unwrap(), parse_msh(L_SHAPE_2).unwrap());
     assert_eq!(four, two);
-    assert_eq!(read_msh(&repository("examples/data/l_shape.msh")), Ok(four.clone()));
+    assert_eq!(read_msh(repository("examples/data/l_shape.msh")), Ok(four.clone()));
     // The floor rises by 20 degrees; the normal points down and to the right.
     let normal = ContactEdge::of(&four).unwrap().normal().unwrap();
     let angle = 20_f64.to_radians();

@@ -462,7 +462,7 @@ impl<'a> Function<'a> {
     ///
     /// It is finite for s < 1/2 if u jumps, and for s < a + d/2 if u behaves like r^a at a corner or
     /// breakpoint. In the plane (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve
-    /// the distance is that of the plane; on a Lipschitz curve this is the norm of traces up to equivalence.
+    /// |x − y| is the Euclidean distance in the plane; on a Lipschitz curve |u|_s is equivalent to the seminorm of the trace space.
     /// There is no special rule for a singularity along an edge of a triangulation: [`Error::ToleranceNotMet`]
     /// reports the accuracy that was reached.
     ///

@@ -134,7 +134,7 @@ impl Mesh {
 
     /// The mesh that is geometric towards every given point, the first and the last of which are the ends of
     /// the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either half, the
-    /// shortest ones, of length ℓ/2 σ^m, at its ends.
+    /// shortest ones, of length ℓ/2 σ^m, at its ends. For a given number of elements there is [`Mesh::algebraic`].
     ///
     /// # Errors
     /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1.

@@ -160,8 +160,8 @@ pub struct MultigridReport {
     pub error: Option<Estimate>,
     /// The estimated discretisation error in the energy norm.
     pub discretisation: Option<f64>,
-    /// Number of contact sets tried by elimination on the coarsest mesh, or on the mesh itself if the direct solver
-    /// was used; the initial guess is computed with coarser functions on the edge.
+    /// Number of contact sets tried on the coarsest mesh, or on the mesh itself if the direct solver was used, each with
+    /// one direct solve. The initial guess comes from the problem with coarser trial functions on the contact edge.
     pub coarsest_steps: usize,
     /// The levels above the coarsest one.
     pub levels: Vec<MultigridLevel>,

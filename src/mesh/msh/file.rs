@@ -27,16 +27,16 @@ use std::path::Path;
 /// The triangulation in a `.msh` file of Gmsh.
 ///
 /// ```no_run
-/// let mesh = signorini::mesh::read_msh("body.msh".as_ref())?;
+/// let mesh = signorini::mesh::read_msh("body.msh")?;
 /// println!("{} triangles, h = {}", mesh.triangles().len(), mesh.mesh_size());
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`File`](crate::Error::File) if the file cannot be read, and the errors of [`parse_msh`].
-pub fn read_msh(path: &Path) -> Result<Triangulation> {
+pub fn read_msh(path: impl AsRef<Path>) -> Result<Triangulation> {
     // Binary files also state their format in a line of text.
-    parse_msh(&read_text(path)?)
+    parse_msh(&read_text(path.as_ref())?)
 }
 
 /// The triangulation in the text of a `.msh` file.

@@ -56,7 +56,7 @@ impl Power {
     /// The solution with power p; u ∈ H^τ for τ < p + 1.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u would be linear).
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 1/2 < p < 3/2 and |p − 1| ≥ 1/100 (u is linear for p = 1).
     pub(super) fn new(power: f64, lame: Option<Lame>) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
         let power = Error::require("p", power, "the union of (1/2, 0.99] and [1.01, 3/2)", admissible)?;

@@ -106,8 +106,8 @@ impl EdgeOperator {
 
     /// The given contact cone on this edge.
     ///
-    /// It is open with n + 1 nodes for natural sides, closed with n nodes for periodic sides; the midpoint cone has n
-    /// constraints in both cases.
+    /// The edge is open with n + 1 nodes for natural lateral conditions, closed with n nodes for periodic ones; the
+    /// midpoint cone has n constraints in both cases.
     pub fn cone(&self, cone: Cone) -> EdgeCone {
         cone.on(self.nodes(), self.sides.ends())
     }

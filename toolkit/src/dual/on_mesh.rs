@@ -147,7 +147,11 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
     for steps in 1..=20 * n.min(2000) {
         let not_settled = gains.len() < SETTLED - 1 && iteration.rho() > 0.0;
         let Step::Gain(gain) = iteration.step(&mut system, &mut x)? else {
-            return Err(Error::NotPositiveDefinite { what: "mass plus Gram matrix", pivot: steps });
+            return Err(Error::Solver {
+                reason: format!(
+                    "negative curvature of mass plus Gram matrix in step {steps} of conjugate gradients"
+                ),
+            });
         };
         gains.push(gain);
         value.add(gain);

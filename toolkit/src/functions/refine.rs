@@ -25,7 +25,7 @@ const LEVELS: [Level; 11] = [
 const ZERO: f64 = 2e-28;
 
 /// Message: what limits the accuracy of a function given by code.
-pub(super) const LIMIT: &str = "rounding of the values, or the limit at a breakpoint, dominates the error";
+pub(super) const LIMIT: &str = "rounding of the values, or the limit at a breakpoint, dominates the error; Function::from_positions avoids rounding";
 
 /// Message: the rounding of x = c + δ limits the accuracy.
 const ROUNDED: &str = "x is rounded near a breakpoint other than 0, where the function depends on the distance to it: \

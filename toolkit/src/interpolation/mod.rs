@@ -40,7 +40,7 @@ use crate::order::SobolevOrder;
 ///
 /// # Method
 ///
-/// **Interval (0, h).** For u with slope v, e = u − Iu has e' = v − v̄ and e(0) = e(1) = 0. The best constants are
+/// **Interval (0, h).** For u with slope v, e = u − Iu has e' = v − v̄ and e(0) = e(h) = 0. The best constants are
 /// h^{1+s} C_L2(s), h^s C_H1(s) with C_H1 = γ₁, and h^s C_1(s, h) for the full norm, C_1(s, h)² = sup (‖e'‖² + h²
 /// ‖e‖²)/|v|²_s on (0, 1), which increases with h. Extremal slopes are odd about the centre, behave like a constant
 /// plus r^a at the ends, 2s < a < 2s + 1, and are analytic in the interior: with K odd Legendre polynomials the

@@ -28,7 +28,8 @@ const NEAR_HALF: f64 = 0.01;
 /// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u:
 /// with its representer r, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
 /// functions of mean zero). For 0.49 ≤ ν < 1/2, and for ν > 1/2 if γ₀ cannot be computed in binary64, the same
-/// expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by its continuation.
+/// expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by A(ν) = (1 − 2ν) B(ν)²,
+/// continued analytically to ν > 1/2.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};

@@ -28,7 +28,7 @@ const FAR: f64 = 690.0;
 /// The best constant in |w|\_{s−1/2, edge} ≤ C |w|\_{s,Ω}, 1/2 < s ≤ 1, on a half-plane, a sector or a square.
 ///
 /// |w|²_{s,Ω} = ∫_Ω∫_Ω (w(x)−w(y))² / |x−y|^{2+2s} dx dy and, for s = 1, ‖∇w‖²; the edge has the same double
-/// integral with |x−y|^{-2s}. Both are invariant under scaling.
+/// integral with |x−y|^{-2s}. Both scale like l^{1−s}, so that C is invariant under scaling.
 ///
 /// # Method
 ///

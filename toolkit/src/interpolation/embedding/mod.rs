@@ -79,7 +79,7 @@ impl Embedding {
 
 /// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or in
 /// |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; it is rounded up. It is the upper bound of
-/// [`embedding_constant`], in closed form up to a maximum over k.
+/// [`embedding_constant`]: the maximum over the Fourier index of an expression in closed form.
 ///
 /// ```
 /// let bound = fractional_sobolev::embedding_bound(0.5, 100.0)?;
