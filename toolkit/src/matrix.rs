@@ -301,7 +301,7 @@ impl Gram {
     ///
     /// They are computed by a block iteration with preconditioned residuals (LOBPCG), the largest one from the best vectors
     /// of windows of 48 basis functions: 5 to 30 steps of a few products each, up to 200 on a uniform mesh, where the
-    /// largest eigenvalues form a cluster and tolerances below 1e-6 are refused. The error bounds the distance to the
+    /// largest eigenvalues are close together and tolerances below 1e-6 are not met. The error bounds the distance to the
     /// spectrum by the residual and the tolerance of the product. The ratio of the two eigenvalues is the condition
     /// number of A relative to M, on the functions of mean zero if constants have seminorm zero.
     ///

@@ -15,6 +15,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
 use crate::numeric::block_iteration::{Pencil, smallest};
 use crate::numeric::dense::symmetric_eigen;
+use crate::numeric::sum::pairwise_dot;
 use nalgebra::DMatrix;
 use std::ops::Range;
 
@@ -158,8 +159,7 @@ pub(crate) fn extreme_eigenvalues(
     let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
     for first in [0, WINDOW / 2] {
         for x in vectors_of_windows(&small, count, first)? {
-            let quotient = dot(0..count, &x, &small.apply(&x)?) / dot(0..count, &x, &small.mass(&x));
-            windows.push((quotient, x));
+            windows.push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
         }
     }
     windows.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -168,16 +168,14 @@ pub(crate) fn extreme_eigenvalues(
     Ok([low, high])
 }
 
-fn dot(window: Range<usize>, a: &[f64], b: &[f64]) -> f64 {
-    a[window.clone()].iter().zip(&b[window]).map(|(a, b)| a * b).sum()
-}
-
 /// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.
 fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<Vec<f64>>> {
     let ends = (0..).map(|k| first + k * WINDOW).take_while(|&end| end < count);
     let edges: Vec<usize> = [0].into_iter().chain(ends.filter(|&end| end > 0)).chain([count]).collect();
     let windows: Vec<Range<usize>> = edges.windows(2).map(|pair| pair[0]..pair[1]).collect();
     // Basis, its products with A and M; orthonormal with respect to M in each window.
+    let dot =
+        |window: &Range<usize>, a: &[f64], b: &[f64]| pairwise_dot(&a[window.clone()], &b[window.clone()]);
     let [mut basis, mut images, mut masses]: [Vec<Vec<f64>>; 3] = Default::default();
     let mut x: Vec<f64> = (0..count)
         .map(|i| if i % 2 == 0 { 1.0 } else { -1.0 } * (1.0 + 0.3 * (1.7 * i as f64).cos()))
@@ -186,18 +184,19 @@ fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<V
         // No element belongs to two windows.
         windows.iter().for_each(|window| x[window.end - 1] = 0.0);
         for window in &windows {
-            let before = dot(window.clone(), &x, &x);
+            let before = dot(window, &x, &x);
+            // Twice, since one pass leaves what rounding left of nearly dependent directions.
             for (v, m) in basis.iter().zip(&masses).chain(basis.iter().zip(&masses)) {
-                let share = dot(window.clone(), m, &x);
+                let share = dot(window, m, &x);
                 window.clone().for_each(|i| x[i] -= share * v[i]);
             }
-            if dot(window.clone(), &x, &x) <= NEW * NEW * before {
+            if dot(window, &x, &x) <= NEW * NEW * before {
                 window.clone().for_each(|i| x[i] = 0.0); // the space of this window is exhausted
             }
         }
         let mut m = small.mass(&x);
         for window in &windows {
-            let size = dot(window.clone(), &x, &m).sqrt();
+            let size = dot(window, &x, &m).sqrt();
             let factor = if size > 0.0 { size.recip() } else { 0.0 };
             window.clone().for_each(|i| (x[i], m[i]) = (factor * x[i], factor * m[i]));
         }
@@ -208,7 +207,7 @@ fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<V
         masses.push(m);
     }
     let ritz = |window: &Range<usize>| {
-        let form = DMatrix::from_fn(KRYLOV, KRYLOV, |i, j| dot(window.clone(), &basis[i], &images[j]));
+        let form = DMatrix::from_fn(KRYLOV, KRYLOV, |i, j| dot(window, &basis[i], &images[j]));
         symmetric_eigen(&(0.5 * (&form + form.transpose())))
     };
     let value = |window: &Range<usize>| ritz(window)?.0.last().copied();
@@ -220,8 +219,11 @@ fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<V
         }
         Some(x)
     };
-    let mut values: Vec<(f64, &Range<usize>)> =
-        windows.iter().filter_map(|window| Some((value(window)?, window))).collect();
+    let mut values: Vec<(f64, &Range<usize>)> = windows
+        .iter()
+        .filter_map(|window| Some((value(window)?, window)))
+        .filter(|(value, _)| *value > 0.0)
+        .collect();
     values.sort_by(|a, b| b.0.total_cmp(&a.0));
     Ok(values.into_iter().take(TAKEN).filter_map(|(_, window)| vector(window)).collect())
 }

@@ -34,7 +34,8 @@ use std::f64::consts::{LN_2, PI};
 /// Bisections at the corners.
 const DEPTH: u32 = 6;
 /// Cells along an edge up to an order; the share of near pairs grows with it.
-const CELLS: [(f64, i64); 3] = [(0.5, 8), (NEAR, 12), (1.0, 20)];
+const CELLS: [(f64, i64); 2] = [(0.5, 8), (NEAR, 12)];
+const FINEST: i64 = 20;
 /// Order above which the weights of near pairs are increased, with s', ρ in cells, and the share t of the cells.
 const NEAR: f64 = 0.75;
 const OTHER_ORDER: f64 = 0.55;
@@ -52,7 +53,7 @@ type Vertex = (i64, i64);
 /// # Errors
 /// [`Error::NotPositiveDefinite`] where rounding exceeds a form.
 pub(super) fn bounds(shape: &TriangleShape, s: f64) -> Result<[f64; 2]> {
-    bounds_on(shape, s, CELLS.into_iter().find(|(order, _)| s <= *order).map_or(20, |(_, n)| n))
+    bounds_on(shape, s, CELLS.into_iter().find(|(order, _)| s <= *order).map_or(FINEST, |(_, n)| n))
 }
 
 fn bounds_on(shape: &TriangleShape, s: f64, n: i64) -> Result<[f64; 2]> {
