@@ -24,8 +24,8 @@ pub struct ContactSet {
 impl ContactSet {
     /// The set with the given characteristic function.
     ///
-    /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Constraints are numbered from
-    /// left to right.
+    /// Entry i is true if constraint i holds with equality, (B w)_i = g_i. Constraints are numbered in
+    /// the order of the edge.
     pub fn new(active: &[bool]) -> Self {
         Self { active: active.to_vec() }
     }
@@ -118,7 +118,7 @@ impl ContactSet {
     /// Number of constraints that are active in exactly one of the two sets.
     ///
     /// The cardinality of the symmetric difference, a metric on sets of equal length; the shorter set is extended by
-    /// inactive constraints. The active set iteration ends when two successive sets have distance 0.
+    /// inactive constraints. The active set iteration ends at a set that its next step would not change.
     ///
     /// ```
     /// use signorini::cone::ContactSet;

@@ -7,7 +7,7 @@ use std::str::FromStr;
 /// The discrete noninterpenetration condition: the cone K^h (nodal) or K̄^h (midpoint) that approximates K.
 ///
 /// K^h ⊂ K for g affine on every segment, because u_N is piecewise affine there; K̄^h ⊃ K^h is not contained in K:
-/// u_N may exceed g on half of a segment.
+/// u_N may exceed g on at most half of a segment.
 ///
 /// ```
 /// use signorini::cone::{Cone, Ends};

@@ -10,7 +10,8 @@
 //! | complementarity | λ_i (B u − g)_i = 0 | max_i abs(product) / (λ scale · displacement) |
 //!
 //! force = max_i (abs(K) abs(u) + abs(F))_i is the size of the terms in the balance (a backward error in
-//! the sense of Oettli and Prager, normwise); displacement = max abs(u) and max abs(g). The λ scale is max
+//! the sense of Oettli and Prager, normwise), i over the unknowns that are not prescribed;
+//! displacement = max(abs(u), abs(g), abs(F_i)/K_ii), i over the same unknowns. The λ scale is max
 //! abs(λ), unless all multipliers are below the rounding errors of the balance, [`KKT_ROUNDING`] · force: then it is force.
 //! All residuals are invariant under scaling of load, stiffness and lengths. A residual 0/0 (no load) is 0.
 //! Cost: O(length).
@@ -43,10 +44,10 @@ pub struct KktTerms<'a> {
     pub multiplier: &'a [f64],
     /// The gaps B u − g, one per constraint; feasible if ≤ 0.
     pub gap: &'a [f64],
-    /// The force scale max_i (|K||u| + |F|)_i.
+    /// The force scale max_i (|K||u| + |F|)_i, i over the unknowns that are not prescribed.
     pub force: f64,
-    /// The displacement scale max(|u|, |g|), or the displacement due to the load alone if contact prevents all
-    /// displacement.
+    /// The displacement scale max(|u|, |g|, |F_i|/K_ii); the last term is positive under a load even if
+    /// contact prevents all displacement.
     pub displacement: f64,
 }
 

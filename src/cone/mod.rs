@@ -1,4 +1,4 @@
-//! (2.9) and (4.1): the two discrete cones on a contact edge, open or periodic, and the KKT residuals of
+//! (2.9) and (4.1): the two discrete cones on a contact edge, open or closed, and the KKT residuals of
 //! a solution in them.
 //!
 //! With w_i = (u_N)(x_i) at the nodes of the contact edge, in order, a cone is { w : B w ≤ g }:
@@ -9,8 +9,8 @@
 //! | midpoint K̄^h (4.1) | every mean, (B w)_i = (w_i + w_{i+1})/2 | λ_i = −∫ σ_N over segment i |
 //!
 //! The multipliers are generalised forces: K u + B'λ = F, λ ≥ 0. In the nodal cone u_N ≤ g on the whole edge
-//! (u_N is piecewise affine); in the midpoint cone u_N may exceed g inside a segment. The kernel of the
-//! midpoint B is the sawtooth (−1)^i.
+//! if g is affine on every segment (u_N is); in the midpoint cone u_N may exceed g inside a segment. The
+//! kernel of the midpoint B is the sawtooth (−1)^i.
 //!
 //! All other modules access the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
 //! contact set and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`],

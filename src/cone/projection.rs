@@ -11,7 +11,8 @@
 //! upper bound.
 //!
 //! A closed edge is cut at a segment that is inactive in the projection; if the projection of the chain
-//! satisfies the omitted constraint, it is the projection. If no segment is inactive, p is a sawtooth.
+//! satisfies the omitted constraint, it is the projection. If no segment is inactive, p_i + p_{i+1} = 2 g_i
+//! for all i.
 
 use super::derivative::Derivative;
 use super::edge_cone::{EdgeCone, Ends};

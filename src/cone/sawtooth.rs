@@ -4,8 +4,8 @@
 //! (−1)^i, the kernel of B, is free, and none if an end of the interval is fixed. B'λ = r on the interval
 //! is the same recursion, λ_i = 2 r_i − λ_{i−1}, started at both ends so that rounding propagates over half
 //! the interval only. Where λ is determined only up to a sawtooth (an interval between two fixed ends, a
-//! closed edge entirely in contact) the one with the greatest minimum is selected. In the nodal cone w = g and
-//! λ = r. Cost O(n).
+//! closed edge with an even number of nodes entirely in contact) the λ with the greatest minimum is selected.
+//! In the nodal cone w = g and λ = r. Cost O(n).
 
 use super::edge_cone::{EdgeCone, Ends};
 use super::face::{Block, Face};

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-/// The status with which an iteration terminated, independent of the KKT residuals of the solution.
+/// The status with which an iteration terminated. It is [`Status::Stalled`] also if the stopping rule was met
+/// but the largest KKT residual exceeds 1e-8 (for multigrid a limit derived from the error estimate).
 ///
 /// ```
 /// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};
@@ -17,7 +18,8 @@ use std::fmt;
 pub enum Status {
     /// The stopping rule of the solver was met.
     Converged,
-    /// No further progress was possible; `residual` is the largest KKT residual.
+    /// No further progress was possible, or the KKT residuals are too large; `residual` is the largest of
+    /// them.
     Stalled {
         /// The largest of the residuals of balance, sign, gap and complementarity.
         residual: f64,

@@ -2,7 +2,7 @@
 //!
 //! A step solves the problem with the constraints of the set as equations. An active constraint is violated if
 //! λ_i < 0 or if it cannot be satisfied, an inactive one if (B w − g)_i > 0. The next set is a semismooth Newton step
-//! for w = Proj(w − D⁻¹ ∇J(w)), D the diagonal of S:
+//! for w = Proj(w − D⁻¹ ∇J(w)), J(w) = ½ w'S w − b'w, D the diagonal of S:
 //!
 //! * nodal cone: all violated constraints are exchanged (M. Hintermüller, K. Ito, K. Kunisch, SIAM J.
 //!   Optim. 13 (2002));

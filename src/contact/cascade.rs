@@ -3,9 +3,8 @@
 //! With P the interpolation from every other node (and the last one), min ½ v'P'SP v − (P'b)'v over { B v ≤ g }, g at
 //! the coarse nodes or the mean over two segments, is an edge problem of half the size. Its set, found in turn from
 //! that of a coarser one, is refined: coarse nodes and the nodes between two active ones, or both halves of a
-//! segment. S is the exact operator of the edge, so that no coarse mesh is needed; P'SP is the operator for coarser
-//! traces on the fine body. Cost: O(n²) for the products, and an eighth of the cost of the iteration on the edge
-//! itself.
+//! segment. P'SP is the Schur complement of the fine body for coarser traces, so that no coarse mesh is
+//! needed. Cost: O(n²) for the products, and an eighth of the cost of the iteration on the edge itself.
 
 use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;

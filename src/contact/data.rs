@@ -11,7 +11,7 @@ use fractional_sobolev::gauss_legendre;
 const EDGE_POINTS: usize = 5;
 
 impl ContactProblem {
-    /// Adds the volume load ∫ f·v, by quadrature of f (singular points are declared in the rule).
+    /// Adds the volume load ∫ f·v, computed by the given rule, in which singular points of f are declared.
     ///
     /// ```
     /// use signorini::contact::ContactProblem;
@@ -154,7 +154,7 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt).
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a gap that is not finite at a node.
     pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
         let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
         require_values("gap", &values, self.gap.len())?;

@@ -2,8 +2,9 @@
 //! (1983)).
 //!
 //! Starting from the minimiser without contact, violated constraints are added one by one, and the iterate minimises
-//! J subject to the working set: with S = L L', c a row of B and C those of the working set, the columns of L⁻¹C' are
-//! orthogonalised, L⁻¹C' = Q R, and J = L⁻ᵀ (Q, Q⊥) is stored. With d = J'c = (d₁, d₂)
+//! the energy ½ w'S w − b'w subject to the working set: with S = L L', c a row of B and C those of the
+//! working set, the columns of L⁻¹C' are orthogonalised, L⁻¹C' = Q R, and J = L⁻ᵀ (Q, Q⊥) is stored. With
+//! d = J'c = (d₁, d₂)
 //!
 //! w ← w − t J₂ d₂, λ ← λ − t R⁻¹d₁, λ_c ← λ_c + t,
 //!
@@ -14,8 +15,9 @@
 //! (c'w − g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the square root of that of B S⁻¹B', n^{3/2} in the
 //! midpoint cone.
 //!
-//! No initial guess is needed: sawtooths of multipliers, which slow down an exchange method, are dropped one by one.
-//! Cost: O(n²) per constraint added or dropped, about as many as there are active constraints. Rounding errors are
+//! No initial guess is needed: constraints with oscillating multipliers, which slow down an exchange method,
+//! are dropped one by one. Cost: one factorization of S, and O(n²) per constraint added or dropped, whose
+//! number is about that of the active constraints. Rounding errors are
 //! corrected by [`super::solve_on_edge`], which starts with [`EdgeProblem::solve_with`] from the set found.
 
 use super::edge_problem::EdgeProblem;

@@ -2,7 +2,8 @@
 //!
 //! For a given contact set the active constraints are eliminated exactly: w = o + Z q, the coordinates of
 //! the face (module `cone`): the free nodes, and in the midpoint cone one amplitude of the sawtooth (−1)^i
-//! for every contact interval. Z'SZ is as well conditioned as S, while B S⁻¹ B' would lose a factor h^{-3}.
+//! for every contact interval. Z'SZ is as well conditioned as S, while the condition number of B S⁻¹ B' is of
+//! order h^{-3} in the midpoint cone, h the mesh size.
 //! The multipliers follow from r = b − S w = B'λ, interval by interval. Cost: one dense Cholesky
 //! factorization with the number of free amplitudes.
 

@@ -1,5 +1,5 @@
 //! The second method: the full sparse quadratic program min ½ u'K u − F'u, B u ≤ g, by the interior point
-//! method Clarabel.
+//! solver Clarabel.
 //!
 //! It shares only the assembled matrix with the condensed active set method.
 

@@ -15,10 +15,11 @@ use fractional_sobolev::Mesh;
 use rayon::prelude::*;
 use std::time::Instant;
 
-/// A discrete Signorini problem, assembled.
+/// A discrete Signorini problem; the stiffness matrix is assembled when it is first used.
 ///
-/// Find u_h in the cone with a(u_h, v − u_h) ≥ F(v − u_h) for all v in the cone, that is, the minimiser of J(v) = ½
-/// a(v, v) − F(v). All nodal vectors are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
+/// Find u_h in the cone, with the prescribed values on the Dirichlet part, such that
+/// a(u_h, v − u_h) ≥ F(v − u_h) for all such v: u_h is the minimiser of J(v) = ½ a(v, v) − F(v). All nodal
+/// vectors are node-major and Cartesian: (v_x, v_y) of node i at 2i, 2i + 1.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
@@ -67,9 +68,9 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// Invalid data: no contact edge, a contact edge of an elastic body that is not straight, a body without
-    /// Dirichlet boundary ([`Error::NotHeld`]), a load that is not finite or has the wrong length, an inadmissible
-    /// form.
+    /// Invalid data: no contact edge, a contact edge of an elastic body that is not straight, for a
+    /// form without reaction term no Dirichlet boundary, or a part of the body without one
+    /// ([`Error::NotHeld`]), a load that is not finite or has the wrong length, an inadmissible form.
     pub fn new(mesh: Triangulation, form: Form, volume: &[f64]) -> Result<Self> {
         let start = Instant::now();
         form.check()?;
@@ -138,7 +139,8 @@ impl ContactProblem {
 
     /// The contact edge.
     ///
-    /// Its nodes are ordered from left to right; this is the order of all vectors along the contact edge.
+    /// Its nodes are ordered with the domain on the left (on a floor from left to right); this is the order
+    /// of all vectors along the contact edge.
     ///
     /// ```
     /// let problem = signorini::problems::TestProblem::Block.problem(4)?;
@@ -213,7 +215,7 @@ impl ContactProblem {
 
     /// The normal displacement u_N (scalar: u) at the nodes of the contact edge, from Cartesian nodal values.
     ///
-    /// It is u·n with the outward normal n, one value per contact node from left to right.
+    /// It is u·n with the outward normal n, one value per contact node in the order of the edge.
     ///
     /// ```
     /// let problem = signorini::problems::TestProblem::Block.problem(2)?;
@@ -275,8 +277,8 @@ impl ContactProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels in the wrong order,
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels that do not exist
+    /// or are in the wrong order, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
     pub fn nested_energy_error(
         &self,

@@ -35,7 +35,8 @@ pub(super) const ACCEPTED: f64 = 1e-8;
 pub struct Seconds {
     /// Assembly of stiffness matrix and load.
     pub assembly: f64,
-    /// Elimination of all but the contact unknowns (methods on the condensed problem only).
+    /// Elimination of all but the contact unknowns; for multigrid, elimination and solution on the coarsest
+    /// mesh; 0 for [`Solver::InteriorPoint`].
     pub factorization: f64,
     /// The contact iteration.
     pub contact: f64,
@@ -80,7 +81,7 @@ pub struct ContactSolution {
     pub displacement: Vec<f64>,
     /// The normal displacement u_N (scalar: u) at the nodes of the contact edge, in order.
     ///
-    /// One value per contact node from left to right, n outward; u_N ≤ g in the nodal cone.
+    /// One value per contact node, n outward; u_N ≤ g in the nodal cone.
     pub normal_displacement: Vec<f64>,
     /// The multipliers λ, one per constraint.
     ///
@@ -106,9 +107,11 @@ pub struct ContactSolution {
     pub status: Status,
     /// The four scaled KKT residuals.
     pub kkt: KktResiduals,
-    /// The force scale of the KKT residuals: max_i (|K||u| + |F|)_i.
+    /// The force scale of the KKT residuals: max_i (|K||u| + |F|)_i, i over the unknowns that are not
+    /// prescribed.
     pub force_scale: f64,
-    /// The displacement scale of the KKT residuals.
+    /// The displacement scale of the KKT residuals: max(|u|, |g|, |F_i|/K_ii), i over the unknowns that are
+    /// not prescribed.
     pub displacement_scale: f64,
     /// The margins of strict complementarity; small values mean weak contact.
     pub margins: Margins,
@@ -132,7 +135,8 @@ pub struct ContactSolution {
     pub reaction: Point,
     /// The relative imbalance of all forces (global balance).
     pub balance: f64,
-    /// The contact sets visited by the active set method, in order; empty for the interior point methods.
+    /// The contact sets visited by the active set method, or by multigrid on the finest level, in order;
+    /// empty for the interior point methods.
     pub history: Vec<ContactSet>,
     /// Number of iterations and factorizations.
     pub work: Work,

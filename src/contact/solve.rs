@@ -39,12 +39,13 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`] if some part of the body has no Dirichlet boundary;
-    /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces, and for a
-    /// start from the other cone. [`ToolkitError::CountOutOfRange`] for a start from a coarser mesh or for
-    /// [`Settings::sizes`] if the edge has several pieces, and for sizes on a closed edge;
-    /// [`ToolkitError::LengthMismatch`] for a contact set or sizes of the wrong length, or a hierarchy
-    /// whose finest mesh is not that of the problem;
-    /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive; [`ToolkitError::OutOfRange`] unless
+    /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces or with
+    /// [`Settings::sizes`], and for a start from the other cone; [`Error::Solver`] for an error of Clarabel;
+    /// [`ToolkitError::CountOutOfRange`] for a start from a coarser mesh or for [`Settings::sizes`] if the
+    /// edge has several pieces, and for sizes on a closed edge; [`ToolkitError::LengthMismatch`] for a
+    /// contact set or sizes of the wrong length, or a hierarchy whose finest mesh is not that of the problem;
+    /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive, [`ToolkitError::NotFinite`] for
+    /// sizes that are not finite or an energy that overflows; [`ToolkitError::OutOfRange`] unless
     /// the share of the discretisation error is in (0, 1]; the error of the progress callback. The
     /// termination of the iteration is a status, not an error.
     pub fn solve<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {

@@ -1,5 +1,6 @@
 //! Units for loads so small or so large that their squares leave the range of binary64: an iteration that measures
-//! its error by (r, M r)^{1/2} would treat errors below 1e-162 as zero.
+//! its error by (r, M r)^{1/2}, r the residual and M the preconditioner, would treat errors below 1e-162 as
+//! zero.
 //!
 //! The problem is positively homogeneous in (F, u_D, g): it is scaled by a power of two for which the energy is
 //! moderate, which is exact up to underflow, and the solution is scaled back. With k the largest modulus of the form

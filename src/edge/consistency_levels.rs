@@ -5,7 +5,8 @@
 //!
 //! * nodal cone: ∫ σ_N (I^h u)_N dΓ = −Σ_j (P'λ)_j u_N(x_j), P' the restriction of forces to the coarse
 //!   nodes;
-//! * midpoint cone: ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = −Σ_T (1/h_e) ∫_T λ ∫_T u_N, because λ u_N = 0.
+//! * midpoint cone: ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) dΓ = −Σ_T (1/h_e) ∫_T λ ∫_T u_N, h_e the length of the
+//!   segment T, because λ u_N = 0.
 //!
 //! Both are sums of nonnegative terms. Cost: O(N) for all grids together.
 

@@ -38,9 +38,9 @@ pub struct EdgeNorms {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2,
-/// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for τ ≥ 2, where the norm of a discontinuous
-/// slope is infinite.
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ ≤ 3/2 and
+/// τ ≥ 5/2, [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for 2 ≤ τ < 5/2, where the norm
+/// of a discontinuous slope is infinite.
 pub fn edge_norms(edge_data: &EdgeData, tau: f64) -> Result<EdgeNorms> {
     let order = Order::half_plus(tau - 2.0)?;
     let (values, cells) = (edge_data.values(), edge_data.cells());

@@ -65,7 +65,8 @@ pub struct ContactPair {
 impl ContactPair {
     /// The pair (u_N, σ_N) of a test problem of the strip; a periodic edge is cut at 0.
     ///
-    /// ∫ σ_N = −Σ λ_i is preserved. The example verifies the consistency bound with the constant 1/2 on every segment,
+    /// ∫ σ_N = −Σ λ_i for [`Traces::Constants`], ∫ σ_N ≥ −Σ λ_i for [`Traces::Linears`]. The example verifies
+    /// the consistency bound with the constant 1/2 on every segment,
     /// ∫_T σ_N (I^h u)_N ≤ ½ h_e^{2τ−2} |σ_N|_ν |u_N'|_ν.
     ///
     /// ```
@@ -80,7 +81,8 @@ impl ContactPair {
     /// ```
     ///
     /// # Errors
-    /// [`Error::NotComplementary`] if no cell adjacent to a node with a force is in contact.
+    /// [`Error::NotComplementary`] for [`Traces::Constants`] if no cell adjacent to a node with a force is in
+    /// contact.
     pub fn of_data(edge_data: &EdgeData, traces: Traces) -> Result<Self> {
         let (mut values, mut forces) = (edge_data.values().to_vec(), edge_data.forces().to_vec());
         if edge_data.sides() == LateralCondition::Periodic {
@@ -145,7 +147,8 @@ impl ContactPair {
         Self { traces: Traces::Linears, values, slopes, pressures }
     }
 
-    /// The pair u_N = −(x − a)₊^{τ−1}, σ_N = −(a − x)₊^{τ−2}: one transition, at x = a, of regularity 2 ≤ τ < 5/2.
+    /// The pair of kind [`Traces::Linears`] of the data u_N = −(x − a)₊^{τ−1}, σ_N = −(a − x)₊^{τ−2}: one
+    /// transition, at x = a, of regularity 2 ≤ τ < 5/2.
     ///
     /// The leading terms of a solution of regularity τ near a transition: contact for x < a, no contact for x > a, so
     /// the segments left of a have u_N' = 0 and those right of a have σ_N = 0.

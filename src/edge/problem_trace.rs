@@ -63,7 +63,7 @@ impl EdgeTrace {
     /// of a strip test problem.
     ///
     /// # Errors
-    /// Those of the test problems.
+    /// Those of the test problems; [`ToolkitError::Incompatible`] for a closed contact edge.
     pub fn reference(source: &NamedProblem, n: usize, tau: f64) -> Result<Self> {
         match source {
             NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, MESH_FACTOR * n, Cone::Nodal),
@@ -74,7 +74,7 @@ impl EdgeTrace {
     /// The trace of the discrete solution on n segments.
     ///
     /// # Errors
-    /// Those of the test problems and solvers.
+    /// Those of the test problems and solvers; [`ToolkitError::Incompatible`] for a closed contact edge.
     pub fn discrete(source: &NamedProblem, n: usize, tau: f64, cone: Cone) -> Result<Self> {
         match source {
             NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, n, cone),

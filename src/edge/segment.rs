@@ -51,13 +51,13 @@ pub struct SegmentNorms {
     pub interpolation_error: f64,
     /// ‖u_N − π^h u_N‖₀ and ‖u_N − π^h u_N‖_{L^∞}.
     pub projection_error: [f64; 2],
-    /// ‖u_N‖_{L^∞}.
+    /// max |u_N| over the nodes of the grid; ‖u_N‖_{L^∞} for [`Traces::Constants`](super::Traces::Constants).
     pub depth: f64,
     /// u_N at both end points.
     pub vertices: [f64; 2],
     /// Distance from each end point to the nearest zero of u_N in the segment; `None` if there is no zero.
     pub zero_distance: Option<[f64; 2]>,
-    /// |∫ u_N'| from each end point to the nearest zero of u_N.
+    /// |∫ u_N'| from each end point to the nearest zero of u_N; 0 if there is no zero.
     pub increments: [f64; 2],
     /// Length of the longer of the two subintervals adjacent to the end points on which σ_N = 0.
     pub free_length: f64,
@@ -108,7 +108,7 @@ impl TraceNorms {
         self.l2 * self.l2 + self.seminorm_squared.value
     }
 
-    /// Relative error of |v|_ν.
+    /// The estimated relative error of |v|_ν; 0 if |v|_ν = 0.
     pub fn seminorm_error(&self) -> f64 {
         let squared = self.seminorm_squared;
         if squared.value > 0.0 { 0.5 * squared.error / squared.value } else { 0.0 }
@@ -168,8 +168,8 @@ impl SegmentNorms {
 
 impl ContactPair {
     /// The norms on each of n equal contact segments, in order; n = 1 is the whole edge. The seminorms have order ν,
-    /// the L^q norms the given exponent q ≥ 1; the errors of the squared seminorms are estimates of rounding. Cost:
-    /// O(N log(N/n)) for N cells.
+    /// the L^q norms the given exponent q (1 ≤ q < ∞, not checked); the errors of the squared seminorms are
+    /// estimates of rounding. Cost: O(N log(N/n)) for N cells.
     ///
     /// ```
     /// use signorini::edge::ContactPair;
@@ -196,7 +196,8 @@ impl ContactPair {
     /// # Errors
     /// As for [`ContactPair::norms`]; [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange)
     /// for an empty list,
-    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a pair on another grid.
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a pair on another grid or of
+    /// another kind.
     pub fn norms_of(
         pairs: &[Self],
         segments: usize,

@@ -1,4 +1,4 @@
-//! |v|²_ν of a trace on a contact segment, by the Gram matrix of a uniform mesh as a fast product; one
+//! |v|²_ν of a trace on a contact segment, by fast products with the Gram matrix of a uniform mesh; one
 //! [`SeminormForm`] serves all segments of a mesh, because |v|²_{ν,T} = h_e^{1−2ν} |ṽ|²_ν on the reference
 //! interval. Cost O(K log K) for K cells. The tests below compare it with adaptive quadrature.
 

@@ -48,7 +48,8 @@ pub struct EdgeTrace {
 }
 
 impl EdgeTrace {
-    /// The trace with the given increasing nodes, values u_N and forces λ ≥ 0 at the nodes.
+    /// The trace with the given increasing nodes, values u_N ≤ 0 and forces λ at the nodes; the signs of the
+    /// forces are not checked.
     ///
     /// A node is in contact if u_N = 0 to within `rounding` (absolute, in units of u_N). It belongs to the support of
     /// σ_N if λ exceeds `rounding` times the ratio of the largest force to the largest displacement.

@@ -4,11 +4,12 @@
 //!
 //! K = [[K_ii, K_ik], [K_ki, K_kk]],   S = K_kk − K_ki K_ii⁻¹ K_ik,   b = F_k − K_ki K_ii⁻¹ F_i.
 //!
-//! The kept unknowns are ordered last, so S is the update matrix that reaches the root: for the normal displacements
-//! of the contact edge it is the discrete Steklov-Poincaré operator. The contact iteration requires only S and b; the
-//! factorization is computed once. Every node of the tree is a dense front (faer: Cholesky, triangular solve,
-//! symmetric product); independent subtrees are processed in parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)).
-//! Cost for N nodes of a quasi-uniform mesh: O(N^{3/2}) operations, O(N log N) memory.
+//! The kept unknowns are ordered last, so S is K_kk plus the update matrix that reaches the root: for the
+//! normal displacements of the contact edge it is the discrete Steklov-Poincaré operator. The contact
+//! iteration requires only S and b; the factorization is computed once. Every node of the tree is a dense
+//! front (faer: Cholesky, triangular solve, symmetric product); independent subtrees are processed in
+//! parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)). Cost for N nodes of a quasi-uniform mesh:
+//! O(N^{3/2}) operations, O(N log N) memory.
 
 use super::dissection::{Tree, dissect};
 use super::front::{Front, Update};

@@ -20,7 +20,8 @@ const MARGIN: f64 = 1e-12;
 
 /// A cubature rule for triangles.
 ///
-/// All weights are positive; on a triangle of area A they sum to A, in every cell of the graded rule as well.
+/// All weights are positive; on a triangle of area A, and on every cell of area A of the graded rule, they
+/// sum to A.
 #[derive(Debug, Clone)]
 pub struct Cubature {
     /// (s, t, weight), weights summing to 1/2 for the unit square with Jacobian s.
@@ -41,7 +42,7 @@ impl Cubature {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n = 0.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n = 0 and for n > 65536.
     pub fn new(n: usize) -> Result<Self> {
         let (radial, across) = (gauss_jacobi(n, 0.0, 1.0)?, gauss_legendre(n)?);
         let points = radial

@@ -1,5 +1,5 @@
-//! Nested dissection by coordinates: the point set is bisected along its longer side, and the separating layer is
-//! eliminated last.
+//! Nested dissection by coordinates: the point set is bisected at the median of the coordinate with the
+//! larger extent, and the separating layer is eliminated last.
 //!
 //! The recursion ends at small leaves. On quasi-uniform meshes the separators of a domain with N nodes have
 //! O(√N) nodes, the factor O(N log N) entries and the factorization O(N^{3/2}) operations (A. George, SIAM J.

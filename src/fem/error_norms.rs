@@ -42,7 +42,8 @@ pub struct ErrorNorms {
 ///
 /// # Errors
 /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of components or values,
-/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if u or ∇u is not finite at a point of the rule.
+/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if u,
+/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if ∇u is not finite at a point of the rule.
 pub fn error_norms(
     mesh: &Triangulation,
     form: &Form,

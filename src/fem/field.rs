@@ -3,7 +3,7 @@
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
 
-/// A function on the plane with as many components as the bilinear form has.
+/// A function on the plane with one component (scalar forms) or two (elasticity).
 ///
 /// ```
 /// use signorini::fem::Field;

@@ -1,6 +1,6 @@
 //! The bilinear forms of Section 2 on P1 triangles: elasticity in the plane and the scalar form of Remark 1.
 //!
-//! | form | a(u, v) | coercive for |
+//! | form | a(u, v) | coercive, on functions that vanish on a Dirichlet part, for |
 //! | --- | --- | --- |
 //! | scalar | ∫ ∇u·∇v + c u v | c ≥ 0 |
 //! | elastic | ∫ λ div u div v + 2 μ ε(u) : ε(v) | μ > 0, λ + μ > 0 |

@@ -4,7 +4,8 @@ use crate::mesh::Point;
 
 /// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
 ///
-/// The transformation is a rotation, so lengths are preserved. On a floor, n = (0, −1), u_N = −u_y and u_T = u_x.
+/// The transformation is orthogonal (a reflection), so lengths are preserved. On a floor, n = (0, −1),
+/// u_N = −u_y and u_T = u_x.
 ///
 /// ```
 /// use signorini::fem::Frame;

@@ -77,7 +77,7 @@ pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -
 /// the point and the outward unit normal.
 ///
 /// # Errors
-/// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if F is not finite at a point of the rule.
+/// The first error returned by F; its values are not checked.
 pub fn surface_load(
     mesh: &Triangulation,
     part: Part,

@@ -1,4 +1,4 @@
-//! Checks of a triangulation from input.
+//! Checks of a triangulation given as input.
 
 use super::geometry::{BoundaryEdge, Point, distance, doubled_area};
 use crate::error::{Error, Result, ToolkitError};

@@ -65,8 +65,8 @@ impl ContactEdge {
         }
     }
 
-    /// The contact edge of a triangulation, in one or more pieces that share no node, in the order of their
-    /// first appearance among the boundary edges. A closed curve must be the only piece.
+    /// The contact edge of a triangulation, in one or more pieces that share no node, in the order in which
+    /// their first segments appear among the boundary edges. A closed curve must be the only piece.
     ///
     /// ```
     /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};

@@ -1,7 +1,7 @@
 //! The edges of a triangulation, numbered.
 //!
-//! Edges (a, b), a < b, lie in buckets by a; buckets are short, so a search in one costs a few comparisons.
-//! Cost: O(triangles).
+//! Edges (a, b), a < b, are stored in buckets by a; buckets are short, so a search in one costs a few
+//! comparisons. Cost: O(triangles).
 
 use crate::error::{Error, Result, ToolkitError};
 

@@ -1,8 +1,8 @@
-//! Triangulations that are grids by their numbering: detection and coarsening by a factor of two.
+//! Triangulations with the numbering of a structured grid: detection and coarsening by a factor of two.
 //!
 //! Node (i, j) has the number j (nx + 1) + i, and every quadrilateral is cut from bottom left to top right, as in
 //! [`super::rectangles`] and its images. If the differences of neighbouring nodes are the same two vectors
-//! everywhere, to the last bit, every interior node has the same triangles. Cost: O(nodes).
+//! everywhere, to the last bit, every interior node has congruent surrounding triangles. Cost: O(nodes).
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::structured::{SideParts, rectangles};

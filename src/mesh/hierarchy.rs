@@ -1,4 +1,4 @@
-//! Nested refinement with all levels stored: uniform (red), or local toward a point or an edge.
+//! Nested refinement with all levels stored: uniform (red), or local by longest-edge bisection.
 //!
 //! In uniform refinement every triangle is cut into four similar ones by its edge midpoints, so the P1 spaces are
 //! nested and a function of level k is a function of level k + 1: its value at a new node is the mean over the ends
@@ -98,7 +98,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// As for [`Hierarchy::refined`].
+    /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) for an inconsistent triangulation; memory is not
+    /// checked.
     pub fn refine_where(&mut self, marked: impl Fn(&Triangulation, usize) -> bool) -> Result<()> {
         let coarse = self.finest();
         let chosen: Vec<bool> = (0..coarse.triangles().len()).map(|t| marked(coarse, t)).collect();
@@ -108,8 +109,9 @@ impl Hierarchy {
         Ok(())
     }
 
-    /// Adds `times` levels graded toward a node: on each level the triangles at that point are cut. Mesh sizes are
-    /// proportional to the distance from the point, down to 2^−k times the initial size, k = `times`.
+    /// Adds `times` levels graded toward a node: on each level the triangles at that point are cut into four.
+    /// Mesh sizes are proportional to the distance from the point, down to 2^−k times the initial size,
+    /// k = `times`.
     ///
     /// ```
     /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -154,8 +156,8 @@ impl Hierarchy {
     /// ```
     ///
     /// # Errors
-    /// As for [`Hierarchy::refined`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the radius
-    /// is positive and finite.
+    /// As for [`Hierarchy::refine_where`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
+    /// unless the radius is positive and finite.
     pub fn refine_around(&mut self, point: Point, radius: f64, times: usize) -> Result<()> {
         Error::require("radius", radius, "(0, inf)", radius > 0.0 && radius.is_finite())?;
         let mut radius = radius;

@@ -104,7 +104,8 @@ pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
 ///
 /// # Errors
 /// As for [`rectangles`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle
-/// whose image is inverted or degenerate.
+/// whose image is inverted or degenerate, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a
+/// node whose image is not finite.
 pub fn mapped_grid(
     nx: usize,
     ny: usize,

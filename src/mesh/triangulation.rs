@@ -34,9 +34,9 @@ impl Triangulation {
     /// ```
     ///
     /// # Errors
-    /// The first invalid node, triangle or edge: coordinates that are not finite, node numbers out of range, inverted
-    /// or degenerate triangles, edges shared by more than two triangles, labels on interior edges, boundary edges
-    /// without a label or with two, nodes in no triangle.
+    /// An empty list of triangles, or the first invalid node, triangle or edge: coordinates that are not
+    /// finite, node numbers out of range, inverted or degenerate triangles, edges shared by more than two
+    /// triangles, labels on interior edges, boundary edges without a label or with two, nodes in no triangle.
     pub fn new(nodes: &[Point], triangles: &[[usize; 3]], boundary: &[BoundaryEdge]) -> Result<Self> {
         let mut mesh = Self::trusted(nodes.to_vec(), triangles.to_vec(), boundary.to_vec());
         check::nodes_and_triangles(&mesh.nodes, &mesh.triangles)?;
@@ -117,7 +117,7 @@ impl Triangulation {
         &self.nodes
     }
 
-    /// The triangles, counterclockwise.
+    /// The triangles, each by its three node numbers, counterclockwise.
     pub fn triangles(&self) -> &[[usize; 3]] {
         &self.triangles
     }
@@ -134,7 +134,7 @@ impl Triangulation {
         self.regions.get(triangle).map_or(0, |&region| region as usize)
     }
 
-    /// The region numbers; empty if there is only region 0.
+    /// The region numbers as set, one per triangle; empty if none were set, so that every region is 0.
     pub fn regions(&self) -> &[u32] {
         &self.regions
     }
@@ -162,7 +162,7 @@ impl Triangulation {
 
     /// The mesh size h: the length of the longest edge.
     ///
-    /// The largest diameter of a triangle, h in the estimates; uniform refinement halves it exactly. Cost:
+    /// The largest diameter of a triangle, h in the estimates; uniform refinement halves it. Cost:
     /// O(triangles).
     pub fn mesh_size(&self) -> f64 {
         (0..self.triangles.len())
@@ -202,7 +202,8 @@ impl Triangulation {
     ///
     /// # Errors
     /// [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle whose image is
-    /// inverted or degenerate.
+    /// inverted or degenerate; [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a node whose
+    /// image is not finite.
     pub fn mapped(mut self, map: impl Fn(Point) -> Point) -> Result<Self> {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;

@@ -1,4 +1,4 @@
-//! Checks of input: length and finiteness.
+//! Checks of input: length, finiteness, range of entries.
 
 use crate::error::{Error, Result, ToolkitError};
 

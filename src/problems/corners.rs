@@ -21,8 +21,8 @@ const STRAIGHT: f64 = 1e-9;
 
 /// A corner of the body, or a change of conditions on a straight side, with the regularity of the solution there.
 ///
-/// Near the corner u = Σ_j c_j r^{λ_j} φ_j(θ) + a smooth function; r^λ φ, unless it is a polynomial, lies in H^τ if
-/// and only if τ < 1 + Re λ.
+/// Near the corner u = Re Σ_j c_j r^{λ_j} φ_j(θ) + a smoother function; r^λ φ, unless it is a polynomial,
+/// lies in H^τ if and only if τ < 1 + Re λ.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
@@ -69,7 +69,7 @@ pub struct SolutionRegularity {
 }
 
 impl SolutionRegularity {
-    /// The corner that determines τ, if an exponent limits it.
+    /// The corner that determines τ; `None` if no exponent limits it.
     pub fn responsible(&self) -> Option<&CornerSingularity> {
         self.corners.first().filter(|corner| corner.regularity.exponent.is_some())
     }
@@ -79,7 +79,9 @@ impl SolutionRegularity {
 /// wedge.
 ///
 /// A boundary node is the vertex of a wedge if the boundary bends there or the condition (clamped, free, closed,
-/// open) changes; a segment is closed if its constraint is active (midpoint) or both its nodes are active (nodal).
+/// open) changes; a segment is closed if its constraint is active (midpoint), or if one of its nodes is
+/// active and the other one active or clamped (nodal). A single active node between open segments counts as
+/// two transitions.
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::{TestProblem, solution_regularity}};
@@ -91,9 +93,10 @@ impl SolutionRegularity {
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials or several pieces of the
-/// boundary meet; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1,
-/// 1/2); [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact edge in several
+/// [`ToolkitError::Node`](crate::ToolkitError::Node) for a corner where two materials or several pieces of
+/// the boundary meet, or at which the boundary ends;
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a Poisson's ratio outside (−1, 1/2);
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a contact edge in several
 /// pieces; and the errors of [`Wedge::regularity`].
 pub fn solution_regularity(
     problem: &ContactProblem,

@@ -56,8 +56,8 @@ impl DirichletEnd {
     /// ```
     ///
     /// # Errors
-    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an inadmissible
-    /// Poisson's ratio or a direction that is not finite.
+    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless
+    /// Poisson's ratio lies in (−1, 1/2) and the direction is finite.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Self { outline, angles, step, smallest, poisson, direction } = *self;
         Error::require("direction of the load", direction, "(-inf, inf)", direction.is_finite())?;

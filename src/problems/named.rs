@@ -7,7 +7,7 @@ use std::fmt;
 use std::str::FromStr;
 use std::sync::LazyLock;
 
-/// A test problem for the mesh solver or on the strip.
+/// A test problem on a mesh or on the strip.
 ///
 /// The displayed text can be parsed and gives the same problem.
 ///

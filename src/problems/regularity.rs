@@ -46,7 +46,8 @@ impl TestProblem {
     /// ```
     ///
     /// # Errors
-    /// As for [`TestProblem::problem_with`] and [`super::solution_regularity`].
+    /// As for [`TestProblem::problem_with`], [`ContactProblem::solve`](crate::contact::ContactProblem::solve)
+    /// and [`super::solution_regularity`].
     pub fn regularity(self, setting: &Parameters) -> Result<SolutionRegularity> {
         let problem = self.problem_with(SQUARES, setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;

@@ -139,8 +139,8 @@ impl Data {
 impl StripData {
     /// The test problem with one transition at a generic point.
     ///
-    /// The position x = 0.381966 is close to 1 − 1/φ = (3 − √5)/2, so that its location relative to the
-    /// cells varies from one dyadic mesh to the next.
+    /// The position x = 0.381966 is close to (3 − √5)/2, so that its place within its cell varies from one
+    /// dyadic mesh to the next.
     ///
     /// ```
     /// let value = signorini::problems::StripData::transition().to_string();
@@ -162,10 +162,13 @@ impl StripData {
         matches!(self, StripData::Transition { .. })
     }
 
-    /// The pair (u_N, λ) with u of regularity `tau` ∈ (3/2, 5/2] on an edge of `cells` cells; samples have their own
-    /// number of cells and no regularity. Regularity above 2 requires transitions inside the edge: with natural
-    /// lateral conditions the non-contact interval of a single transition reaches the lateral boundary with a nonzero
-    /// slope, so that u is not in H² for any τ.
+    /// The pair (u_N, λ) with u of regularity τ = `tau` on an edge of `cells` cells; samples have their own
+    /// number of cells and no regularity.
+    ///
+    /// 3/2 < τ ≤ 5/2 for equal gaps and for one transition with periodic sides, τ ≤ 2 for one transition with
+    /// natural sides and for a Cantor set of given ratio, τ < 2 for a fat Cantor set. With natural sides the
+    /// non-contact interval of a single transition reaches the lateral boundary, where the slope of u_N is
+    /// not zero: u ∉ H².
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};
@@ -176,10 +179,11 @@ impl StripData {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their ranges (a
-    /// fat Cantor set requires τ < 2), [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for
-    /// inadmissible counts and if no non-contact interval has a free node on this grid, [`Error::EmptyContact`] if no
-    /// node is in contact; the errors of [`EdgeData::from_samples`]; [`Error::File`] for a file that cannot be read.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ, position or ratio outside their
+    /// ranges, [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for inadmissible
+    /// counts and if no non-contact interval has a free node on this grid, [`Error::EmptyContact`] if no node
+    /// is in contact; [`Error::File`] for a file that cannot be read, or with the message of an error of
+    /// [`EdgeData::from_samples`].
     pub fn data(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let form = self.form();
         match form.data {
@@ -195,8 +199,12 @@ impl StripData {
         }
     }
 
-    /// The pair at τ = 2 with u_N and λ multiplied by ℓ^{−α}, ℓ(r) = 2 + ln(1/r), r the distance to the ends of their
-    /// interval: for α > 1/2 they have the regularity of u ∈ H², for α = 0 only that of u ∈ H^τ, τ < 2.
+    /// The pair at τ = 2 with u_N multiplied by ℓ(δ)^{−α} and λ by ℓ(dist)^{−α}, α = `logarithm`, ℓ(r) = 2 +
+    /// ln(1/r).
+    ///
+    /// δ = (x − a)(b − x)/(b − a) on a non-contact interval (a, b), x − a if it reaches a natural side; dist
+    /// is the distance to the nearest one, evaluated at the midpoints of the cells. At a transition the pair
+    /// has the regularity of u ∈ H² for α > 1/2, for α = 0 only that of u ∈ H^τ, τ < 2.
     ///
     /// ```
     /// use signorini::{problems::StripData, strip::LateralCondition};

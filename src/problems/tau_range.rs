@@ -1,4 +1,4 @@
-//! The admissible regularities τ of a test problem of the strip.
+//! The admissible regularities τ of a test problem on the strip.
 
 use crate::error::{Error, Result};
 

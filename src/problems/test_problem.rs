@@ -1,10 +1,12 @@
 //! Test problems on meshes: domains, data, and known solutions.
 //!
-//! The body hangs from its top, u = 0, with free sides; in `corner`, `leaning` and `raised` it is fixed at its left
-//! side, which meets the bottom at the angle ω. The domain is the unit square except for these, `taper` and
-//! `bracket`; n = (0, −1) on the bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones.
-//! Volume loads f are replaced by their P1 interpolants. The regularity of the solutions follows from the corners and
-//! the contact set: module `regularity`.
+//! The body hangs from its top, u = 0, with free sides, except that it is fixed at its left side, which meets
+//! the bottom at the angle ω, in `corner`, `leaning` and `raised`, and at the end of an arm in `bracket`;
+//! `manufactured` has the data of its solution, `membrane-reaction` contact on the whole boundary. The domain
+//! is the unit square except for `corner`, `leaning`, `raised`, `taper` and `bracket`; n = (0, −1) on the
+//! bottom, so u_N = −u_y ≤ 0 for elastic test problems and u ≤ 0 for scalar ones. Volume loads f are replaced
+//! by their P1 interpolants. The regularity of the solutions follows from the corners and the contact set:
+//! module `regularity`.
 
 use super::known::{KnownSolution, three_halves_problem};
 use super::registry::registry;
@@ -182,9 +184,9 @@ pub struct Parameters {
     /// Opening ω in degrees: at the left end of the contact edge for `corner`, `leaning` and `raised`, in [20, 160];
     /// at both ends for `taper`, in [70, 160].
     pub angle: f64,
-    /// Poisson's ratio of `incompressible`, in (0, 1/2).
+    /// Poisson's ratio of `incompressible`, in (−1, 1/2).
     pub poisson: f64,
-    /// Factor by which all data are multiplied.
+    /// Factor by which all data are multiplied; finite.
     pub load_scale: f64,
 }
 
@@ -235,10 +237,11 @@ impl TestProblem {
         (self.form().form)(setting)
     }
 
-    /// The bilinear form with default parameters: λ = μ = 1, or the Laplacian.
+    /// Elasticity with λ = μ = 1, or the Laplacian: the form of all test problems except `incompressible` and
+    /// `membrane-reaction`, for which it has the same number of components.
     ///
     /// # Errors
-    /// None for these constants.
+    /// None: these constants are admissible.
     pub fn usual_form(self) -> Result<Form> {
         ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Parameters::default())
     }
@@ -260,7 +263,8 @@ impl TestProblem {
 
     /// The structured mesh of the test problem with n × n squares, with default parameters.
     ///
-    /// (n + 1)² nodes and 2n² triangles on a square, h = 1/n; squares are cut from bottom left to top right.
+    /// (n + 1)² nodes and 2n² triangles on a square, with legs 1/n; squares are cut from bottom left to top
+    /// right. `bracket` consists of three such squares.
     ///
     /// ```
     /// let mesh = signorini::problems::TestProblem::Block.mesh(4)?;
@@ -269,7 +273,7 @@ impl TestProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384.
+    /// As for [`TestProblem::mesh_with`], with the default angle.
     pub fn mesh(self, n: usize) -> Result<Triangulation> {
         self.mesh_with(n, &Parameters::default())
     }
@@ -330,8 +334,10 @@ impl TestProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384,
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160].
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 1 ≤ n ≤ 16384 (4096
+    /// for `bracket`), [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough
+    /// memory; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160]
+    /// (`corner`, `leaning`, `raised`) or [70, 160] (`taper`).
     pub fn mesh_with(self, n: usize, setting: &Parameters) -> Result<Triangulation> {
         (self.form().mesh)(n, setting)
     }

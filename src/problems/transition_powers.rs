@@ -12,7 +12,8 @@
 use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
-/// The exponents p, q and α at one transition.
+/// The exponents p, q and α at one transition: to leading order u_N = −r^p ℓ(r)^{−α} on one side of it and
+/// σ_N = −r^q ℓ(r)^{−α} on the other, r the distance to it, ℓ(r) = 2 + ln(1/r).
 ///
 /// ```
 /// use signorini::problems::TransitionPowers;
@@ -28,12 +29,13 @@ pub struct TransitionPowers {
     pub opening: f64,
     /// The exponent q > −1 of σ_N.
     pub pressure: f64,
-    /// The exponent α ≥ 0 of the logarithm.
+    /// The exponent α ≥ 0 of the factor ℓ^{−α}.
     pub logarithm: f64,
 }
 
 impl TransitionPowers {
-    /// The powers p = τ − 1, q = τ − 2 without logarithm: regularity τ ∈ (1, 5/2].
+    /// The powers p = τ − 1, q = τ − 2 without logarithm (α = 0): regularity τ for 1 < τ ≤ 5/2, which is not
+    /// checked.
     ///
     /// ```
     /// use signorini::problems::TransitionPowers;
@@ -49,8 +51,10 @@ impl TransitionPowers {
     /// The data of the test problem on an edge of `cells` cells with natural lateral conditions and a
     /// transition at a = `position` ∈ (0, 1).
     ///
-    /// u_N is evaluated at the nodes; the forces are exact integrals of the density over the cells (α = 0), half of
-    /// each assigned to each end of the cell, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1). Cost: O(cells).
+    /// u_N is evaluated at the nodes. The forces are integrals of the density over the cells, half of each
+    /// assigned to each end of the cell, the one next to a to the last contact node. They are exact for α =
+    /// 0, so that Σ_i λ_i = ∫ λ = a^{q+1}/(q + 1); for α > 0 the logarithm is evaluated at the midpoints.
+    /// Cost: O(cells).
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for powers or a position outside their ranges;

@@ -17,7 +17,8 @@ const LAW: i32 = 16;
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
 
 /// The constants C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones, that is,
-/// subintervals of length θ at an end of the unit interval.
+/// subintervals of length θ at an end of the unit interval; each is an upper bound, the computed value plus
+/// its error estimate.
 ///
 /// ```
 /// use signorini::proof::ProofConstants;
@@ -33,7 +34,8 @@ pub struct ProofConstants {
     tau: f64,
     order: Order,
     q: f64,
-    /// An upper bound of the constant C(q) of the embedding H^ν(0,1) ⊂ L^q(0,1), with the full norm.
+    /// An upper bound of the constant C(q) of the embedding H^s(0,1) ⊂ L^q(0,1), s = min(ν, 1/2), with the
+    /// full norm.
     pub embedding: f64,
     /// The constant C_L2(ν) of Lemma 6.1.
     pub interpolation: f64,
@@ -50,11 +52,11 @@ pub struct ProofConstants {
 }
 
 impl ProofConstants {
-    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas`, to which 2^{−1}, ..., 2^{−16} are added;
-    /// q ≥ 2 is used only at τ = 2 (q = 2 in the paper), for τ < 2 q = 1/(2 − τ).
+    /// The constants for 3/2 < τ < 5/2 and zones of the lengths `thetas` in (0, 1], to which 1, 2^{−1}, ...,
+    /// 2^{−16} are added; q ≥ 2 is used for τ ≥ 2 (q = 2 in the paper), for τ < 2 q = 1/(2 − τ).
     ///
-    /// The constants C of the laws are the largest ratios over all these zones. Cost: one eigenvalue problem per
-    /// zone.
+    /// The constants C of the laws are the largest ratios over all these zones, at τ = 2 over those with θ ≤
+    /// 1/2. For τ > 2 no zones are used. Cost: one eigenvalue problem per zone.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for arguments outside these ranges;
@@ -148,8 +150,8 @@ impl ProofConstants {
         self.gamma(theta)
     }
 
-    /// The laws of γ_θ with their constants: C θ^{τ−2} for τ < 2; C ln(1/θ) as printed and C √ln(1/θ) as corrected at
-    /// τ = 2; C for τ > 2.
+    /// The laws of γ_θ with their constants: C θ^{τ−2} for τ < 2; C ln(1/θ) as printed and C √ln(1/θ) as
+    /// corrected, for θ ≤ 1/2, at τ = 2; C for τ > 2.
     pub fn law(&self, theta: f64) -> TwoLaws {
         let TwoLaws { printed, corrected } = self.factors;
         match self.tau {

@@ -2,7 +2,7 @@
 //!
 //! Γ_C is straight, n its outward normal, its segments have length h; on each segment the rectangle Q of height H h
 //! lies in Ω, and S_h is the union of these rectangles. No friction, no initial gap, one material, u_h = I^h u on
-//! Γ_D. |u|₂² = Σ |∂_i ∂_j u_k|². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
+//! Γ_D. |u|₂² = Σ ‖∂_i ∂_j u_k‖². Constants of the form: M = S = 1 for ∫∇u·∇v; M = 2μ + 2 max(λ, 0),
 //! S = (λ² + (λ+2μ)²)^{1/2} for elasticity. Then, c the constant of a segment at ν = 1/2 and θ = coth(πH),
 //!
 //! |u − u_h|_a² ≤ h² (M A² |u|₂² + (b² + 2 c π θ S) |u|²_{2,S_h}),
@@ -47,8 +47,8 @@ const ROUND_UP: f64 = 1.0 + 1e-14;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshShape {
-    /// A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For arbitrary triangles the ratio of the largest circumradius
-    /// to h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
+    /// The constant A in |u − I^h u|₁ ≤ A h |u|₂ on every triangle. For arbitrary triangles: the ratio of the
+    /// largest circumradius to h (K. Kobayashi, T. Tsuchiya, Japan J. Indust. Appl. Math. 31 (2014) 193-210).
     pub interpolation: f64,
     /// The relative height H: the rectangle of height H h on each contact segment lies in Ω.
     pub height: f64,
@@ -64,8 +64,8 @@ impl MeshShape {
     }
 }
 
-/// The constant B in ‖∇v_y‖ ≤ B |v|_a for v = 0 on ∂Ω \ Γ_C, Γ_C straight and Ω on one side of its line: φ/(2μ + 2
-/// min(λ, 0))^{1/2}, φ = (1 + √5)/2.
+/// The constant B in ‖∇v_y‖ ≤ B |v|_a, v_y the component normal to Γ_C, for v = 0 on ∂Ω \ Γ_C, Γ_C straight
+/// and Ω on one side of its line: B = φ/(2μ + 2 min(λ, 0))^{1/2}, φ = (1 + √5)/2, rounded up.
 ///
 /// Extended by zero, v is defined on the half-plane. In a Fourier mode v = (i f, g)(ky) e^{ikx}, k > 0, with primes
 /// for d/d(ky), φ² |ε|² − |∇v_y|² is k² times
@@ -86,12 +86,12 @@ pub fn half_plane_korn(lame: Lame) -> f64 {
     ROUND_UP * GOLDEN_RATIO / (2.0 * (lame.mu() + lame.lambda().min(0.0))).sqrt()
 }
 
-/// The bound for one form, one cone, and one shape of mesh.
+/// The a priori bound of |u − u_h|_a at τ = 2 for one form, one cone, and one shape of mesh.
 ///
-/// The norm is the energy norm of the form; the constants depend neither on h nor on u, and each of them is rounded
-/// up. Notation: |v|_a² ≤ M ‖∇v‖², ‖∇σ_N‖ ≤ S |u|₂, θ = coth(πH), A and H of [`MeshShape`], B of
-/// [`half_plane_korn`] (1 for ∫∇u·∇v), c of [`ExplicitBound::new`], S_h the union of the rectangles of height H h on
-/// the contact segments.
+/// The norm is the energy norm of the form; the constants depend neither on h nor on u, and
+/// [`ExplicitBound::bound`] and [`ExplicitBound::constant`] are rounded up. Notation: |v|_a² ≤ M ‖∇v‖²,
+/// ‖∇σ_N‖ ≤ S |u|₂, θ = coth(πH), A and H of [`MeshShape`], B of [`half_plane_korn`] (1 for ∫∇u·∇v), c of
+/// [`ExplicitBound::new`], S_h the union of the rectangles of height H h on the contact segments.
 ///
 /// ```
 /// use signorini::{cone::Cone, fem::Form};
@@ -113,9 +113,11 @@ pub struct ExplicitBound {
 }
 
 impl ExplicitBound {
-    /// The bound with the constant `segment` = c, rounded up: the consistency term of a segment is at most c
-    /// h² |σ_N| |u_N'| at ν = 1/2. For the nodal cone c is [`super::product_bound`], K or κ, for the midpoint cone
-    /// half of one of the first two. `korn` is B, used only by the midpoint cone in elasticity.
+    /// The bound with the constant `segment` = c: the consistency term of a segment is at most
+    /// c h² |σ_N|_{1/2} |u_N'|_{1/2}. For the nodal cone c is [`super::product_bound`] or
+    /// [`super::product_constant`], or [`super::consistency_constant`] if every segment has at most one
+    /// non-contact interval, at an end; for the midpoint cone half of one of the first two. `korn` is B, used
+    /// only by the midpoint cone in elasticity.
     ///
     /// # Errors
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a form with a reaction term or several

@@ -9,9 +9,9 @@
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct TwoLaws {
-    /// C ln(1/θ) at τ = 2, C θ^{τ−2} for τ < 2.
+    /// The bound with γ_θ ≤ C ln(1/θ) at τ = 2, γ_θ ≤ C θ^{τ−2} for τ < 2, γ_θ ≤ C for τ > 2.
     pub printed: f64,
-    /// C √ln(1/θ) at τ = 2, otherwise as printed.
+    /// The bound with γ_θ ≤ C √ln(1/θ) at τ = 2, otherwise as printed.
     pub corrected: f64,
 }
 
@@ -21,7 +21,7 @@ impl TwoLaws {
         Self { printed: value, corrected: value }
     }
 
-    /// The pair of values of f.
+    /// The values of f at both bounds.
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         Self { printed: f(self.printed), corrected: f(self.corrected) }
     }

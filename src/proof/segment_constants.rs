@@ -66,8 +66,8 @@ impl SegmentConstant {
         Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
     }
 
-    /// The larger of the relative distances of the two [`SegmentConstant::bounds`] from the value, including
-    /// its error.
+    /// The larger of the distances of the two [`SegmentConstant::bounds`] from the value, plus its error,
+    /// relative to the value.
     ///
     /// # Errors
     /// As for [`SegmentConstant::bounds`].
@@ -77,7 +77,8 @@ impl SegmentConstant {
     }
 }
 
-/// The constant c(ν) = ν / (2 (4^ν − 1)): 1/(4 ln 2) as ν → 0, 1/4 at ν = 1/2, 1/6 as ν → 1.
+/// The constant c(ν) = ν/(2 (4^ν − 1)) in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ c |σ|_ν |w|_ν for functions on (0, 1) with
+/// disjoint supports: c → 1/(4 ln 2) as ν → 0, c(1/2) = 1/4, c → 1/6 as ν → 1.
 ///
 /// ```
 /// use fractional_sobolev::Order;
@@ -90,7 +91,8 @@ pub fn product_bound(order: Order) -> f64 {
     0.5 * order.value() / (2.0 * std::f64::consts::LN_2 * order.value()).exp_m1()
 }
 
-/// The best constant K(ν) in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions with disjoint supports.
+/// The best constant K(ν) in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ K |σ|_ν |w|_ν for functions on (0, 1) with disjoint
+/// supports.
 ///
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
@@ -133,8 +135,8 @@ pub fn consistency_constant(
     largest_product(order.given()?, Moment::FromFreeEnd, Moment::Mass, tolerance.given()?)
 }
 
-/// The constant κ̄(ν): the consistency term of the midpoint cone is at most κ̄ h^{2ν+1} |σ|_ν |w|_ν for every contact
-/// set.
+/// The constant κ̄(ν): the consistency term of the midpoint cone on a segment of length h is at most
+/// κ̄ h^{2ν+1} |σ_N|_ν |u_N'|_ν for every contact set.
 ///
 /// κ̄(ν) = max_e B(e) D(1−e) ≥ κ(ν), since sets with one non-contact interval at an end are included; B as in
 /// [`consistency_constant`], D(e) the supremum of ∫ (e − x) f over the same functions.

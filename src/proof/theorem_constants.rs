@@ -37,8 +37,9 @@ const ROUND_UP: f64 = 1.0 + 1e-13;
 
 /// The constants of Theorems 3.1 and 4.1 for one τ, all rounded up.
 ///
-/// C(s) is that of [`interpolation_constant`] on the right isosceles triangle with legs of length 1, K(ν) that of
-/// [`product_constant`], P(ν) that of [`projection_constant`]; θ = coth π; M and B: [`TheoremConstants::elastic`].
+/// C(s), s = τ − 1, is that of [`interpolation_constant`] on the right isosceles triangle with legs of length
+/// 1 (at τ = 2 Kobayashi's bound), K(ν) that of [`product_constant`], P(ν) that of [`projection_constant`]; θ
+/// = coth π; M and B: [`TheoremConstants::elastic`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TheoremConstants {
     /// The regularity τ.
@@ -47,7 +48,7 @@ pub struct TheoremConstants {
     pub order: Order,
     /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
-    /// K(ν), the constant of the consistency term.
+    /// K(ν), the constant of the consistency term for the nodal cone; half of it for the midpoint cone.
     pub segment: f64,
     /// (θ/π)^{1/2} P(ν); B (θ/π)^{1/2} P(ν) for elasticity.
     pub projection: f64,
@@ -61,7 +62,8 @@ impl TheoremConstants {
     /// The constants for one τ and the Laplacian.
     ///
     /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; the errors of the constants.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/2 < τ ≤ 2; the errors of
+    /// [`interpolation_constant`], [`product_constant`] and [`projection_constant`].
     pub fn new(tau: f64) -> Result<Self> {
         let tau = Error::require("tau", tau, "(3/2, 2]", tau > 1.5 && tau <= 2.0)?;
         let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(ACCURACY)?);
@@ -95,12 +97,13 @@ impl TheoremConstants {
         Self { interpolation, projection: ROUND_UP * half_plane_korn(lame) * self.projection, ..self }
     }
 
-    /// The bound of |u − u_h|_a for a mesh size h, given upper bounds of |u − I^h u|_a, of Σ_T |σ_N|_{ν,T}
+    /// The bound of |u − u_h|_a for triangles with legs h, given upper bounds of |u − I^h u|_a, of Σ_T
+    /// |σ_N|_{ν,T}
     /// |u_N'|_{ν,T}, and of |σ_N|_ν.
     ///
     /// (x² + 2 c h^{2τ−2} p + b² h^{2τ−2} s²)^{1/2}, x = `interpolation`, p = `product`, s = `pressure`, c = K(ν) and b = 0
-    /// for the nodal cone, c = K(ν)/2 for the midpoint cone. All norms are in the units of the data; the result is an
-    /// energy norm.
+    /// for the nodal cone, c = K(ν)/2 and b = [`projection`](Self::projection) for the midpoint cone; rounded
+    /// up.
     pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
         let scale = h.powf(self.tau - 1.0);
         let (segment, projection) = match cone {

@@ -1,7 +1,7 @@
 //! The exponent that results from the choice θ = h^{2τ−3}.
 
-/// The exponent of h in the squared error that results from θ = h^{2τ−3}, (3.1)-(3.2), (4.2)-(4.4): 2τ² − 5τ + 4 for
-/// τ < 2, 2 at τ = 2 (times ln(1/h)), 2τ − 2 for τ > 2.
+/// The exponent of h in the bound of the consistency term that results from θ = h^{2τ−3} (h² at τ = 2): 2τ² −
+/// 5τ + 4 for τ < 2, 2τ − 2 for τ ≥ 2; at τ = 2 with the factor ln(1/h). (3.1), (3.2), (4.2) to (4.4).
 ///
 /// It is twice the exponent of [`Bound::Paper`](crate::rates::Bound::Paper) for 3/2 < τ ≤ 2.
 ///

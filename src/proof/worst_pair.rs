@@ -54,9 +54,9 @@ const HALVINGS: u32 = 4;
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for intervals without contact between them or τ
-/// outside (3/2, 2); [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if the largest number of
-/// bisections does not suffice.
+/// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ left, 0 < right, left + right < 1
+/// and 3/2 < τ < 2; [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) if the largest
+/// number of bisections does not suffice.
 pub fn worst_ratio(
     cone: Cone,
     tau: f64,

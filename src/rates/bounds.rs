@@ -101,7 +101,8 @@ impl Bound {
         })
     }
 
-    /// The exponent of |ln h|: nonzero only at τ = 2.
+    /// The exponent of |ln h|: 1/2 for [`Bound::Paper`] and 1/4 for [`Bound::Sharpened`] at τ = 2,
+    /// otherwise 0.
     pub fn logarithm(self, tau: f64) -> f64 {
         match self {
             Bound::Paper if tau == 2.0 => 0.5,

@@ -1,4 +1,4 @@
-//! The regression line y = a + s x in doubly logarithmic coordinates.
+//! The regression line ln y = a + s ln x.
 
 /// The line ln y = a + s ln x, by least squares.
 #[derive(Debug, Clone, Copy, PartialEq)]

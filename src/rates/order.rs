@@ -7,8 +7,8 @@
 //! within its cell. The difference of the slopes on two sets of levels is therefore not a reliable error estimate.
 //! Instead, the likelihood of every order p is computed for models with unknown terms in addition to the leading one,
 //! none of which is much larger than the leading one on the coarsest level, and with unknown scatter
-//! ([`super::posterior`]). The order is the posterior mean of p, the uncertainty the distance from it within which 96
-//! % of the probability lies: it is small only if no other order fits.
+//! ([`super::posterior`]). The order is the posterior mean of min(p, 1), the uncertainty the distance from it
+//! within which 96 % of the probability lies: it is small only if no other order fits.
 //!
 //! Calibrated on errors of discrete solutions with known order, and tested on others (`tests/beyond/orders.rs`):
 //! strips with one or more transitions or Cantor sets, 3/2 < τ ≤ 5/2, both cones, 5 to 10 levels, and corners. The
@@ -69,7 +69,7 @@ const LARGEST: f64 = 1.5;
 
 impl ConvergenceOrder {
     /// The order of errors (h, e) of linear elements in the energy norm, coarsest first; `None` for fewer than five
-    /// levels, from which no uncertainty can be stated, or an error that is not positive.
+    /// levels, from which no uncertainty can be stated, or a mesh size or an error that is not positive.
     ///
     /// The smooth part of the solution has order one: e² = A h^{2p} + B h² + C h² ln h + D h³, or more
     /// general terms if the levels require them. For p > 1 the order is one.

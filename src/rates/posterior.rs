@@ -5,11 +5,11 @@
 //! e² = A (x^{2p} + κ Σ_j c_j g_j(x; p)) + σ e² ω,
 //!
 //! where the g_j are the terms in addition to the leading one (below), c_j and ω are independent standard normal
-//! variables (A: of the size of the sequence, to a factor of two), κ is the size of the additional terms on the
-//! coarsest level, σ the scatter of e² about the model. All terms but the leading one vanish at x = 1, and each is
-//! written so that it remains linearly independent when its exponent approaches that of the leading one,
-//! ψ_q = (x^{2p} − x^{2p+q})/q → x^{2p} ln(1/x) as q → 0: powers close to a logarithm and the logarithm itself form
-//! one family.
+//! variables (A: normal, its mean the value of the regression line at h₁, its standard deviation twice this
+//! value), κ is the size of the additional terms on the coarsest level, σ the scatter of e² about the model.
+//! All terms but the leading one vanish at x = 1, and each is written so that it remains linearly independent
+//! when its exponent approaches that of the leading one, ψ_q = (x^{2p} − x^{2p+q})/q → x^{2p} ln(1/x) as q →
+//! 0: powers close to a logarithm and the logarithm itself form one family.
 //!
 //! For given p, κ, σ the vector of 1 − A x^{2p}/e² is normal with a covariance of low rank plus σ² times
 //! the identity; the likelihood is exact by a singular value decomposition. Summed over models, κ and a

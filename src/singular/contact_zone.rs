@@ -61,10 +61,11 @@ impl ContactZone {
         self.epsilon
     }
 
-    /// The contact pressure −σ_N at the distance r from the end; 0 outside the contact interval.
+    /// The contact pressure −σ_N at the distance r > 0 from the Dirichlet boundary; 0 outside the contact
+    /// interval.
     ///
-    /// It is 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ: it behaves like r^{−1/2} as r → 0 and
-    /// vanishes like (ℓ − r)^{1/2} at the transition.
+    /// It is 2 r^{−1/2} sinh(2ε arccos √(r/ℓ)) for 0 < r < ℓ, ℓ the length of the contact interval: it
+    /// behaves like r^{−1/2} as r → 0 and vanishes like (ℓ − r)^{1/2} at the transition.
     pub fn pressure(&self, r: f64) -> f64 {
         if r >= self.length {
             return 0.0;
@@ -72,10 +73,11 @@ impl ContactZone {
         2.0 * (2.0 * self.epsilon * (r / self.length).sqrt().acos()).sinh() / r.sqrt()
     }
 
-    /// The opening −u_N at the distance r; 0 on the contact interval, negative where u_N ≤ 0 is violated.
+    /// The opening −u_N at the distance r from the Dirichlet boundary; 0 on the contact interval, negative
+    /// where u_N ≤ 0 is violated.
     ///
-    /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it behaves like (r − ℓ)^{3/2}
-    /// near ℓ.
+    /// (κ+1)/μ √ℓ (cosh y sin 2εy − 2ε sinh y cos 2εy)/(1 + 4ε²), y = arcosh √(r/ℓ); it behaves like (r −
+    /// ℓ)^{3/2} near ℓ.
     pub fn opening(&self, r: f64) -> f64 {
         if r <= self.length {
             return 0.0;

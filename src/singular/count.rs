@@ -1,4 +1,5 @@
-//! The number of zeros in a rectangle, by the argument principle with steps that cannot miss a full turn.
+//! The number of zeros in a rectangle, by the argument principle with steps so short that no full turn is
+//! missed.
 //!
 //! At a point of the path with |f| = a, |f′| = b and |f″| ≤ M along the rest of it, f changes by at most b t + M t²/2
 //! in a step of length t. If this is at most 7a/10, the image does not encircle zero and the argument changes by

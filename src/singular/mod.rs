@@ -7,7 +7,7 @@
 //! | | content | module |
 //! | --- | --- | --- |
 //! | [`Wedge`] | opening, medium, sides; the characteristic equations | `wedge`, `factor` |
-//! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3, complete by counts of zeros | `spectrum`, `zeros`, `count` |
+//! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3; checked by zero counts | `spectrum`, `zeros`, `count` |
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
 //! | [`Wedge::exponents_on_arc`] | an independent computation: an eigenvalue problem on the arc | `arc` |

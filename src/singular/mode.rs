@@ -9,11 +9,13 @@ use faer::c64;
 /// Number of rays on which the size of a function is sampled.
 const RAYS: usize = 64;
 
-/// An angular function of a wedge, scaled so that its largest displacement on 65 rays is one; it is real for real λ.
+/// An angular function of a wedge, scaled so that the largest displacement component on 65 equidistant rays
+/// is one; it is real for real λ.
 ///
 /// Elastic: displacement (u_r, u_θ), traction (σ_θθ, σ_rθ), shear modulus 1/2. Scalar: (u, 0) and (∂u/∂θ, 0).
 ///
-/// Displacement and traction refer to the polar basis (e_r, e_θ) at θ; σ_N = σ_θθ on both sides of the wedge.
+/// Displacement and traction refer to the polar basis (e_r, e_θ) at θ; σ_N = σ_θθ on both
+/// sides of an elastic wedge; in the scalar case ∂u/∂n is −∂u/∂θ at θ = 0, ∂u/∂θ at θ = ω, times r^{−1}.
 ///
 /// ```
 /// use signorini::singular::{Medium, Wedge};

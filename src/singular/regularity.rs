@@ -19,7 +19,7 @@ use crate::error::Result;
 /// Values on a side below this tolerance, relative to a largest displacement of one, count as zero.
 const ZERO: f64 = 1e-9;
 
-/// The sign conditions of contact for a leading term r^λ U(θ).
+/// The effect of the sign conditions of contact on a leading term r^λ U(θ).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SignCondition {
     /// No condition: stress and opening vanish on the contact edge.
@@ -33,14 +33,16 @@ pub enum SignCondition {
 /// The regularity of a solution at a corner.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CornerRegularity {
-    /// Supremum of the τ with u ∈ H^τ near the corner for all data; 4 if no exponent below 3 limits it.
+    /// Supremum of the τ with u ∈ H^τ near the corner for all smooth data for which no term r^k ln r occurs;
+    /// 4 if no exponent below 3 limits it.
     pub tau: f64,
-    /// The exponent that limits τ.
+    /// The exponent that limits τ; `None` if no exponent below 3 does.
     pub exponent: Option<Exponent>,
 }
 
 impl Wedge {
-    /// The sign conditions on the contact sides of this wedge for a leading exponent.
+    /// Whether a leading term with this exponent satisfies the sign conditions on the contact sides: without
+    /// condition, with one sign of its coefficient, or with neither.
     ///
     /// ```
     /// use signorini::singular::{Medium, SignCondition, Wedge};
@@ -84,10 +86,11 @@ impl Wedge {
         })
     }
 
-    /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent responsible.
+    /// The supremum of the τ with u ∈ H^τ near the corner, and the exponent that determines it.
     ///
-    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial. At a transition from contact to
-    /// no contact on a straight side the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
+    /// τ = 1 + Re λ with the first λ that is neither excluded nor polynomial; after a polynomial leading term
+    /// with a strict sign no exponent is excluded. At a transition from contact to no contact on a straight
+    /// side the sign conditions exclude r^{1/2}: u ∈ H^τ for τ < 5/2.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};

@@ -79,13 +79,13 @@ impl Exponent {
     }
 }
 
-/// The exponents of a wedge, ordered by increasing real part. There is no tolerance: Newton's method converges to
-/// rounding accuracy, and the error estimates account for the digits lost at double zeros.
+/// The exponents of a wedge, ordered by increasing real part. There is no tolerance: the iteration for the
+/// zeros converges to rounding accuracy, and the error estimates account for the digits lost at double zeros.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spectrum {
     /// The exponents with 0 < Re λ < 3.
     pub exponents: Vec<Exponent>,
-    /// The number of points at which characteristic functions were evaluated to count zeros.
+    /// The work: the number of points at which characteristic functions were evaluated to count zeros.
     pub work: Work,
 }
 
@@ -148,7 +148,8 @@ impl Wedge {
         Ok(Spectrum { exponents, work })
     }
 
-    /// The first exponent whose function is not a polynomial, regardless of the sign conditions of contact.
+    /// The first exponent whose functions are not all polynomials, regardless of the sign conditions of
+    /// contact; `None` if there is none with Re λ < 3.
     ///
     /// ```
     /// use signorini::singular::{Medium, Wedge};
@@ -166,8 +167,8 @@ impl Wedge {
     }
 
     /// Number of zeros of the characteristic function with left < Re λ < right, with multiplicities, by the argument
-    /// principle on one rectangle per factor. The zero at λ = 0, which corresponds to a translation or
-    /// to no field at all, is included.
+    /// principle on one rectangle per factor. A zero at λ = 0, which corresponds to a translation or to no
+    /// field at all, is counted if left < 0 < right.
     ///
     /// The number is (1/2πi) ∮ f'/f over the rectangle, f the characteristic function; it is independent of the list
     /// of exponents.

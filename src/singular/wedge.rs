@@ -66,7 +66,8 @@ impl SideCondition {
 pub struct SideConditions(pub SideCondition, pub SideCondition);
 
 impl SideConditions {
-    /// The six pairs that differ in their exponents: N-N, D-D, D-N, C-N, C-D, C-C.
+    /// The six unordered pairs with different exponents in elasticity, where O has those of N: N-N, D-D, D-N,
+    /// C-N, C-D, C-C.
     pub const ALL: [SideConditions; 6] = [
         SideConditions(SideCondition::Free, SideCondition::Free),
         SideConditions(SideCondition::Clamped, SideCondition::Clamped),

@@ -48,10 +48,13 @@ impl EdgeData {
     /// ```
     ///
     /// # Errors
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) as for
+    /// [`LateralCondition::check_cells`];
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite);
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign; [`Error::NotComplementary`] if
-    /// both are nonzero at a node; [`Error::EmptyContact`] if u_N < 0 at all nodes.
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
+    /// [`Error::NotComplementary`] if both are nonzero at a node; [`Error::EmptyContact`] if u_N < 0 at all
+    /// nodes.
     pub fn new(cells: usize, sides: LateralCondition, values: &[f64], forces: &[f64]) -> Result<Self> {
         check_cells(cells, sides)?;
         for (name, field) in [("u_N", values), ("lambda", forces)] {
@@ -75,10 +78,11 @@ impl EdgeData {
     }
 
     /// The pair of u_N and the density λ read from text: one line per node, two numbers per line, `#` starts a
-    /// comment. The number of lines is 2^k + 1 with natural sides and 2^k with periodic sides.
+    /// comment, empty lines are skipped. The number of nodes is 2^k + 1 with natural sides and 2^k with
+    /// periodic sides, k ≥ 1.
     ///
-    /// Numbers are separated by blanks or commas. The density is integrated by the trapezoidal rule: λ_i = density/n,
-    /// half of it at an end with natural sides.
+    /// Numbers are separated by blanks or commas. The density is integrated by the trapezoidal rule: λ_i is
+    /// the density at node i divided by n, half of it at an end with natural sides.
     ///
     /// ```
     /// use signorini::strip::{EdgeData, LateralCondition};
@@ -142,7 +146,7 @@ impl EdgeData {
         &self.forces
     }
 
-    /// The regularity τ, if it is known analytically.
+    /// The regularity τ declared by [`EdgeData::with_regularity`]; `None` if there is none.
     pub fn regularity(&self) -> Option<f64> {
         self.regularity
     }

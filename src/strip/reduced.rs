@@ -41,7 +41,8 @@ impl Strip {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n < 2 or m = 0.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ n ≤ 2^26 and 1 ≤ m
+    /// ≤ 2^26.
     pub fn scalar(cells: usize, layers: usize) -> Result<Self> {
         Ok(Self(Kind::Scalar(ScalarStrip::new(cells, layers)?)))
     }
@@ -61,7 +62,8 @@ impl Strip {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is even, m a power of
+    /// two, 2 ≤ n ≤ 2^26 and m ≤ 2^26.
     pub fn elastic(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
         Ok(Self(Kind::Elastic(ElasticStrip::new(cells, layers, lame)?)))
     }

@@ -1,7 +1,7 @@
 //! Closed forms of |u|²_ν = ∫∫ (u(x)−u(y))² / |x−y|^{d+2ν} on intervals (d = 1), the circle (d = 1) and the square
 //! (d = 2), arranged so that no digits cancel.
 //!
-//! | function | on | domain |
+//! | function | interval, curve or square | parameters |
 //! | --- | --- | --- |
 //! | [`power_seminorm_squared`]: x^a | (0, 1) | a > ν − 1/2 |
 //! | [`jump_seminorm_squared`]: 0 on a cell, 1 on the next | (0, p + q) | ν < 1/2 |
@@ -50,7 +50,8 @@ const SQUARE_POINTS: usize = 20;
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] if a is not finite or exceeds 1e4.
+/// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] unless 0 < ν < 1 and a is finite
+/// and at most 1e4.
 pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     Error::require("exponent a", a, "(-inf, 1e4]", a.is_finite() && a <= 1e4)?;
@@ -149,7 +150,8 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for ν ≥ 1/2; as [`Mesh::from_lengths`] for inadmissible lengths.
+/// [`Error::InfiniteNorm`] for ν ≥ 1/2; [`Error::OutOfRange`] unless 0 < ν < 1; as [`Mesh::from_lengths`] for
+/// inadmissible lengths.
 pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     require_constants_finite(order)?;
@@ -174,7 +176,7 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
 /// ```
 ///
 /// # Errors
-/// As [`Mesh::from_lengths`] for inadmissible lengths.
+/// [`Error::OutOfRange`] unless 0 < ν < 1; as [`Mesh::from_lengths`] for inadmissible lengths.
 pub fn hat_seminorm_squared(
     before: f64,
     rise: f64,
@@ -197,9 +199,9 @@ pub fn hat_seminorm_squared(
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫ (1 − cos kθ) (2 sin θ/2)^{-1-2ν} dθ, which
-/// by Cauchy's Beta integral is 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k (j−1/2+ν)/(j−1/2−ν) −
-/// 1/2 + ν]; 2π²k for ν = 1/2. Cost: k products.
+/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫₀^{2π} (1 − cos kθ) (2 sin(θ/2))^{-1-2ν}
+/// dθ, which for k ≥ 1 is by Cauchy's Beta integral 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k
+/// (j−1/2+ν)/(j−1/2−ν) − 1/2 + ν]; 2π²k for ν = 1/2. Cost: k products.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;
@@ -239,7 +241,7 @@ pub fn cosine_on_circle_seminorm_squared(k: u32, order: impl Given<Order>) -> Re
 /// ```
 ///
 /// # Errors
-/// None for an order in (0, 1).
+/// [`Error::OutOfRange`] unless 0 < s < 1.
 pub fn coordinate_on_square_seminorm_squared(order: impl Given<Order>) -> Result<Estimate> {
     let order = order.given()?;
     let two = 2.0 * order.complement();
@@ -251,12 +253,12 @@ pub fn coordinate_on_square_seminorm_squared(order: impl Given<Order>) -> Result
 
 /// ||ln x|^α|²_{1/2} on (0, 1) = 2 ζ(1+2α) [Γ(1+α)²/cos(πα) − Γ(1+2α)].
 ///
-/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it factors into ∫ r^{2α+1}/(4
-/// sinh²(r/2)) dr = Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of Mandelbrot & Van
-/// Ness (SIAM Rev. 10 (1968) 422-437).
+/// In t = −ln x the form is ∫∫ (s^α−t^α)² / (4 sinh²((s−t)/2)); with r = s − t it is twice the product of
+/// ∫₀^∞ r^{2α+1}/(4 sinh²(r/2)) dr = Γ(2α+2) ζ(2α+1) and κ(α) = ∫₀^∞ ((1+t)^α − t^α)² dt, the constant of
+/// Mandelbrot & Van Ness (SIAM Rev. 10 (1968) 422-437).
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for α ≥ 1/2, [`Error::OutOfRange`] for α ≤ 0 or NaN.
+/// [`Error::InfiniteNorm`] for 1/2 ≤ α < ∞, [`Error::OutOfRange`] for α ≤ 0, α = ∞ or NaN.
 pub fn log_power_seminorm_squared(alpha: f64) -> Result<Estimate> {
     Error::require("alpha", alpha, "(0, 1/2)", alpha > 0.0 && alpha.is_finite())?;
     if alpha >= 0.5 {

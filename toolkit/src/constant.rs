@@ -94,7 +94,8 @@ impl ErrorNorm {
 /// ```
 #[derive(Clone)]
 pub struct BestConstant {
-    /// The constant, accurate to the requested tolerance.
+    /// The constant, to the requested tolerance; for an embedding the midpoint between `lower` and `upper`,
+    /// with half their distance as error unless `upper` is 1.
     pub constant: Estimate,
     /// A lower bound: the quotient for a particular function, up to quadrature and rounding errors.
     pub lower: Estimate,
@@ -198,7 +199,7 @@ pub(crate) trait OnInterval: fmt::Debug + Send + Sync {
 /// | [`moment`](crate::moment) | w with \|w\|_ν = 1 on (0, 1) | likewise |
 /// | interpolation | the error u − Iu of u with \|∇u\|_s = 1 | free |
 /// | projection | φ with \|φ\|_r = 1 | free |
-/// | embedding, trace | the function itself | free |
+/// | embedding, trace | the function in the quotient, not normalised | free |
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Domain, ErrorNorm, Extremal, Tolerance, gamma, interpolation_constant};
@@ -258,8 +259,8 @@ impl Extremal {
     }
 
     /// The interpolant of the given degree on the graded cells, each divided into `pieces`, with additional
-    /// nodes at `breaks`. Nodes within a relative distance of 1e-10 of each other (with respect to their
-    /// position or their distance from 1), or of 1e-5 of a breakpoint, are omitted.
+    /// nodes at `breaks`. Nodes x < 1 are omitted if they are within 1e-10 of 1, within 1e-10 x of another
+    /// node, or within 1e-5 x of a breakpoint.
     ///
     /// # Errors
     /// As [`Function::interpolate`]; [`Error::Incompatible`] for a function without graded cells.

@@ -1,5 +1,5 @@
-//! The error type of the library. Every variant carries the offending value; if a tolerance is not met, it
-//! carries the best estimate.
+//! The error type of the library. Variants for invalid input carry the offending value;
+//! [`Error::ToleranceNotMet`] carries the best estimate, if there is one.
 
 mod given;
 
@@ -10,7 +10,8 @@ use crate::value::Estimate;
 /// Result with the library's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The error type of this library: invalid input, an infinite result, or a tolerance that is not met.
+/// The error type of this library: invalid input, insufficient memory, an infinite result, a tolerance that
+/// is not met, or a factorization or solver that failed.
 ///
 /// How an iteration ended (converged, stalled, cycled) is a status in its result, not an error.
 ///
@@ -219,7 +220,8 @@ impl Error {
         })
     }
 
-    /// The best estimate carried by [`Error::ToleranceNotMet`]; `None` for all other errors.
+    /// The best estimate carried by [`Error::ToleranceNotMet`]; `None` if it has none, and for all other
+    /// errors.
     pub fn best(&self) -> Option<Estimate> {
         match self {
             Error::ToleranceNotMet { best, .. } => *best,

@@ -1,4 +1,5 @@
-//! Accuracy and cost: every numerical function takes a [`Tolerance`] and returns an [`Estimate`].
+//! Accuracy and cost: numerical functions take a [`Tolerance`], except for closed forms, and return an
+//! [`Estimate`].
 //!
 //! A tolerance τ is *relative*: the value v returned for the exact value v* should satisfy |v − v*| ≤ τ |v*|.
 //! The `error` of an estimate is *absolute*: it estimates |v − v*| and is at least the rounding error of v.
@@ -197,7 +198,7 @@ impl Estimate {
         Self::new(root, error, self.work)
     }
 
-    /// √(self² + other²) without overflow.
+    /// √(self² + other²), without overflow of the squares.
     ///
     /// ```
     /// use fractional_sobolev::{Estimate, Work};

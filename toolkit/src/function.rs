@@ -207,8 +207,9 @@ impl<'a> Function<'a> {
         PiecewisePolynomial::of_values(mesh.clone(), degree, values).map(Self::from)
     }
 
-    /// The continuous piecewise polynomial of degree p that agrees with f at the nodes; the difference
-    /// between f and its linear interpolant is projected in L²(t(1−t)) on every element, so that
+    /// The continuous piecewise polynomial of degree p that agrees with f at the nodes. On every element,
+    /// with t ∈ (0, 1) from left to right, the difference between f and its linear interpolant, divided by
+    /// t(1−t), is projected in L² onto the polynomials of degree p − 2 (by a Gauss rule of p points), so that
     /// polynomials of degree p are reproduced. f is called with the distance from the left end of the mesh.
     ///
     /// Norms of the result are norms of the interpolant: their error does not include its distance from f. For the norm
@@ -285,7 +286,8 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// [`Error::Node`] for a corner that is not a node of a triangle or is declared twice; [`Error::Triangle`] for a
-    /// triangle with more than one declared corner; [`Error::OutOfRange`] unless −1 < a ≤ 20.
+    /// triangle with more than one declared corner; [`Error::OutOfRange`] unless −1 < a ≤ 20;
+    /// [`Error::NotFinite`] if a sampled value of f is not finite.
     pub fn from_plane_positions(
         mesh: &Triangles,
         corners: &[(usize, f64)],
@@ -294,8 +296,9 @@ impl<'a> Function<'a> {
         SingularPlaneFunction::new(mesh.clone(), corners, f).map(Kind::PlaneFormula).map(Self::of)
     }
 
-    /// The function r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω: its seminorms of order 0 < s < 1, and for a =
-    /// b, where it is harmonic, those of order 1 < s < 2, |∇u|\_{s−1}. They scale like R^{a+1−s}.
+    /// The function r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω. Only its seminorms of order 0 < s < 1
+    /// and, for a = b, where it is harmonic, those of order 1 < s < 2, |∇u|\_{s−1}, are computed. They scale
+    /// like R^{a+1−s}.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -314,9 +317,10 @@ impl<'a> Function<'a> {
         SectorPower::new(exponent, frequency, angle, radius).map(Kind::Sector).map(Self::of)
     }
 
-    /// The elastic displacement v = (α Re z^p − y Im pz^{p−1}, (1+α) Im z^p − y Re pz^{p−1}) on the half disc |z| < R,
-    /// y > 0, with zero shear on y = 0: its seminorms of order 1 < s < 2, |∇v|\_{s−1} of all four derivatives. They
-    /// scale like R^{p+1−s}. α = μ/(λ+μ), and the displacement of a body is v/(2μ).
+    /// The elastic displacement v = (α Re z^p − p y Im z^{p−1}, (1+α) Im z^p − p y Re z^{p−1}), z = x + iy,
+    /// on the half disc |z| < R, y > 0, with zero shear on y = 0. Only its seminorms of order 1 < s <
+    /// 2, |∇v|\_{s−1} of all four derivatives, are computed. They scale like R^{p+1−s}. α = μ/(λ+μ), λ, μ the
+    /// Lamé constants; the displacement of a body is v/(2μ).
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -367,7 +371,7 @@ impl<'a> Function<'a> {
     /// vertex it may be singular or have a jump.
     ///
     /// ```text
-    /// |f|²_s = ∫_Γ ∫_Γ (f(x) − f(y))² / |x − y|^{1+2s} ds ds,   0 < s < 1,   |x − y| the distance in the plane.
+    /// |f|²_s = ∫_Γ ∫_Γ (f(x) − f(y))² / |x − y|^{1+2s} dx dy,   0 < s < 1,   |x − y| the distance in R².
     /// ```
     ///
     /// Its norms are those of f; those of [`Function::on_curve`] are norms of the interpolant of f, and their
@@ -427,8 +431,10 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the best value; [`Error::OutOfRange`] for s outside
-    /// (−1, 2); [`Error::Incompatible`] if there is no method for this kind of function and order.
+    /// [`Error::InfiniteNorm`]; [`Error::ToleranceNotMet`] with the best value; [`Error::OutOfRange`] for s
+    /// outside (−1, 2); [`Error::NotFinite`] for a value of a formula that is not finite;
+    /// [`Error::CountOutOfRange`] for too many elements of a curve; [`Error::Incompatible`] if there is no
+    /// method for this kind of function and order.
     #[doc(alias("dual norm", "negative norm", "l2_norm"))]
     pub fn norm(&self, s: impl Given<SobolevOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
@@ -458,7 +464,7 @@ impl<'a> Function<'a> {
     }
 
     /// The seminorm |u|_s for 0 < s < 2: |u|_1 = ‖∇u‖, and |u|_s = |∇u|\_{s−1} for s > 1. s as for
-    /// [`Function::norm`].
+    /// [`Function::norm`], but [`Error::OutOfRange`] unless 0 < s < 2.
     ///
     /// It is finite for s < 1/2 if u jumps, and for s < a + d/2 if u behaves like r^a at a corner or
     /// breakpoint. In the plane (1−s)|u|²_s → (π/2)‖∇u‖² as s → 1, and |u(·/l)|_s = l^{d/2−s}|u|_s. On a curve
@@ -507,7 +513,8 @@ impl<'a> Function<'a> {
         }
     }
 
-    /// The norm of u in L^q: (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane only q = 2.
+    /// The norm of u in L^q: (∫ |u|^q)^{1/q} for 1 ≤ q < ∞, max |u| for q = ∞; in the plane, and for a
+    /// formula on the boundary of a polygon, only q = 2.
     ///
     /// For values on a mesh or a curve it is exact to rounding where u is linear; elements of higher degree
     /// are bisected until a Gauss rule and its two halves agree. For a formula, declare the zeros (for q =
@@ -539,7 +546,8 @@ impl<'a> Function<'a> {
     /// exact to rounding for a piecewise polynomial.
     ///
     /// # Errors
-    /// [`Error::Incompatible`] if the function is not defined on an interval; else as [`Function::norm`].
+    /// [`Error::Incompatible`] unless the function is a formula or a piecewise polynomial on an interval;
+    /// else as [`Function::norm`].
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match &self.kind {
@@ -610,7 +618,8 @@ impl<'a> Function<'a> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`] for other pairs of functions.
+    /// [`Error::Incompatible`] for other pairs of functions. If the intervals of u and v differ, the norms of
+    /// the difference return [`Error::OutOfRange`].
     pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
         let kind = match (&self.kind, &other.kind) {
             (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => Kind::Difference(u.minus(v)),
@@ -682,7 +691,7 @@ impl<'a> Function<'a> {
         self.polynomials("mesh").map(PiecewisePolynomial::mesh)
     }
 
-    /// The restriction of a piecewise polynomial to the given elements.
+    /// The restriction of a piecewise polynomial to the given elements, on a mesh whose left end is at 0.
     ///
     /// # Errors
     /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an

@@ -178,7 +178,8 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a grid without squares,
-    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::new`].
+    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice,
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless h > 0; as [`Gram::new`].
     pub fn on_grid(
         squares: [usize; 2],
         h: f64,
@@ -198,7 +199,8 @@ impl Gram {
         }
     }
 
-    /// The product A x; its error is relative to |A| |x − mean|.
+    /// The product A x; the error is of the size of the tolerance times |A| |x − x̄|, absolute values entry
+    /// by entry, x̄ the mean of x.
     ///
     /// # Errors
     /// [`Error::LengthMismatch`](crate::Error::LengthMismatch), [`Error::NotFinite`](crate::Error::NotFinite).
@@ -299,11 +301,12 @@ impl Gram {
 
     /// The smallest positive and the largest eigenvalue of A x = λ M x on an interval, to the tolerance of the form.
     ///
-    /// They are computed by a block iteration with preconditioned residuals (LOBPCG), the largest one from the best vectors
-    /// of windows of 48 basis functions: 5 to 30 steps of a few products each, up to 200 on a uniform mesh, where the
-    /// largest eigenvalues are close together and tolerances below 1e-6 are not met. The error bounds the distance to the
-    /// spectrum by the residual and the tolerance of the product. The ratio of the two eigenvalues is the condition
-    /// number of A relative to M, on the functions of mean zero if constants have seminorm zero.
+    /// They are computed by a block iteration with preconditioned residuals (LOBPCG), which for the largest
+    /// one starts, among others, from the Ritz vectors of windows of 48 basis functions: 5 to 30 steps of a
+    /// few products each, up to 200 on a uniform mesh, where the largest eigenvalues are close together and
+    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual and
+    /// the tolerance of the product. The ratio of the two eigenvalues is the condition number of A relative
+    /// to M, on the functions of mean zero if constants have seminorm zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
@@ -316,8 +319,10 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// As [`Gram::solve`]; [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis
-    /// functions.
+    /// [`Error::Incompatible`](crate::Error::Incompatible) on a grid of the plane;
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis functions;
+    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value;
+    /// [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
         let interval = self.interval("extreme_eigenvalues")?;
@@ -342,10 +347,11 @@ impl Gram {
         }
     }
 
-    /// The memory of the fast product, in bytes.
+    /// The memory of the fast product, in bytes, without the buffers of a product. On an interval the fast
+    /// product is prepared if it has not been used.
     ///
     /// # Errors
-    /// As [`Gram::new`].
+    /// [`Error::Solver`](crate::Error::Solver) if a Fourier transform fails.
     pub fn bytes(&self) -> Result<usize> {
         match &self.form {
             Form::Interval(interval) => Ok(interval.fast()?.bytes()),
@@ -353,10 +359,10 @@ impl Gram {
         }
     }
 
-    /// The diagonal of A: stored on an interval, computed by N products on a grid.
+    /// The diagonal of A: stored with the fast product on an interval, computed by N products on a grid.
     ///
     /// # Errors
-    /// As [`Gram::apply`].
+    /// As [`Gram::bytes`].
     pub fn diagonal(&self) -> Result<Vec<f64>> {
         match &self.form {
             Form::Interval(interval) => Ok(interval.fast()?.diagonal().to_vec()),
@@ -368,7 +374,7 @@ impl Gram {
     /// evaluations; on a grid by N products.
     ///
     /// # Errors
-    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice; as [`Gram::apply`].
+    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice.
     pub fn to_dense(&self) -> Result<DMatrix<f64>> {
         let n = self.len();
         require_memory("entries", n.saturating_mul(n), 16)?;

@@ -53,7 +53,7 @@ impl Mesh {
     /// # Errors
     /// [`Error::CountOutOfRange`] without elements, [`Error::EntryOutOfRange`] for a length that is not positive
     /// and finite, [`Error::OutOfRange`] if the total length overflows or exceeds 1e303 times the shortest
-    /// element.
+    /// element, or if that is shorter than 2.3e-308.
     pub fn from_lengths(lengths: &[f64]) -> Result<Self> {
         Self::at(0.0, lengths.to_vec())
     }
@@ -74,15 +74,16 @@ impl Mesh {
     /// The uniform mesh with `count` elements on (0, length).
     ///
     /// # Errors
-    /// As [`Mesh::from_lengths`]; [`Error::TooLarge`] if the memory does not suffice.
+    /// [`Error::OutOfRange`] unless 0 < length < ∞; [`Error::TooLarge`] if the memory does not suffice; as
+    /// [`Mesh::from_lengths`].
     pub fn uniform(count: usize, length: f64) -> Result<Self> {
         require_memory("elements", count, BYTES)?;
         require_length_of_interval(length)?;
         Self::from_lengths(&vec![length / count.max(1) as f64; count])
     }
 
-    /// The mesh with nodes 0, L σ^{m}, ..., L σ, L: the lengths decrease by the factor σ towards the left end,
-    /// where the first element has length L σ^m.
+    /// The mesh with nodes 0, L σ^m, ..., L σ, L, m = `layers`, σ = `ratio`, L = `length`: the lengths
+    /// decrease by the factor σ towards the left end, where the first element has length L σ^m.
     ///
     /// ```
     /// use fractional_sobolev::Mesh;
@@ -98,8 +99,9 @@ impl Mesh {
         Self::from_lengths(&geometric_lengths(layers, ratio, length)?)
     }
 
-    /// The mesh with nodes L (i/n)^β, i = 0, ..., n, β > 0: graded towards the left end for β > 1, as for
-    /// powers x^a. The lengths x_{i+1} (1 − (i/(i+1))^β) are computed without cancellation.
+    /// The mesh with nodes L (i/n)^β, i = 0, ..., n, n = `count`, β = `exponent` > 0, L = `length`: graded
+    /// towards the left end for β > 1, as for powers x^a. The lengths x_{i+1} (1 − (i/(i+1))^β) are computed
+    /// without cancellation.
     ///
     /// ```
     /// use fractional_sobolev::Mesh;
@@ -133,11 +135,13 @@ impl Mesh {
     }
 
     /// The mesh that is geometric towards every given point, the first and the last of which are the ends of
-    /// the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either half, the
-    /// shortest ones, of length ℓ/2 σ^m, at its ends. For a given number of elements there is [`Mesh::algebraic`].
+    /// the interval: each part between neighbouring points, of length ℓ, has m + 1 elements on either half,
+    /// the shortest ones, of length (ℓ/2) σ^m, at its ends, m = `layers`, σ = `ratio`. To grade a given
+    /// number of elements towards one end, use [`Mesh::algebraic`].
     ///
     /// # Errors
-    /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1.
+    /// As [`Mesh::from_nodes`] for the points; [`Error::OutOfRange`] unless 0 < σ < 1; [`Error::TooLarge`] if
+    /// the memory does not suffice.
     pub fn graded(points: &[f64], layers: usize, ratio: f64) -> Result<Self> {
         let coarse = Self::from_nodes(points)?;
         require_memory("layers", layers, 2 * BYTES * coarse.len())?;

@@ -1,5 +1,5 @@
-//! A number with its error and its work, as plain data: the errors of the library carry it as the best
-//! estimate.
+//! A number with its error and its work, as plain data; the error type of the library carries it as the
+//! best estimate.
 
 use std::fmt;
 use std::ops::{Add, AddAssign};
@@ -49,7 +49,7 @@ impl AddAssign for Work {
     }
 }
 
-/// A value with an estimate of its absolute error and its work.
+/// A value, an estimate of its absolute error, and the work spent on it.
 #[doc(alias("error bound", "interval"))]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {

@@ -13,7 +13,7 @@ const TWO: usize = 2;
 /// all its numbers are at most this long.
 const SHORT: usize = 7;
 
-/// One entry.
+/// An entry of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
     /// A number without an error: a parameter, or one whose error is negligible at the digits shown.
@@ -31,7 +31,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// The number; NaN where there is none.
+    /// The number with its error; [`Measured::NONE`] for text or a missing entry.
     pub fn number(&self) -> Measured {
         match self {
             Cell::Number(value) => (*value).into(),
@@ -103,7 +103,7 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// Made by [`crate::cells!`].
+    /// The cells with the parameters `about` and the results `found`, as built by [`crate::cells!`].
     pub fn new(about: Vec<(&'static str, Cell)>, found: Vec<(&'static str, Cell)>) -> Self {
         Self { about, found }
     }

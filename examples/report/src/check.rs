@@ -29,7 +29,7 @@ impl Decision {
         }
     }
 
-    /// The name in the file of values that the book reads.
+    /// The name of the decision in the JSON output.
     pub fn word(self) -> &'static str {
         match self {
             Decision::ByProof => "by proof",
@@ -93,22 +93,22 @@ impl Checked {
         slug(&self.claim)
     }
 
-    /// What is claimed.
+    /// The claim.
     pub fn claim(&self) -> &str {
         &self.claim
     }
 
-    /// Its effect on the status.
+    /// The effect of the check on the status of the statement.
     pub fn role(&self) -> Role {
         self.role
     }
 
-    /// Where the bound comes from.
+    /// The source of the bound.
     pub fn source(&self) -> &str {
         &self.source
     }
 
-    /// The number that is compared.
+    /// The number that is compared, with its error.
     pub fn value(&self) -> Measured {
         self.value
     }
@@ -196,7 +196,7 @@ impl Checked {
         [measured_text(self.value), format!("{sign} {}{tolerance}", bound_text(self.bound.value))]
     }
 
-    /// The claim with its comparison.
+    /// The claim, followed by its comparison in parentheses unless it is true by proof.
     pub fn words(&self) -> String {
         if self.proof.is_some() {
             self.claim.clone()
@@ -246,7 +246,7 @@ impl Checked {
     }
 }
 
-/// A claim whose comparison is still to be given.
+/// A claim without its comparison; each method records the claim with a comparison.
 #[must_use = "a claim without a comparison has no effect"]
 pub struct Claim<'a> {
     checks: &'a mut Vec<Checked>,
@@ -259,17 +259,17 @@ impl<'a> Claim<'a> {
         Self { checks, claim, role }
     }
 
-    /// value ≤ bound; `source` says where the bound comes from.
+    /// Records the claim value ≤ bound; `source` is the source of the bound.
     pub fn at_most(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
         self.compared(value.into(), Relation::AtMost, bound.into(), source);
     }
 
-    /// value ≥ bound.
+    /// Records the claim value ≥ bound.
     pub fn at_least(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
         self.compared(value.into(), Relation::AtLeast, bound.into(), source);
     }
 
-    /// |value − expected| ≤ tolerance.
+    /// Records the claim |value − expected| ≤ tolerance.
     pub fn near(
         self,
         value: impl Into<Measured>,
@@ -280,7 +280,7 @@ impl<'a> Claim<'a> {
         self.compared(value.into(), Relation::Near(tolerance), expected.into(), source);
     }
 
-    /// A condition without a number, recorded as: number of violations at most zero.
+    /// Records a condition without a number, as number of violations ≤ 0.
     pub fn holds(self, is_true: bool, source: &str) {
         self.compared(f64::from(u8::from(!is_true)).into(), Relation::AtMost, 0.0.into(), source);
     }

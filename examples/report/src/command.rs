@@ -1,4 +1,5 @@
-//! The command line of an example, and its exit codes: 0 every claim holds, 1 one fails or is undecided, 2 bad input.
+//! The command line of an example, and its exit codes: 0 every claim holds, 1 one fails or is
+//! undecided or no number was compared, 2 an error.
 
 use crate::files::{require_writable, write_whole};
 use crate::options::{command, describe};
@@ -10,7 +11,7 @@ use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
 
-/// Parses the command line, runs the example and prints its outcome.
+/// Parses the command line, runs the example, prints its outcome and returns the exit code.
 pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
     let matches = match command::<P>().try_get_matches() {
         Ok(matches) => matches,

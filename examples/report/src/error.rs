@@ -1,6 +1,6 @@
 //! The error type of the examples.
 
-/// Result with the report's [`Error`].
+/// A result whose error type is [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
 /// The error of an example that has no outcome: a one-line message and exit code 2.
@@ -29,7 +29,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// The error for an option, with the reason.
+    /// The error for the option `name`, with the reason `what`.
     pub fn option(name: &str, what: &str) -> Self {
         Self::Option(format!("--{}: {what}", name.replace('_', "-")))
     }

@@ -31,10 +31,11 @@ const DEEPEST: usize = 50;
 pub struct Expression(Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>);
 
 impl Expression {
-    /// Parses a function.
+    /// The function given by an expression.
     ///
     /// # Errors
-    /// [`Error::Option`] with the text and the reason.
+    /// [`Error::Option`] with the reason, for an expression that cannot be parsed or has more than 2000
+    /// bytes.
     pub fn parse(text: &str) -> Result<Self> {
         if text.len() > LONGEST {
             return Err(Error::Option(format!("the expression has more than {LONGEST} characters")));
@@ -49,10 +50,11 @@ impl Expression {
         whole.map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
     }
 
-    /// The functions of a list with commas; commas inside parentheses belong to a function of two arguments.
+    /// The functions given by a comma-separated list of expressions; commas inside parentheses separate
+    /// arguments.
     ///
     /// # Errors
-    /// As [`Expression::parse`].
+    /// As for [`Expression::parse`].
     pub fn parse_list(text: &str) -> Result<Vec<Self>> {
         let mut depth = 0_i64;
         let split = |c: char| {
@@ -62,7 +64,7 @@ impl Expression {
         text.split(split).map(Self::parse).collect()
     }
 
-    /// The value; NaN where it is not defined.
+    /// The value at a point; NaN or infinite where the function is not defined.
     pub fn at(&self, point: [f64; 2]) -> f64 {
         (self.0)(point)
     }

@@ -1,4 +1,5 @@
-//! Files are written whole or not at all: under another name in the same directory, then renamed.
+//! Atomic writing of files: under another name in the same directory, then renamed; devices and pipes
+//! directly.
 
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};

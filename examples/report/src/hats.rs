@@ -1,5 +1,5 @@
-//! Matrices of continuous piecewise linear functions Σ vᵢ φᵢ, and the eigenvalue problems for constants
-//! computed from their definition.
+//! Matrices of continuous piecewise linear functions Σ vᵢ φᵢ, the eigenvalue problems that define best
+//! constants, and a constrained minimisation.
 
 use crate::{Error, Result};
 use fractional_sobolev::Mesh;
@@ -17,8 +17,9 @@ pub fn mass_matrix(mesh: &Mesh) -> DMatrix<f64> {
     mass
 }
 
-/// A matrix whose columns span the v with ∫ v = 0 over a union of elements: φᵢ − (mᵢ/mₚ) φₚ for i ≠ p, m the integrals
-/// of the hat functions over the zone and mₚ the largest of them.
+/// A matrix whose columns span the v with ∫ v = 0 over `zone`, the union of the elements with midpoints in
+/// it: φᵢ − (mᵢ/mₚ) φₚ for i ≠ p, mᵢ the integrals of the hat functions over the zone and mₚ the largest of
+/// them.
 pub fn mean_zero_basis(mesh: &Mesh, zone: Range<f64>) -> DMatrix<f64> {
     let (x, h, n) = (mesh.nodes(), mesh.lengths(), mesh.len());
     let mut integrals = DVector::<f64>::zeros(n + 1);
@@ -33,9 +34,9 @@ pub fn mean_zero_basis(mesh: &Mesh, zone: Range<f64>) -> DMatrix<f64> {
 }
 
 /// The matrix of v ↦ |V|₁², V the discrete harmonic function of the five-point stencil on n × n squares of
-/// the unit square with edge values v, V = 0 on the side opposite and natural sides. The mode cos kπx has the
-/// energy S_k Σ cos² (end nodes by half), S_k = sinh η coth nη, cosh η = 2 − cos(kπ/n): the stencil, row by
-/// row.
+/// the unit square with edge values v, V = 0 on the opposite side and natural lateral conditions. The mode
+/// cos kπx has the energy S_k Σ_i cos² kπi/n, end nodes with weight 1/2, S_k = sinh η coth nη, cosh η = 2 −
+/// cos(kπ/n), S_0 = 1/n.
 pub fn harmonic_energy(n: usize) -> DMatrix<f64> {
     let half = |i: usize| if i == 0 || i == n { 0.5 } else { 1.0 };
     let angle = |k: usize| k as f64 * PI / n as f64;
@@ -47,10 +48,11 @@ pub fn harmonic_energy(n: usize) -> DMatrix<f64> {
     waves.tr_mul(&(DMatrix::from_diagonal(&symbol) * &waves))
 }
 
-/// The minimiser of ½ v·A v − b·v among the v with B v ≤ 0: v = A⁻¹ (b − Bᵀ q), q ≥ 0 by 20 000 projected Gauss-Seidel sweeps.
+/// The minimiser of ½ v·A v − b·v among the v with B v ≤ 0: v = A⁻¹ (b − Bᵀ q), the multipliers q ≥ 0 by
+/// 20 000 projected Gauss-Seidel sweeps.
 ///
 /// # Errors
-/// [`Error::Option`] where A is singular.
+/// [`Error::Option`] if A is singular.
 pub fn constrained_minimiser(
     a: &DMatrix<f64>,
     b: &DVector<f64>,
@@ -67,10 +69,11 @@ pub fn constrained_minimiser(
 }
 
 /// The largest λ with M u = λ A u for a vector u ≠ 0, M symmetric and A symmetric positive definite: that of
-/// L⁻¹ M L⁻ᵀ, A = L Lᵀ. Its root is the best constant in uᵀMu ≤ λ uᵀAu. O(n³); rounding ε κ(A) relatively.
+/// L⁻¹ M L⁻ᵀ, A = L Lᵀ. It is the best constant in uᵀMu ≤ λ uᵀAu. Relative rounding error ε κ(A), κ the
+/// condition number. Cost: O(n³).
 ///
 /// # Errors
-/// [`Error::Option`] where A is not positive definite to rounding.
+/// [`Error::Option`] if A is not positive definite up to rounding.
 pub fn largest_eigenvalue(m: &DMatrix<f64>, a: &DMatrix<f64>) -> Result<f64> {
     let failed = || Error::Option("the form is not positive definite on this mesh".to_owned());
     let root = a.clone().cholesky().ok_or_else(failed)?.l();

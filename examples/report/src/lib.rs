@@ -14,16 +14,18 @@
 //! | `out.observe("pre-asymptotic order")` | compared and shown; no effect on the status |
 //! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
 //! | `out.note("sharpness", value)` | a number to be quoted |
-//! | `out.order("h", "error")` | order of convergence over the rows like the last one |
-//! | `out.plot(..)`, `out.chart(..)`, `out.bodies(..)` | SVG, written where `--out` says so |
+//! | `out.order("h", "error")` | order of convergence over the last rows that differ only in `h` |
+//! | `out.plot(..)`, `out.chart(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
 //!
 //! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
 //! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if
 //! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps its worst
-//! case: failed before undecided before satisfied, and among equals the one nearest to its bound.
+//! case: failed before undecided before satisfied, and among equals the one that violates its bound most or
+//! satisfies it with the smallest margin, errors included.
 //!
-//! **Verdict** of a statement, from its checks alone: *fails* or *undecided* where a check does (exit code 1), else
-//! *false as printed*, *not sharp*, *loose*, *true*; *open* where no number was compared.
+//! **Verdict** of a statement, from its checks alone: *fails* or *undecided* if a check that must hold is,
+//! *open* if there is none with a number (exit code 1); else *false as printed*, *not sharp*, *loose*,
+//! *true*.
 
 mod cell;
 mod check;

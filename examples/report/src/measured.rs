@@ -1,10 +1,10 @@
-//! A number with a bound on its error, and arithmetic that carries the bound along.
+//! A number with a bound on its error, and arithmetic that propagates the bound.
 
 use fractional_sobolev::Estimate;
 use signorini::rates::ConvergenceOrder;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// A number with an absolute error bound; NaN where there is none.
+/// A number with an absolute error bound; both are NaN if there is no number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Measured {
     /// The number.
@@ -34,7 +34,7 @@ impl Measured {
         self * self
     }
 
-    /// 1/v.
+    /// 1/v, with error u/(|v| (|v| − u)), infinite for u ≥ |v|.
     #[must_use]
     pub fn recip(self) -> Self {
         Self::from(1.0) / self
@@ -48,7 +48,7 @@ impl Measured {
         Self { value: root, error }
     }
 
-    /// ln v, with error −ln(1 − u/v).
+    /// ln v, with error −ln(1 − u/v) for u < v.
     #[must_use]
     pub fn ln(self) -> Self {
         Self { value: self.value.ln(), error: -(-self.error / self.value).ln_1p() }
@@ -134,13 +134,13 @@ impl<T: Into<Measured>> Div<T> for Measured {
     }
 }
 
-/// The largest of several numbers, each counted at its upper end; `None` without any.
+/// The number with the largest upper bound, value plus error; `None` if there are no numbers.
 pub fn largest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Option<Measured> {
     let larger = |a: Measured, b: Measured| if b.value + b.error > a.value + a.error { b } else { a };
     numbers.into_iter().map(Into::into).reduce(larger)
 }
 
-/// The smallest of several numbers, each counted at its lower end; `None` without any.
+/// The number with the smallest lower bound, value minus error; `None` if there are no numbers.
 pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Option<Measured> {
     largest(numbers.into_iter().map(|number| -number.into())).map(|found| -found)
 }

@@ -1,4 +1,4 @@
-//! Options of an example: one short declaration, clap underneath, and a description for the pages of the book.
+//! Options of an example: declaration, parsing by clap, and description for the pages of the book.
 
 use crate::{Error, Result};
 use clap::{Arg, ArgAction, Command};
@@ -9,7 +9,7 @@ use signorini::problems::{NamedProblem, StripData, TestProblem};
 use signorini::singular::SideConditions;
 use signorini::strip::StripKind;
 
-/// Options of an example; made by [`crate::example!`].
+/// Options of an example; implemented by [`crate::example!`].
 pub trait Declarations: Sized {
     /// The paper's label.
     const LABEL: &'static str;
@@ -43,7 +43,7 @@ pub trait Declarations: Sized {
     }
 }
 
-/// One option as declared.
+/// The declaration of one option.
 #[derive(Debug, Clone)]
 pub struct Declared {
     pub(crate) name: &'static str,
@@ -58,7 +58,8 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// An option of type `T`; `range` such as "(0, 1]" or empty, `slider` such as "0.1 to 10" with "by factors".
+    /// An option of type `T`; `range` such as "(0, 1]", `slider` such as "0.1 to 10" or "0.1 to 10 by
+    /// factors"; each may be empty.
     pub fn of<T: OptionValue>(
         name: &'static str,
         help: &'static str,
@@ -189,7 +190,7 @@ fn ends(range: &str) -> Option<(f64, f64)> {
     Some((low.trim().parse().ok()?, high.trim().parse().ok()?))
 }
 
-/// The types of options.
+/// A type of option values.
 pub trait OptionValue: Sized {
     /// The kind of input field on a page.
     const KIND: &'static str;

@@ -64,7 +64,7 @@ impl Verdict {
         }
     }
 
-    /// Whether every claim holds.
+    /// True if every claim holds and at least one was decided by a number.
     pub fn is_confirmed(self) -> bool {
         !matches!(self, Verdict::Fails | Verdict::Undecided | Verdict::Open)
     }
@@ -101,7 +101,7 @@ impl Outcome {
         &self.checks
     }
 
-    /// The check with this key.
+    /// The check with this key; `None` if there is none.
     pub fn check(&self, key: &str) -> Option<&Checked> {
         self.checks.iter().find(|check| check.key() == key)
     }
@@ -178,17 +178,18 @@ impl Outcome {
         Ok(())
     }
 
-    /// 0 where every claim holds, 1 where one fails or is undecided, or none was made.
+    /// 0 if every claim holds; 1 if one fails or is undecided, or if none was decided by a number.
     pub fn exit_code(&self) -> u8 {
         u8::from(!self.status().is_confirmed())
     }
 
-    /// The number that is quoted under this key: `column.row`, a note, or the key of a check.
+    /// The number under this key: `column.row`, `column.row.error`, the key of a note or of a check; `None`
+    /// if there is none or it is not finite.
     pub fn value(&self, key: &str) -> Option<f64> {
         self.values().into_iter().find(|(known, _)| known == key).map(|(_, value)| value)
     }
 
-    /// All numbers that may be quoted, by key.
+    /// All finite numbers that pages may quote, with their keys as in [`Outcome::value`].
     pub fn values(&self) -> Vec<(String, f64)> {
         let mut values = Vec::new();
         for row in &self.rows {
@@ -209,7 +210,7 @@ impl Outcome {
         values
     }
 
-    /// The numbers of a column, in the order of the rows; NaN where a row has none.
+    /// The numbers of a column, in the order of the rows; NaN for a row without one.
     pub fn numbers(&self, name: &str) -> Vec<f64> {
         self.rows.iter().map(|row| row.number(name)).collect()
     }
@@ -258,10 +259,10 @@ impl Outcome {
         (titles, rows)
     }
 
-    /// Draws and writes every picture.
+    /// Draws every picture and writes it to the directory.
     ///
     /// # Errors
-    /// Those of the drawing and of the files.
+    /// [`Error::Figure`] if a picture cannot be drawn, [`Error::File`] if a file cannot be written.
     pub fn save_pictures(&mut self, directory: &Path) -> Result<()> {
         for picture in &self.pictures {
             let path = match picture {
@@ -276,7 +277,7 @@ impl Outcome {
         Ok(())
     }
 
-    /// One JSON object per row, then one per check (told apart by the key `finding`).
+    /// One JSON object per row, then one per check, which has the key `finding`.
     pub fn json_lines(&self) -> String {
         let row = |row: &Cells| {
             let mut object = Map::new();

@@ -76,7 +76,7 @@ impl Plot {
         self.rows(Mark::LineAndPoints, x, y, Some(by))
     }
 
-    /// Points only.
+    /// Column y over column x: points only.
     pub fn points(&mut self, x: &'static str, y: &'static str) -> &mut Self {
         self.rows(Mark::Points, x, y, None)
     }
@@ -86,7 +86,7 @@ impl Plot {
         self.rows(Mark::Points, x, y, Some(by))
     }
 
-    /// A dashed line: bounds and laws.
+    /// Column y over column x as a dashed line, for bounds and laws.
     pub fn dashed(&mut self, x: &'static str, y: &'static str) -> &mut Self {
         self.rows(Mark::Dashed, x, y, None)
     }
@@ -102,7 +102,7 @@ impl Plot {
         self
     }
 
-    /// A dashed line y = C x^exponent through the first of these points, as far as they go.
+    /// A dashed line y = C x^exponent through the first of these points, at their abscissae.
     pub fn power(&mut self, name: &str, points: &[(f64, f64)], exponent: f64) -> &mut Self {
         let place = |point: &(f64, f64)| (point.0, points[0].1 * (point.0 / points[0].0).powf(exponent));
         self.dashed_line(name, points.iter().map(place).collect())

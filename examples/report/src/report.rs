@@ -11,7 +11,7 @@ use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::rates::ConvergenceOrder;
 use std::time::Instant;
 
-/// Collects rows, checks and pictures.
+/// The report of an example while it runs: rows, checks and pictures.
 #[derive(Debug)]
 pub struct Report {
     label: &'static str,
@@ -43,8 +43,9 @@ impl Report {
         }
     }
 
-    /// Sets the title and the meaning of the column of that name; without it the title is the name, Greek
-    /// letters by their names and `_over_` as a slash. The meaning stands below the table.
+    /// Sets the title and the meaning of the column of that name; without it the title is the name, with
+    /// Greek letters in place of their names and a slash in place of `_over_`. The meaning is printed below
+    /// the table.
     pub fn column(&mut self, name: &'static str, title: &'static str, meaning: &'static str) {
         if !self.columns.iter().any(|(known, ..)| *known == name) {
             self.columns.push((name, title, meaning));
@@ -62,7 +63,8 @@ impl Report {
         Claim::new(&mut self.checks, claim.into(), Role::Claim)
     }
 
-    /// The paper's own form, which may fail; the source of its comparison says where it is true: "for θ ≤ 1/2".
+    /// A claim in the paper's own form, which may fail; the source of its comparison is the range in which it
+    /// is true, such as "for θ ≤ 1/2".
     pub fn as_printed(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.checks, claim.into(), Role::AsPrinted)
     }
@@ -82,7 +84,8 @@ impl Report {
         Claim::new(&mut self.checks, claim.into(), Role::Observed)
     }
 
-    /// True by the proof on a page of the book (its file name without ending).
+    /// Records a claim that is true by the proof on a page of the book, given by its file name without
+    /// extension.
     pub fn proof(&mut self, claim: impl Into<String>, page: &str) {
         Claim::new(&mut self.checks, claim.into(), Role::Claim).by_proof(page);
     }
@@ -92,12 +95,12 @@ impl Report {
         self.notes.push((key.into(), value.into().value));
     }
 
-    /// A remark printed last, to explain an unexpected number.
+    /// Sets the remark that is printed last, to explain an unexpected number.
     pub fn remark(&mut self, words: impl Into<String>) {
         self.remark = words.into();
     }
 
-    /// The numbers of these two columns in the last consecutive rows whose parameters differ in `x` only.
+    /// The numbers of these two columns in the last consecutive rows whose parameters differ only in `x`.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
         let Some(last) = self.rows.last() else { return Vec::new() };
         let same = |row: &&Cells| {
@@ -110,18 +113,20 @@ impl Report {
         points
     }
 
-    /// Order of convergence p of y ≈ C xᵖ over the rows of [`Report::series`] ([`ConvergenceOrder::of`]); no
-    /// number where there are too few levels.
+    /// Order of convergence p of y ≈ C xᵖ over the rows of [`Report::series`] ([`ConvergenceOrder::of`]);
+    /// [`Measured::NONE`] for fewer than five rows or a value that is not positive.
     pub fn order(&self, x: &str, y: &str) -> Measured {
         ConvergenceOrder::of(&self.series(x, y)).into()
     }
 
-    /// Slope of ln y against ln x between the last two rows; no number where there is one row.
+    /// Slope of ln y against ln x between the last two rows of [`Report::series`]; [`Measured::NONE`] for
+    /// fewer than two rows.
     pub fn exponent(&self, x: &str, y: &str) -> Measured {
         self.slope(x, y, f64::ln, f64::ln)
     }
 
-    /// Slope of g(y) against f(x) between the last two rows.
+    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`]; [`Measured::NONE`] for
+    /// fewer than two rows.
     pub fn slope(&self, x: &str, y: &str, f: impl Fn(f64) -> f64, g: impl Fn(f64) -> f64) -> Measured {
         match self.series(x, y).as_slice() {
             [.., a, b] => ((g(b.1) - g(a.1)) / (f(b.0) - f(a.0))).into(),
@@ -147,15 +152,16 @@ impl Report {
         self.draws
     }
 
-    /// Adds a chart that is not made from rows.
+    /// Adds a chart whose data are not rows.
     pub fn chart(&mut self, name: impl Into<String>, chart: Chart) {
         self.pictures.push(Picture::Chart(name.into(), chart));
     }
 
-    /// Contact solutions as deformed bodies, one picture each under its name, all on the scale of colour of the last one.
+    /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the colour scale
+    /// of the last one.
     ///
     /// # Errors
-    /// Those of the stresses.
+    /// As for [`signorini::fem::stresses`].
     pub fn bodies(
         &mut self,
         title: &str,
@@ -171,7 +177,8 @@ impl Report {
         Ok(())
     }
 
-    /// u_N and −σ_N of a contact solution along its contact edges, each divided by its maximum.
+    /// Adds a chart of u_N and −σ_N of a contact solution along its contact edges, each divided by the
+    /// maximum of its absolute value.
     pub fn contact_edge(
         &mut self,
         name: impl Into<String>,
@@ -182,7 +189,7 @@ impl Report {
         self.chart(name, edge_chart(problem, solution, title));
     }
 
-    /// The outcome.
+    /// The outcome of the example: everything recorded, and the elapsed time.
     pub fn close(self) -> Outcome {
         Outcome {
             label: self.label.to_owned(),

@@ -17,7 +17,7 @@ const CLAIM: usize = 30;
 const CHECKS: usize = 12;
 
 impl Outcome {
-    /// Statement, table, checks, status; `in_colour` on a terminal.
+    /// The outcome as text: statement, table, checks, status; coloured if `in_colour`.
     pub fn text(&self, in_colour: bool) -> String {
         let width = std::env::var("COLUMNS")
             .ok()

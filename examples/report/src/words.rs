@@ -1,4 +1,4 @@
-//! Words as keys, and Greek letters.
+//! Keys made from text, and the names of Greek letters.
 
 /// Letters, digits and hyphens; letters that a keyboard lacks by name.
 pub(crate) fn slug(words: &str) -> String {

@@ -137,7 +137,8 @@ pub struct MultigridLevel {
     pub factor: f64,
     /// The estimated algebraic error in the energy norm.
     pub error: f64,
-    /// The estimated discretisation error in the energy norm; `None` on the first levels.
+    /// The estimated discretisation error in the energy norm; `None` on the first levels, and if the energy
+    /// did not decrease.
     pub discretisation: Option<f64>,
     /// Wall-clock time in seconds.
     pub seconds: f64,
@@ -158,7 +159,8 @@ pub struct MultigridLevel {
 pub struct MultigridReport {
     /// The energy norm |u_h|_a, with the estimated error of u_h in the same norm; `None` for the direct solver.
     pub error: Option<Estimate>,
-    /// The estimated discretisation error in the energy norm.
+    /// The estimated discretisation error on the finest level in the energy norm; `None` without an estimate
+    /// or for the direct solver.
     pub discretisation: Option<f64>,
     /// Number of contact sets tried on the coarsest mesh, or on the mesh itself if the direct solver was used, each with
     /// one direct solve. The initial guess comes from the problem with coarser trial functions on the contact edge.

@@ -1,5 +1,5 @@
-//! The coarse problems of a problem: the same form on coarser meshes, loads P'F, gaps and prescribed values at the
-//! coarse nodes.
+//! The coarse problems of a problem: the same form on coarser meshes, loads P'F with the prolongation P, gaps
+//! and prescribed values at the coarse nodes.
 //!
 //! On nested meshes the coarse matrices are P'KP and the coarse problems minimise the same functional over coarser
 //! functions. On the image of a grid under a map that is not affine this holds approximately.

@@ -1,5 +1,5 @@
-//! The V-cycle: one sweep, correction on the coarser level, one sweep backwards. It is symmetric, as
-//! conjugate gradients require, and is computed in f32 for residuals scaled to one.
+//! The V-cycle: one Gauss-Seidel sweep, correction on the coarser level, one sweep backwards. It is
+//! symmetric, as conjugate gradients require, and is computed in f32 for residuals scaled to one.
 
 use super::super::problem::ContactProblem;
 use super::coarsest::Coarsest;

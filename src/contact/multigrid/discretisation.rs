@@ -1,8 +1,9 @@
 //! The discretisation error, estimated from the energies of nested levels.
 //!
-//! On nested spaces with one functional J, |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact term;
+//! With u_k the minimiser of one functional J on level k of nested spaces, J_k = J(u_k), in the energy norm
+//! |u_k − u_{k−1}|² = 2 (J_{k−1} − J_k) up to a nonnegative contact term;
 //! with an order p estimated from the last two differences, clipped to [1/4, 1], |u − u_k|² = |u_k − u_{k−1}|²/(4^p −
-//! 1). The load is that of the finest level, so its data error is not included.
+//! 1). The load is that of the finest level; its quadrature error is not included.
 
 /// The range of admissible orders.
 const ORDERS: (f64, f64) = (0.25, 1.0);

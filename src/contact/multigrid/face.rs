@@ -3,8 +3,8 @@
 //! At active nodes of the nodal cone u_N is fixed. On a contact interval of the midpoint cone one amplitude of the
 //! sawtooth (−1)^i is free: a single unknown with many nodes. Coarse functions leave u_N unchanged if they vanish at
 //! all nodes of the contact intervals, so that the coarse spaces are subspaces of the fine one. The functions omitted
-//! on a coarse level lie within one coarse mesh size of the ends of contact and are represented on the next finer
-//! level.
+//! on a coarse level lie within one coarse mesh size of the ends of the contact intervals and are represented
+//! on the next finer level.
 
 use super::super::problem::ContactProblem;
 use super::level::Level;

@@ -1,10 +1,12 @@
-//! Conjugate gradients in a face, preconditioned by the cycle, with estimates of its spectrum.
+//! Conjugate gradients in a face, preconditioned by the cycle, with estimates of the spectrum of the
+//! preconditioned matrix.
 //!
-//! A step makes the next direction conjugate to the last one by z'q/p'q, which accounts for the rounding errors of
-//! the cycle. The coefficients are those of a Lanczos process: the smallest eigenvalue of its matrix is an upper
-//! estimate of the smallest eigenvalue κ of cycle times K, and ρ = r'z estimates the energy of the error,
-//! ρ/κ ≥ |e|² ≥ ρ for exact coarse spaces. Unlike `numeric::ConjugateGradients`, the plain method in f64, the
-//! preconditioned residual is in f32, the update of the direction uses a different quotient, and the coefficients are
+//! A step makes the next direction conjugate to the last one p by z'q/p'q, q = K p, z the preconditioned
+//! residual (the cycle applied to r = F − K x), which accounts for the rounding errors of the cycle. The
+//! coefficients are those of a Lanczos process: the smallest eigenvalue of its matrix is an upper bound of
+//! the smallest eigenvalue κ of cycle times K, and ρ = r'z estimates the energy of the error, ρ/κ ≥ |e|² ≥ ρ
+//! for exact coarse spaces. Unlike `numeric::ConjugateGradients`, the plain method in f64, the preconditioned
+//! residual is in f32, the update of the direction uses a different quotient, and the coefficients are
 //! stored.
 
 use super::cycle::Cycle;

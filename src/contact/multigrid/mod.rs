@@ -7,13 +7,14 @@
 //! O(unknowns) for a fixed accuracy.
 //!
 //! No initial guess is needed: the iteration starts on the coarsest mesh, where the set is guessed from coarser
-//! functions on the edge. The motion of the ends of contact between two meshes is computed on patches: a level
-//! requires one or two linear systems in the nodal cone, at most three in the midpoint cone, for n up to 2048.
+//! functions on the edge. The motion of the ends of the contact intervals from one mesh to the next is
+//! computed on patches: a level requires one or two linear systems in the nodal cone, at most three in the
+//! midpoint cone, for up to n = 2048 segments on the contact edge.
 //!
 //! In the midpoint cone the multipliers of a contact interval that is too short by one segment oscillate, and their
 //! projection is far from the solution: if all violated constraints are adjacent to ends of contact intervals, these
 //! ends are moved. A contact interval adjacent to the Dirichlet boundary may have to be divided at points that no
-//! step finds; up to n = 256 the set of such a level is computed by elimination.
+//! step finds; on levels with n ≤ 256 the set is then computed by elimination.
 //!
 //! Measured for `block` with n segments on the contact edge and tolerance 1e-10: conjugate gradient steps on the
 //! finest level, and the factor by which one cycle reduces the error (for the last two rows the limit on λ/μ is

@@ -13,8 +13,8 @@
 //!
 //! Thus `contact left` and `contact_2` are contact, too. Each curve belongs to at most one group. Nodes in no
 //! triangle (points of the geometry) are omitted. All triangles lie in one plane z = const; a surface whose triangles
-//! are all clockwise is reoriented. The result passes the checks of [`Triangulation::new`]. Cost: O(length of the
-//! file); no memory is reserved on the basis of counts in the file.
+//! are all clockwise is reoriented. The result passes the checks of [`Triangulation::new`]. Cost: O(N log N)
+//! for N lines; no memory is reserved on the basis of counts in the file.
 
 use super::lines::Lines;
 use super::raw::Raw;
@@ -54,7 +54,8 @@ pub fn read_msh(path: impl AsRef<Path>) -> Result<Triangulation> {
 /// # Errors
 /// [`Syntax`](crate::Error::Syntax) with the line at which the text does not follow the format, also for binary
 /// files; [`AtLine`](crate::Error::AtLine) with the line of invalid data:
-/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part, and the errors of
+/// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part,
+/// [`Node`](crate::ToolkitError::Node) for a node with a different z, and the errors of
 /// [`Triangulation::new`].
 pub fn parse_msh(text: &str) -> Result<Triangulation> {
     let mut raw = Raw::default();

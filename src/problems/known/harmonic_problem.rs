@@ -1,6 +1,7 @@
 //! The contact problem with one transition and known solution.
 //!
-//! Loads are integrated by rules graded toward the transition: on its segment x = a ± L t^m.
+//! Loads are integrated by rules graded toward the transition a: on both parts of its segment, of length L,
+//! x = a ± L t^12 with Gauss points t in (0, 1).
 
 use super::harmonic::{Harmonic, SLOPE};
 use crate::contact::ContactProblem;

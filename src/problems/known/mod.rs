@@ -1,10 +1,10 @@
 //! Contact problems on the unit square with known solution: displacement, gradient, σ_N, regularity, the problem on
 //! uniform meshes, and errors of discrete solutions.
 //!
-//! The contact edge is y = 0, with outward normal (0, −1). The solutions differ in their formula, hence in material
-//! and regularity:
+//! The contact edge is y = 0, with outward normal (0, −1); z = x + iy. The solutions differ in their formula,
+//! hence in material and regularity:
 //!
-//! | constructor | solution | u ∈ H^τ for τ below |
+//! | constructor | solution | u ∈ H^τ and σ_N ∈ H^{τ−3/2} for τ below |
 //! | --- | --- | --- |
 //! | [`KnownSolution::three_halves`] | −Re (z − 2/5)^{3/2}, scalar; u given on top, ∂u/∂n on the sides | 5/2 |
 //! | [`KnownSolution::one_transition`], [`KnownSolution::two_transitions`] | Westergaard's function, scalar or elastic | 5/2 |
@@ -40,8 +40,9 @@ const MOST_POINTS: usize = 16;
 
 /// A contact problem on the unit square with known solution u.
 ///
-/// −Δu = f or −div σ(u) = f in the square; u_N ≤ 0, σ_N ≤ 0, u_N σ_N = 0 and σ_T = 0 at y = 0 (initial gap 0).
-/// Values are exact up to rounding.
+/// −Δu = 0 or −div σ(u) = 0 in the square, −Δu + u = f for [`KnownSolution::whole_boundary`]; u_N ≤ 0,
+/// σ_N ≤ 0, u_N σ_N = 0 and σ_T = 0 at y = 0 (initial gap 0), with u_N = u in the scalar case. Values are
+/// exact up to rounding.
 ///
 /// ```
 /// use signorini::problems::KnownSolution;
@@ -68,7 +69,7 @@ enum Formula {
 }
 
 impl KnownSolution {
-    /// The scalar solution u = −Re (z − 2/5)^{3/2} with contact on \[0, 2/5\]: the solution of
+    /// The scalar solution u = −Re (z − 2/5)^{3/2}, z = x + iy, with contact on \[0, 2/5\]: the solution of
     /// [`TestProblem::Manufactured`](super::TestProblem::Manufactured).
     ///
     /// ```
@@ -87,8 +88,8 @@ impl KnownSolution {
 
     /// The solution with contact for x < 3/10 and no contact for x > 3/10; scalar for `None`, otherwise elastic.
     ///
-    /// F = (z − 3/10)^{3/2}: u = −Re F (scalar); 2μ u_x = −α Im F − y Re F', 2μ u_y = β Re F + y Im F', α = μ/(λ + μ),
-    /// β = 1 + α (elastic, zero volume load and zero shear on the edge).
+    /// F = (z − 3/10)^{3/2}, z = x + iy: u = −Re F (scalar); 2μ u_x = −α Im F − y Re F', 2μ u_y = β Re F
+    /// + y Im F', α = μ/(λ + μ), β = 1 + α (elastic, zero volume load and zero shear on the edge).
     ///
     /// ```
     /// use signorini::{fem::Lame, problems::KnownSolution};
@@ -117,11 +118,11 @@ impl KnownSolution {
         Self { formula: Formula::Westergaard(Westergaard { two_transitions: true, lame }) }
     }
 
-    /// The solution r^p near the transition at x = 2/5, with contact for x < 2/5; scalar for `None`, otherwise
-    /// elastic.
+    /// The solution that behaves like r^p at the transition x = 2/5, with contact for x < 2/5; scalar for
+    /// `None`, otherwise elastic.
     ///
-    /// u_N = −c r^p outside contact, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge load ∂u/∂n − σ_N;
-    /// c = |sin pπ|, for elasticity times (λ + 2μ)/(2μ (λ + μ)).
+    /// With r = |x − 2/5|: u_N = −c r^p outside contact, σ_N = −p |sin pπ| r^{p−1} in contact, with an edge
+    /// load ∂u/∂n − σ_N; c = |sin pπ|, for elasticity times (λ + 2μ)/(2μ (λ + μ)).
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -142,8 +143,10 @@ impl KnownSolution {
     /// The scalar solution with a transition at `position` and the given exponents there, contact to its right, and
     /// Dirichlet conditions on the other three sides.
     ///
-    /// u = Re F − 4y, F = i z^p/sin πp (p = 1: with logarithms), z = x − a + iy, a = `position`, r = |x − a|; no
-    /// contact for 0 ≤ x < a, contact for a ≤ x ≤ 1; u_N = −r^p ℓ^{−α}, σ_N = −r^q ℓ^{−α}, ℓ(r) = 2 + ln(1/r).
+    /// u = Re F − 4y, F = i z^p/sin πp, z = x − a + iy, a = `position`; for p = 1, with ℓ = 2 − ln z,
+    /// F = i z ℓ^{1−α}/(π (1 − α)), or i z ln ℓ/π for α = 1. No contact for 0 ≤ x < a: with r = |x − a|,
+    /// u_N = −r^p, or −r ℓ(r)^{−α} to leading order as r → 0 for p = 1. Contact for a ≤ x ≤ 1:
+    /// σ_N = −r^q ℓ(r)^{−α}.
     ///
     /// ```
     /// use signorini::problems::{KnownSolution, TransitionPowers};
@@ -210,11 +213,10 @@ impl KnownSolution {
         }
     }
 
-    /// The ends of the contact set on y = 0; for contact conditions on the whole boundary only those inside that
-    /// side.
+    /// The abscissae of the transitions, the end points of the contact set on y = 0 with 0 < x < 1,
+    /// ascending.
     ///
-    /// They are abscissae in (0, 1), ascending. The fixed ones, 3/10, 2/5 and 7/10, are not nodes of a uniform dyadic
-    /// mesh.
+    /// Those at 3/10, 2/5 and 7/10 are not nodes of a uniform dyadic mesh.
     pub fn transitions(&self) -> Vec<f64> {
         match self.formula {
             Formula::ThreeHalves => vec![three_halves::TRANSITION],
@@ -226,7 +228,8 @@ impl KnownSolution {
 
     /// The supremum of the τ with u ∈ H^τ and σ_N ∈ H^{τ−3/2}.
     ///
-    /// It is 5/2 for r^{3/2}, p + 1 for powers, min(p + 1, q + 2) in general; not attained.
+    /// It is 5/2 for r^{3/2}, p + 1 for powers, min(p + 1, q + 2) in general; attained only with a
+    /// logarithmic factor, α > 1/2.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -275,9 +278,10 @@ impl KnownSolution {
         }
     }
 
-    /// The normal stress σ_N at (x, 0); scalar: the contact force density, ∂u/∂n minus the edge load.
+    /// The normal stress σ_N ≤ 0 of the contact at (x, 0): n·σ(u)n, in the scalar case ∂u/∂n, minus the edge
+    /// load.
     ///
-    /// It is ≤ 0, and zero outside contact; a density in the units of the modulus.
+    /// It is zero outside the contact set.
     pub fn normal_stress(&self, x: f64) -> f64 {
         match self.formula {
             Formula::ThreeHalves => three_halves::normal_stress(x),
@@ -287,10 +291,10 @@ impl KnownSolution {
         }
     }
 
-    /// The problem on the structured mesh with n × n squares, with the data of u.
+    /// The contact problem solved by u, on the structured mesh with n × n squares.
     ///
-    /// Dirichlet data are interpolated at the nodes; edge loads are integrated exactly or by rules graded
-    /// toward the transition.
+    /// Dirichlet data are interpolated at the nodes; loads on the contact edge are integrated exactly or by
+    /// rules graded toward the transition.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::KnownSolution};
@@ -302,7 +306,8 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384.
+    /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::TooLarge`] if there is not
+    /// enough memory.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
         match self.formula {
             Formula::ThreeHalves => three_halves_problem(unit_square(n, SideParts::HANGING)?, 1.0),
@@ -425,9 +430,9 @@ impl KnownSolution {
         }
     }
 
-    /// The seminorm |u|₂ on (0, 1) × (0, 1/n), the square root of the sum over components of ∫ u_xx² + 2 u_xy² +
-    /// u_yy²; the error estimate is the difference from a rule with fewer points, and points are added until the
-    /// tolerance is met.
+    /// The seminorm |u|₂ on (0, 1) × (0, 1/n), the square root of Σ_c ∫ (∂_x²u_c)² + 2 (∂_x∂_y u_c)² +
+    /// (∂_y²u_c)²; the error estimate is the difference from a rule with fewer points, and points are added
+    /// until the tolerance is met.
     ///
     /// It enters the interpolation error h |u|₂ on the row of elements at the contact edge. |u|₂² is additive over
     /// strips and finite, since u ∈ H^{5/2−ε}.
@@ -442,9 +447,10 @@ impl KnownSolution {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::Incompatible`] unless u is
-    /// [`KnownSolution::one_transition`] or [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`] if
-    /// the largest number of points does not meet the tolerance.
+    /// [`ToolkitError::CountOutOfRange`] for n > 16384, [`ToolkitError::NotFinite`] for n = 0;
+    /// [`ToolkitError::Incompatible`] unless u is [`KnownSolution::one_transition`] or
+    /// [`KnownSolution::two_transitions`]; [`ToolkitError::ToleranceNotMet`] if the largest number of points
+    /// does not meet the tolerance.
     pub fn second_seminorm(&self, n: usize, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match self.formula {
@@ -456,8 +462,9 @@ impl KnownSolution {
     /// The seminorm |∇u|_{τ−1} for 1 < τ < 2, and ‖D²u‖ for τ = 2, on the smallest half disc centred at the
     /// transition that contains the square.
     ///
-    /// For τ = 2, with R the radius and q = p − 1: ‖D²(r^p sin pφ)‖² = p² q π R^{2q}; for elasticity this times (α² +
-    /// β² + 1 − q + q²)/(4μ²), α = μ/(λ + μ), β = 1 + α.
+    /// For τ = 2, with R the radius, q = p − 1, and polar coordinates (r, φ) at the transition:
+    /// ‖D²(r^p sin pφ)‖² = p² q π R^{2q}; for elasticity this times (α² + β² + 1 − q + q²)/(4μ²),
+    /// α = μ/(λ + μ), β = 1 + α.
     ///
     /// ```
     /// use signorini::problems::KnownSolution;
@@ -483,9 +490,8 @@ impl KnownSolution {
 
     /// The seminorm |σ_N|_ν or |u_N'|_ν on the interval `part` = (from, to) of the edge.
     ///
-    /// It is the Gagliardo seminorm (∫∫ |f(x) − f(y)|²/|x − y|^{1+2ν})^{1/2} on the interval; invariant under
-    /// reflection, and homogeneous: an interval k times as long about the transition gives k^{p−1/2−ν} times the
-    /// value.
+    /// It is the Gagliardo seminorm (∫∫ |f(x) − f(y)|²/|x − y|^{1+2ν})^{1/2} on the interval. It is
+    /// homogeneous: dilating the interval by k about the transition multiplies the value by k^{p−1/2−ν}.
     ///
     /// ```
     /// use signorini::problems::{EdgeDatum, KnownSolution};
@@ -497,7 +503,9 @@ impl KnownSolution {
     ///
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for ν ≥ p − 1/2; [`ToolkitError::Incompatible`] unless u is
-    /// [`KnownSolution::power`]; and the errors of [`Function::seminorm`](fractional_sobolev::Function::seminorm).
+    /// [`KnownSolution::power`]; and the errors of
+    /// [`Function::from_fn`](fractional_sobolev::Function::from_fn) and
+    /// [`Function::seminorm`](fractional_sobolev::Function::seminorm).
     pub fn edge_seminorm(
         &self,
         datum: EdgeDatum,

@@ -1,4 +1,4 @@
-//! The problem of a power about one transition on the mesh with n × n squares.
+//! The contact problem whose solution behaves like r^p at one transition, on the mesh with n × n squares.
 
 use super::power::{Power, TRANSITION};
 use crate::contact::ContactProblem;

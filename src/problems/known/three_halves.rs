@@ -1,8 +1,10 @@
-//! A scalar Signorini problem with known solution: u = −Re (z − a)^{3/2} on the unit square, z = x + iy.
+//! A scalar Signorini problem with known solution: u = −Re (z − a)^{3/2} on the unit square, z = x + iy,
+//! a = 2/5.
 //!
 //! With z − a = r e^{iφ}: u = −r^{3/2} cos(3φ/2) is harmonic. On y = 0 it is −r^{3/2} < 0 with ∂u/∂n = 0 to the right
 //! of a, and 0 with ∂u/∂n = −(3/2) r^{1/2} ≤ 0 to the left: contact on [0, a], and exactly the regularity H^{5/2−ε}
-//! of a transition inside a straight edge. u is prescribed on top, ∂u/∂n on both sides by quadrature.
+//! of a transition inside a straight edge. u is prescribed on top, ∂u/∂n on the
+//! left and the right side, integrated by quadrature.
 
 use crate::contact::ContactProblem;
 use crate::error::Result;

@@ -1,8 +1,9 @@
 //! Contact problems on the unit square with solution in closed form, scalar and elastic, with one or two transitions.
 //!
-//! With z = x + iy let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, both with roots of real part ≥ 0 for each
-//! factor. On y = 0 either F > 0 and F' is real (no contact: x > a, or a < x < b), or Re F = 0 and Im F' ≥ 0
-//! (contact). All second derivatives are of size r^{−1/2} at the transitions, so u ∈ H^{5/2−ε}.
+//! With z = x + iy, a = 3/10 and b = 7/10 let F = (z − a)^{3/2}, or F = ((z − a)(b − z))^{3/2}, with the
+//! square root of real part ≥ 0 for each factor. On y = 0 either F > 0 and F' is real (no contact: x > a, or
+//! a < x < b), or Re F = 0 and Im F' ≥ 0 (contact). All second derivatives are of size r^{−1/2} at the
+//! transitions, so u ∈ H^{5/2−ε}.
 //!
 //! * *Scalar*: u = −Re F, harmonic, ∂u/∂n = −Im F' on y = 0.
 //! * *Elastic* (Westergaard's function iF'; α = μ/(λ+μ), β = 1 + α, no volume force):

@@ -67,10 +67,10 @@ impl FromStr for StripKind {
 /// A contact problem on the strip of height 1 whose exact solution has given complementary edge data.
 ///
 /// The load b = A u_N + λ on the fine grid is restricted to all coarser grids by P', P linear interpolation of edge
-/// values to the finer grid, so that every coarse problem is the Galerkin discretisation of the reference problem.
-/// The errors |u − u_h|_a depend only on the edge values: for the scalar strip, with d = u_N − P u_h,N,
-/// |u − u_h|_a² = ⟨A d, d⟩ + ⟨G u_h,N, u_h,N⟩, where G ≥ 0 is the excess of the energy of the coarse strip over that
-/// of the fine one.
+/// values to the finer grid, so that every coarse problem is the Galerkin discretisation of the reference
+/// problem. The errors |u − u_h|_a depend only on the edge values: for the scalar strip, with v the edge
+/// values of u_h and d = u_N − P v, |u − u_h|_a² = ⟨A d, d⟩ + ⟨G v, v⟩, where G ≥ 0 is the excess of the
+/// energy of the coarse strip over that of the reference.
 ///
 /// ```
 /// use signorini::cone::Cone;
@@ -98,13 +98,13 @@ impl StripProblem {
     /// The problem on the strip of height 1; for elasticity λ = μ = 1, and the reference must be the discrete
     /// solution on the grid of the test problem.
     ///
-    /// `coarsest` is the smallest number of cells for which errors are computed. Cost: O(N log N), N the number of
-    /// cells of the data.
+    /// `coarsest` is the smallest number of cells for which errors are computed in the elastic strip, where
+    /// it must not exceed N, the number of cells of the data. Cost: O(N log N).
     ///
     /// # Errors
-    /// As for [`EdgeData::new`]; [`ToolkitError::Incompatible`] for the lateral conditions of the other kind of strip
-    /// and for a continuous elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells is a
-    /// power of two.
+    /// [`ToolkitError::Incompatible`] for the lateral conditions of the other kind of strip
+    /// and for a continuous elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells
+    /// is a power of two.
     pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         Ok(Self(match kind {
             StripKind::Scalar => Exact::Scalar(ExactEdge::scalar(edge_data, (1, 1), reference)?),
@@ -122,7 +122,7 @@ impl StripProblem {
         }))
     }
 
-    /// Replaces the test problem by another one on the same grid, at a much lower cost than a new problem.
+    /// Replaces the edge data by other data on the same grid, at a much lower cost than a new problem.
     ///
     /// The operators A and the excess energies G are kept; the loads and the modes of u_N are recomputed in
     /// O(N log N).
@@ -136,7 +136,8 @@ impl StripProblem {
         }
     }
 
-    /// The edge operator on `cells` cells and the number of unknowns of the two-dimensional problem.
+    /// The edge operator of the discrete problem on `cells` cells and the number of its unknowns in two
+    /// dimensions.
     ///
     /// ```
     /// use signorini::problems::StripData;
@@ -150,7 +151,8 @@ impl StripProblem {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ `cells` ≤ 2^26, in
+    /// the elastic strip for a level that does not exist.
     pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
         match &self.0 {
             Exact::Scalar(exact) => {
@@ -193,7 +195,8 @@ impl StripProblem {
     /// tolerance: the energy is a finite sum of nonnegative terms over modes, computed up to rounding.
     ///
     /// The `error` of the estimate includes the rounding error of the modes, which is of size
-    /// ε log₂ P (max S)^{1/2} ‖u_N‖₂, S the symbol of A and P the period in cells. Cost: O(N).
+    /// ε log₂ P (max S)^{1/2} ‖u_N‖₂, S the symbol of A, P the period in cells, ‖·‖₂ the Euclidean norm of
+    /// the nodal values over a period. Cost: O(N + n log n), n = `cells`.
     ///
     /// ```
     /// use signorini::problems::StripData;

@@ -2,8 +2,8 @@
 //!
 //! Let P be linear interpolation of edge data to a finer grid. The energy of the strip of mesh size h with edge
 //! displacement g_h exceeds that of the finer strip (or of the continuous harmonic function) with edge displacement P
-//! g_h by ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in the modes. All terms below are written as sums of positive ones;
-//! θ = kπ/n, m the number of layers, φ = 2 asinh sin(θ/2).
+//! g_h by ⟨G g_h, g_h⟩ with G ≥ 0 diagonal in the modes. All expressions below are free of cancellation of
+//! leading terms; θ = kπ/n, m the number of layers, φ = 2 asinh sin(θ/2).
 //!
 //! * One halving, s = sin(θ/4), c = cos(θ/4), S the symbols: D(θ) = S_h(θ) − 2 [c⁴ S_{h/2}(θ/2) + s⁴
 //!   S_{h/2}(π − θ/2)], on the half plane D = 4sc { s² (4c²+1+c²+c⁴−c⁶)/(√(1+4s²c²) + c³ √(1+s²)) − s³

@@ -65,9 +65,11 @@ impl EdgeOperator {
     /// ```
     ///
     /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for fewer than two cells (or an odd
-    /// number on a periodic edge), [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite values.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) as for
+    /// [`LateralCondition::check_cells`],
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) or
+    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite
+    /// values.
     pub fn new(cells: usize, sides: LateralCondition, symbol: &[f64]) -> Result<Self> {
         check_cells(cells, sides)?;
         let period = sides.period(cells);
@@ -115,12 +117,13 @@ impl EdgeOperator {
     /// The values S(2πk/P), k = 0, ..., P/2, of the symbol, P the period in cells.
     ///
     /// These are the eigenvalues of A with periodic sides, and of W⁻¹A with natural sides. They are nondimensional
-    /// and O(1); for a strip of m layers the smallest one is about 1/m, at k = 0.
+    /// and O(1); for a scalar strip of m layers the smallest one is 1/m, at k = 0.
     pub fn symbol(&self) -> &[f64] {
         &self.symbol
     }
 
-    /// The largest value of the symbol: the norm of A.
+    /// The largest value of the symbol: the spectral norm of A with periodic sides, of W^{−1/2} A W^{−1/2}
+    /// with natural sides, W the diagonal matrix of the weights.
     ///
     /// It is max_k S(θ_k); the step length of the projected gradient method is its reciprocal.
     ///
@@ -174,7 +177,7 @@ impl EdgeOperator {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless g has one value per node;
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) unless all values are finite.
     pub fn apply(&self, g: &[f64]) -> Result<Vec<f64>> {
         self.check_field("edge values", g)?;
         let mut out = vec![0.0; self.nodes()];
@@ -185,7 +188,7 @@ impl EdgeOperator {
     /// The solution A⁻¹ b: the edge displacement under nodal forces b.
     ///
     /// It minimises ½ g'A g − b'g over all g, that is, without the contact condition. Rounding errors are amplified
-    /// by the condition number of A, max S/min S, about 3m for a strip of m layers. Cost: O(n log n).
+    /// by the condition number max S/min S, about 3m for a scalar strip of m layers. Cost: O(n log n).
     ///
     /// ```
     /// use signorini::strip::Strip;

@@ -1,8 +1,9 @@
-//! The linear problem on a face: Π A Π x = Π b by preconditioned conjugate gradients.
+//! The linear problem on a face: Π A Π x = Π b, Π the projection onto the face, by preconditioned conjugate
+//! gradients.
 //!
-//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, which is equivalent to the energy
-//! norm of the error with constants close to 1. The number of iterations for a given reduction is bounded
-//! independently of n and of the contact set.
+//! The residual is measured in the norm of the preconditioner, ρ = (r'B r)^{1/2}, B the preconditioner, which
+//! is equivalent to the energy norm of the error with constants close to 1. The number of iterations for a
+//! given reduction is bounded independently of n and of the contact set.
 
 use super::precondition::Preconditioner;
 use crate::cone::Face;

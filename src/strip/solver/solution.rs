@@ -20,8 +20,8 @@ use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 pub struct EdgeSolution {
     /// The normal displacement u_N at the edge nodes.
     ///
-    /// One value per edge node, ordered by x = i/n. In the nodal cone they are ≤ 0, in the midpoint cone their means
-    /// over segments are.
+    /// One value per edge node, ordered by x = i/n. The values are ≤ 0 in the nodal cone, their means over
+    /// segments are ≤ 0 in the midpoint cone.
     pub values: Vec<f64>,
     /// The multipliers λ ≥ 0, one per node (nodal cone) or per segment (midpoint cone).
     ///
@@ -31,7 +31,7 @@ pub struct EdgeSolution {
     pub contact: ContactSet,
     /// The discrete cone.
     pub cone: Cone,
-    /// The energy min ½ g'A g − b'g.
+    /// The value of ½ g'A g − b'g at the solution.
     ///
     /// It is nonpositive, since g = 0 is admissible; the terms are added by pairwise summation.
     pub energy: f64,

@@ -5,10 +5,11 @@
 //! cone this is the primal-dual active set rule λ_i + σ w_i > 0, monotone because the scalar edge matrix is an
 //! M-matrix; for the midpoint cone the standard rule stalls in checkerboard patterns, while the projection does not.
 //! While the set changes, the linear problems are solved to only two digits. A start from the grid of twice the mesh
-//! size interpolates set and values. If a set recurs, the iteration continues with feasible descent: every step
-//! decreases J, so that no set can recur.
+//! size interpolates set and values. If a set recurs, the linear problems are solved accurately; if one
+//! recurs again, the iteration continues with feasible descent: every step decreases J, so that no set can
+//! recur.
 //!
-//! Multipliers: K u + B'λ = F with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion
+//! Multipliers: A w + B'λ = b with λ ≥ 0; for the midpoint cone (B w)_i = (w_i + w_{i+1})/2, λ by recursion
 //! along each contact interval. Cost: O(n log n) per inner iteration, a few dozen of them per level.
 
 use super::inner::FaceSolver;
@@ -42,9 +43,10 @@ impl EdgeOperator {
     /// The contact solution, the minimiser of ½ g'A g − b'g over the cone, for nodal forces b; the initial guess
     /// `start` is a solution on the grid of twice the mesh size or on the same grid.
     ///
-    /// The residual of the linear problem on the final contact set is at most `tolerance`, relative and in the energy
-    /// norm, and a further step at this accuracy leaves the set unchanged; 1e-13 is about a hundred times the
-    /// rounding level of binary64. Cost: O(n log n) per inner iteration, a few dozen of them per level.
+    /// The residual of the linear problem on the final contact set is at most `tolerance`, relative and in
+    /// the norm (r'B r)^{1/2}, B the preconditioner, which is equivalent to the energy norm of the error; a
+    /// further step at this accuracy leaves the set unchanged; 1e-13 is about a hundred times the rounding
+    /// level of binary64. Cost: O(n log n) per inner iteration, a few dozen of them per level.
     ///
     /// ```
     /// use signorini::{cone::Cone, strip::Strip};

@@ -206,8 +206,8 @@ impl Curve {
         self.sides.iter().map(|side| side.mesh.total()).sum()
     }
 
-    /// The coordinates of the nodes in order, rounded: as many as elements on a closed curve, one more on
-    /// an open one.
+    /// The coordinates of the nodes in order, rounded: one per element on a closed curve, one more on an open
+    /// one.
     pub fn nodes(&self) -> Vec<[f64; 2]> {
         let mut nodes: Vec<[f64; 2]> = Vec::with_capacity(self.len() + 1);
         for side in &self.sides {

@@ -3,10 +3,12 @@
 //! |u|²_ν = ∫_Γ ∫_Γ (u(x) − u(y))² / |x − y|^{1+2ν} is summed over the pairs of elements of a mesh graded by the
 //! factor 0.3 towards every vertex, with n Gauss points on an element:
 //!
-//! - an element with itself: 2 h^{1−2ν} ∫ z^{1−2ν} (1 − z) ∫ ((u(t + hz) − u(t))/z)², t = h (1 − z) s, s in (0, 1);
-//! - neighbours of lengths p, q, on one side or across a corner: over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq
-//!   (Duffy), pq ξ^{2−2ν} ((u(x) − u(y))/ξ)² / ρ(η)^{1+2ν}, with the distance ξρ; subdivided in η about the singularity of ρ;
-//! - other pairs: subdivided until no piece is longer than its distance to the other.
+//! - an element of length h with itself: 2 h^{1−2ν} ∫₀¹ z^{1−2ν} (1 − z) ∫₀¹ ((u(t + hz) − u(t))/z)² ds dz,
+//!   t = h (1 − z) s;
+//! - neighbours of lengths p, q, on one side or across a corner, with points at the distances σ, τ from the
+//!   common node: twice the integral over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) of
+//!   pq ξ^{2−2ν} ((u(x) − u(y))/ξ)² / ρ(η)^{1+2ν}, |x − y| = ξρ; subdivided in η about the zeros of ρ;
+//! - other pairs, counted twice: subdivided until no piece is longer than its distance to the other.
 //!
 //! Where u is smooth except at the vertices, the error decreases exponentially in n and in the number of
 //! layers.

@@ -1,12 +1,12 @@
 //! ∫∫ f(x, y) |x−y|^{-1-2ν} over two elements of a polygonal curve, for f = (u(x)−u(y))², u piecewise
 //! linear or piecewise constant.
 //!
-//! - an element with itself: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its values;
-//! - neighbours of lengths p, q, on one side or across a corner: the integrand is homogeneous about the common
-//!   point, so that over the triangles σ = ξp, τ = ξqη and σ = ξpη, τ = ξq (Duffy) the integral in ξ is
-//!   1/(3−2ν), or 1/(1−2ν) for constants, and pq times a smooth integral in η remains: its integrand is
-//!   singular only at η q = p e^{±iω}, ω the angle, and is subdivided until no piece is longer than its
-//!   distance to these points;
+//! - an element with itself: 2 h^{1-2ν} / ((2−2ν)(3−2ν)) times the squared difference of its end values;
+//! - neighbours of lengths p, q, on one side or across a corner, with points at the distances σ, τ from the
+//!   common node: the integrand is homogeneous about it, so that over the triangles σ = ξp, τ = ξqη and
+//!   σ = ξpη, τ = ξq (Duffy) the integral in ξ is 1/(3−2ν), or 1/(1−2ν) for constants, and pq times an
+//!   integral in η remains. Its integrand is singular only at qη = p e^{±iω} or pη = q e^{±iω}, ω the angle;
+//!   it is subdivided until no piece is longer than its distance to these points;
 //! - other pairs: subdivided until no piece is longer than its distance to the other, then Gauss rules whose
 //!   order depends on the ratio of length to distance.
 

@@ -9,7 +9,7 @@
 //! f(t+r) dt = Σ c_n P_n(2r-1), n ≤ 2p + 1:
 //!   a = h Σ f_k m_k(z),  b = h Σ (-1)^k f_k m_k(z),  d = 2h² Σ c_n m_n(z),
 //!   m_n(z) = ∫_0^1 e^{-zt} P_n(2t-1) dt = (-1)^n e^{-z/2} i_n(z/2),
-//! i_n the modified spherical Bessel functions. Cost O(N (p + 1)) for one τ.
+//! p the degree of f, i_n the modified spherical Bessel functions. Cost O(N (p + 1)) for one τ.
 
 use crate::error::Result;
 use crate::numeric::legendre;

@@ -1,11 +1,12 @@
 //! Dual norms of functions with declared breakpoints: the dual norm of a piecewise polynomial approximation,
 //! and a bound of the remainder.
 //!
-//! Every side is cut at R/2^k towards its breakpoint, and f is interpolated by a polynomial of degree p at
-//! Gauss points on each piece: if the piece is no longer than its distance from a singularity at the
-//! breakpoint, the difference decreases like (3 + √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual
-//! norm of the difference is at most its L² norm. This is integrated at other points; on the last piece it is
-//! integrated layer by layer as far as f can be evaluated, and continued by a geometric series.
+//! Every half of an interval between breakpoints (a side, of length R) is cut at the distances R/2^k from its
+//! breakpoint, and f is interpolated by a polynomial of degree p at Gauss points on each piece: if the piece
+//! is no longer than its distance from a singularity at the breakpoint, the difference decreases like (3 +
+//! √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the difference is at most its L²
+//! norm. This is integrated at other points; on the last piece it is integrated layer by layer as far as f
+//! can be evaluated, and continued by a geometric series.
 
 use super::functional::DualOf;
 use crate::error::{Error, Result};

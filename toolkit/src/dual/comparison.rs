@@ -5,11 +5,11 @@
 //! since it differs from c A^ν of [`super::cosines`] by twice the integral of the kernel over the exterior.
 //! With nodes β_j ≥ 0 and the Lagrange polynomials θ_j in b(x),
 //!   R = Σ_j ⟨f, (β_j + acA^ν)^{-1} θ_j f⟩
-//! interpolates 1/(b(x) + ac |ξ|^{2ν}): on waves of length h the relative difference is Π (b(x) - β_j) h^{2ν},
-//! which is (b(x) - β) h^{2ν} for one node. Since b < 0 nearly everywhere, the θ_j are large if there are many
-//! of them. θ_j is constant on each element of f, so that θ_j f has the same form as f; at distances below
-//! `NEAR` from an end, b is replaced by b(NEAR), and the windows of [`super::missed`] account for the
-//! remainder. For the exact R
+//! interpolates 1/(b(x) + ac |ξ|^{2ν}): on waves of length h the relative difference is of the size Π_j
+//! |b(x) - β_j| h^{2ν}/(ac), with one factor for one node. Since b < 0 nearly everywhere, the θ_j are large
+//! if there are many of them. θ_j is constant on each element of f, so that θ_j f has the same form as f; at
+//! distances below `NEAR` from an end, b is replaced by b(NEAR), and the windows of [`super::missed`] account
+//! for the remainder. For the exact R, with G = (β_j + acA^ν)^{-1} and θ = θ_j,
 //!   ⟨f, Gθf⟩ = (t/4) (⟨f + θf/t, G(f + θf/t)⟩ - ⟨f - θf/t, G(f - θf/t)⟩),   t = max |θ|.
 
 use super::cells::Cells;

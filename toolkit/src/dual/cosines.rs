@@ -8,7 +8,8 @@
 //! - over the piecewise linear functions on M equal elements: they are spanned by the interpolants of cos kπx, whose
 //!   coefficients at the aliases k + 2Mm are (sin φ/(φ+πm))², φ = kπ/2M, so that the Gram matrix is diagonal,
 //!   μ_k = sin⁴φ/2 Σ_m (β + c (2M)^{2ν} |φ+πm|^{2ν}) |φ+πm|^{-4}, twice that for k = M, β for k = 0.
-//!   The sums are (2 + cos 2φ)/3 for β and Hurwitz's zeta functions for c; a transform costs O(M log M).
+//!   sin⁴φ times the sum is (2 + cos 2φ)/3 for β and a sum of two Hurwitz zeta functions for c; a transform
+//!   costs O(M log M).
 
 use super::cells::Cells;
 use super::resolvent::{Ends, Load, geometric};

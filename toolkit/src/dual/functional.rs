@@ -13,7 +13,7 @@ use crate::piecewise::PiecewisePolynomial;
 /// | [`DualOf`] | ‖v‖² | space |
 /// | --- | --- | --- |
 /// | `Slobodeckij` | ∥v∥²_0 + \|v\|²_ν, (1.1) of the paper | H^ν(I) |
-/// | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k cosine coefficients | H^ν(I) |
+/// | `Interpolation` | Σ_k (1+λ_k)^ν v_k², v_k coefficients in orthonormal cosines | H^ν(I) |
 /// | `InterpolationZero` | the same with sines | H^ν, H^{1/2}_{00}, H^ν_0 for ν below, at, above 1/2 |
 ///
 /// λ_k = (kπ/L)², L the length of I. The dual of the first norm at ν = 1/2 is ∥·∥\_{1/2,*} of (4.7) and Remark 2.

@@ -1,5 +1,5 @@
-//! Q_h - R_h: the difference of the regional form and the comparison form over the piecewise linear functions
-//! on M equal elements.
+//! Q_h - R_h of [`super::regional`]: the values of the dual forms of the regional form and of the comparison
+//! form over the piecewise linear functions on M equal elements, and their difference.
 //!
 //! If R of [`super::comparison`] has more than one node, windows are used at the ends. There b(x) grows faster
 //! than the nodes resolve, and the mesh would have to be doubled many times. Therefore the part of f within ℓ/2

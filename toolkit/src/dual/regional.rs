@@ -8,11 +8,12 @@
 //!   Q ≈ Q_h + R - R_h,
 //! whose error decreases like h^{min(1+4ν, 4-2ν)} per jump (that of Q_h like h^{1+2ν}), with a small factor far
 //! from the ends if R has several nodes. The jumps need not be nodes of the mesh. M is doubled; the error
-//! estimate is the change at the last doubling or, if all elements of f are divided alike and three values
-//! decrease by the known factor, that of the extrapolated limit. Q_h is computed by conjugate gradients with
-//! the form of R_h as preconditioner (5 to 15 steps). The mean is treated separately, because it is its own
-//! representer. The rounding error of the product grows like M^{2ν} and limits the doubling. Lengths are in
-//! units of the interval: 1 + A becomes L^{2ν} + A, divided by L^{2ν} (L ≤ 1), or 1 + L^{-2ν} A.
+//! estimate is the change at the last doubling or, if all elements of f are divided alike and three
+//! successive values converge at the known rate, that of the extrapolated limit. Q_h is computed by conjugate
+//! gradients with the form of R_h as preconditioner (5 to 15 steps). The mean is treated separately, because
+//! it is its own representer. The rounding error of the product grows like M^{2ν} and limits the doubling.
+//! Lengths are in units of the interval: 1 + A becomes L^{2ν} + A, divided by L^{2ν} (L ≤ 1), or 1 + L^{-2ν}
+//! A.
 
 use super::cells::Cells;
 use super::comparison::Comparison;

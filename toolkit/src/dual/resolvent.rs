@@ -11,10 +11,9 @@
 //! piecewise constants ∥f∥² - c/τ up to e^{-τh}): the infinite sums are geometric there.
 //!
 //! The mean is treated separately under the Neumann condition, where it is its own representer. On intervals
-//! much shorter than 1 the form of f at τL < 1 is computed from that of its primitive F with the other
-//! condition: ⟨f, (τ²+A)^{-1} f⟩ = ∥F∥² - τ² ⟨F, (τ²+A')^{-1} F⟩ with F = 0 at both ends (Neumann, f with mean
-//! zero) or with mean zero (Dirichlet). Cost: some hundred passes over the elements, fewer for coarser
-//! tolerances.
+//! shorter than 1 the form of f at τL < 1 is computed from that of its primitive F with the other condition:
+//! ⟨f, (τ²+A)^{-1} f⟩ = ∥F∥² - τ² ⟨F, (τ²+A')^{-1} F⟩ with F = 0 at both ends (Neumann, f with mean zero) or
+//! with mean zero (Dirichlet). Cost: about a hundred passes over the elements, fewer for coarser tolerances.
 
 use super::cells::{Cells, Run};
 use crate::error::{Error, Result};

@@ -3,8 +3,8 @@
 //!
 //! The square is divided as for the operators ([`crate::gram::cluster`]). Far pairs are as accurate as the
 //! interpolated kernel, whose error is measured for the worst pair; near pairs are supplied by the caller.
-//! Cost: O(N) near pairs and about 3N/leaf pairs of clusters with m² kernel values each, m ≈ 1.3 times the
-//! number of digits.
+//! Cost: O(N) near pairs and about 3N/n pairs of clusters, n the number of cells of a leaf, with m² kernel
+//! values each, m ≈ 1.3 times the number of digits.
 
 use super::moments::{MomentTree, Samples};
 use super::pair_sum::PairSum;

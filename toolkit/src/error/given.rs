@@ -6,8 +6,9 @@ use super::Result;
 
 /// A parameter given as its type or as a plain number: `u.norm(0.5, 1e-8)?`.
 ///
-/// Implemented for orders and tolerances, and for `f64` in their place; a number outside their range is
-/// [`Error::OutOfRange`].
+/// Implemented for orders, tolerances and embedding targets, and for `f64` in their place; for
+/// [`Zones`](crate::Zones) and ranges in their place; and for constraints. An order or a tolerance outside
+/// its range is [`Error::OutOfRange`].
 ///
 /// ```
 /// use fractional_sobolev::{Function, Given, Order, Result, Tolerance};

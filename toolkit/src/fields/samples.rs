@@ -1,8 +1,8 @@
 //! A cell at a breakpoint, represented by points graded towards it: sufficient for kernels that are smooth
 //! there.
 //!
-//! Gauss rules are used on layers of ratio 2/5. The layers end where ∫ e² over the remainder is small relative
-//! to the tolerance, or where the function cannot be evaluated any closer to the breakpoint.
+//! Gauss rules are used on layers of ratio 2/5. The layers end where ∫ e² over the remainder, e = u − u_h, is
+//! small relative to the tolerance, or where the function cannot be evaluated any closer to the breakpoint.
 
 use crate::error::Result;
 use crate::quadrature::Rule;

@@ -1,4 +1,4 @@
-//! The remaining evaluations of a norm.
+//! The number of evaluations that the work limit still admits for a norm.
 
 use crate::error::{Error, Result};
 use crate::estimate::{SPENT, Tolerance};

@@ -7,11 +7,12 @@
 //! A = ∫₀^∞ (f(t)−f(t−s))² e^s (e^s−1)^{−1−2ν} ds,  B = ∫₀^∞ (f(t)−g(t−s))² ρ (1+ρ)^{−1−2ν} ds,  ρ = (R′/R)
 //! e^s,
 //!
-//! with g on the other side (of length R′) of the same breakpoint. A quantity that decays like a power of t
-//! decays exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}. There f(t) − f(t−s) would have no
-//! digits: f is interpolated in τ on cells by Chebyshev polynomials, p = Σ c_k T_k, and the divided
-//! difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1}, D_k = (T_k(x) −
-//! T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in s) × degree.
+//! with the function f on the side and g on the other side, of length R′, of the same breakpoint. A quantity
+//! that decays like a power of t decays exponentially in τ = ln t, and τ < 700 reaches ln δ = −10^{300}.
+//! There f(t) − f(t−s) would have no digits: f is interpolated in τ on cells by Chebyshev polynomials, p = Σ
+//! c_k T_k, and the divided difference is Σ c_k D_k with D₀ = 0, D₁ = 1, D_{k+1} = 2xD_k + 2T_k(y) − D_{k−1},
+//! D_k = (T_k(x) − T_k(y))/(x − y), at x − y = −ln(1 − s/t) in τ. Cost: (cells of τ) × (points) × (points in
+//! s) × degree.
 
 use super::arm::Arm;
 use super::function::SingularFunction;

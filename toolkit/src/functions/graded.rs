@@ -6,10 +6,10 @@
 //! same criterion. A difference ε at the scale δ contributes ε δ^{1/2−ν} to |u|_ν. The seminorm is |p|_ν of the
 //! piecewise polynomial, which depends on lengths only and is accurate on all scales.
 //!
-//! The error of |p|_ν is at most |u − p|_ν, bounded by B of [`super::resolution`]. This bound adds the
-//! residuals e of all cells with one sign; but e is orthogonal to polynomials of lower degree, and |u|² − |p|² =
-//! 2(p, e)_ν + |e|²_ν is much smaller. The first term is estimated from polynomials with an error ten times
-//! as large on every cell, obtained by dropping the last bubbles; the second term is at most B².
+//! The error of |p|_ν is at most |u − p|_ν, for which [`super::resolution`] gives a bound B. This bound adds
+//! the residuals e of all cells with one sign; but e is orthogonal to polynomials of lower degree, and |u|²
+//! − |p|² = 2(p, e)_ν + |e|²_ν is much smaller. The first term is estimated from polynomials with an error
+//! ten times as large on every cell, obtained by dropping the last bubbles; the second term is at most B².
 
 use super::arm::Arm;
 use super::function::SingularFunction;

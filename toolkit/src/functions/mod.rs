@@ -1,4 +1,9 @@
 //! Norms of functions given by code with declared breakpoints.
+//!
+//! Each interval between breakpoints is divided at its midpoint into two *sides*. A side of length R consists
+//! of the points c ± δ, 0 < δ < R, c its breakpoint; t = ln(R/δ) is the *depth* of a point, and the depth of
+//! a side is the largest t at which the function is evaluated. Norms are sums of integrals ∫₀^∞ ℓ(t) dt along
+//! the sides ([`log_energy`]).
 
 mod arm;
 mod arm_integral;

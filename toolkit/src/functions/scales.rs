@@ -5,9 +5,9 @@
 //!
 //! e(t) = δ^{1−2ν} max_s e^{−2νs} |u(t−s) − u(t−s−1)|²,
 //!
-//! and for ∫ |u|^q δ |u|^q. Powers and logarithms of δ, and functions that the rules in t resolve cell by cell,
-//! have profiles without a local minimum that are smooth in t far from the midpoint. Where a profile rises
-//! again after a decay below rounding, as for x + exp(−x/w), or bends sharply at a large depth, as for
+//! and for ∫ |u|^q it is δ |u|^q. Powers and logarithms of δ, and functions that the rules in t resolve cell
+//! by cell, have profiles without a local minimum that are smooth in t far from the midpoint. Where a profile
+//! rises again after a decay below rounding, as for x + exp(−x/w), or bends sharply at a large depth, as for
 //! exp(−x/w), the rules might stop too early or use too wide cells: such functions are computed by
 //! [`super::graded`] and [`super::by_scales`].
 

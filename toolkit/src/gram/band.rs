@@ -1,5 +1,5 @@
-//! The entries of a Gram matrix that come from single elements, from neighbouring elements and from the
-//! exterior: a band with at most two off-diagonals.
+//! The diagonal of a Gram matrix and its entries from neighbouring elements: a band with at most two
+//! off-diagonals.
 
 use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
 use crate::kernel::cells::CellPairs;

@@ -4,9 +4,10 @@
 //! long waves. For the largest one, the preconditioner is (κM − K)⁻¹, K the stiffness matrix and κ slightly above the
 //! largest eigenvalue of (K, M), and the iteration starts from vectors of the largest eigenvalues of (K, M), from hat functions
 //! where a_ii/m_ii is largest, and from vectors of windows of [`WINDOW`] basis functions: vectors of large eigenvalues live on a few short elements, of which
-//! there may be many groups far from each other. In all windows of a row at once a Krylov space of M⁻¹A is spanned,
-//! each product restricted to the windows, and the windows with the largest Ritz values are taken. Vectors that change
-//! sign from element to element interact little at a distance, so that one product serves all windows.
+//! there may be many groups far from each other. A Krylov space of M⁻¹A is built in all windows of a row at
+//! once, each product being restricted to the windows, and the windows with the largest Ritz values are used.
+//! Vectors that change sign from element to element interact little at a distance, so that one product serves
+//! all windows.
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};

@@ -11,7 +11,7 @@
 //! buffer) with the twiddles; pairs of rows k₁, n₁−k₁, each transformed, multiplied and transformed back
 //! while in the cache; columns backwards. Nothing is reordered in between, since a product does not depend
 //! on the order of the frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log
-//! n), memory 6n numbers.
+//! n), memory about 5n numbers with the buffers of a product.
 
 use crate::numeric::parallel;
 use rayon::prelude::*;

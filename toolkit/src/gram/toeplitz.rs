@@ -3,8 +3,8 @@
 //! On elements of equal length the entries of two separate hat functions (or indicator functions) depend only
 //! on i − j; the half hat functions at the two ends have separate rows; the diagonal and its neighbours depend
 //! on the distance to the ends and are stored. The Toeplitz part is embedded in a circulant
-//! ([`super::circulant`]). The setup takes O(N) integrals, a product O(N log N) operations; memory: about 12 N
-//! numbers.
+//! ([`super::circulant`]). The setup takes O(N) integrals, a product O(N log N) operations; memory: about 2 N
+//! numbers, and up to 8 N for the buffers of a product.
 
 use super::circulant::Circulant;
 use crate::error::Result;

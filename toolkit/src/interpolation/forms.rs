@@ -6,11 +6,11 @@
 //! | ‖v − π^h v‖₀² = ‖(u − I^h u)'‖₀² | E = M − Σ_e m_e m_eᵀ / h_e |
 //! | ‖u − I^h u‖₀² | from the primitive of v − π^h v at Gauss points, exact |
 //! | \|v\|_r², 0 ≤ r ≤ 1, made positive on the constants | A_r + m mᵀ |
-//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + M)⁻¹ E: the dual norm of ‖·‖\_{1/2} on the piecewise linear functions |
+//! | ‖v − π^h v‖²_{1/2,*} | E (A_{1/2} + L M)⁻¹ E on the mesh of length L scaled to (0, 1) |
 //!
-//! m_e are the integrals of the hat functions over element e, m those over the interval. The matrices are
-//! dense, for meshes of some hundred cells. The forms with π^h vanish on constants, so that m mᵀ does not
-//! change the extremal quotients.
+//! m_e are the integrals of the hat functions over element e, m those over the interval. The dual norm is a
+//! supremum over the piecewise linear functions. The matrices are dense, for at most 4096 cells. The forms
+//! with π^h vanish on constants, so that m mᵀ does not change the extremal quotients.
 
 use super::elements::ElementMesh;
 use crate::constant::UnitOrder;

@@ -31,26 +31,28 @@ use crate::error::{Given, Result};
 use crate::estimate::Tolerance;
 use crate::order::SobolevOrder;
 
-/// The best constant in ‖u − Iu‖ ≤ C |∇u|_s, where I is linear interpolation at the ends of an interval, the nodes of
-/// a mesh or the corners of a triangle, 0 ≤ s ≤ 1.
+/// The best constant in ‖u − Iu‖ ≤ C |∇u|_s, where I is linear interpolation at the ends of an interval, the
+/// nodes of a mesh or the corners of a triangle, 0 ≤ s ≤ 1; on the left the norm is the given [`ErrorNorm`].
 ///
 /// |∇u|_s is the seminorm of order s of the gradient, for 0 < s < 1 the double integral over the domain; |∇u|₀ = ‖∇u‖,
 /// |∇u|₁ = ‖D²u‖, to which (1−s)^{1/2} |u'|_s tends on an interval and ((1−s) 2/π)^{1/2} |∇u|_s in the plane. The limit
-/// s → 0 of the double integral is not ‖∇u‖; for 0 < s < 1e-30 the constant for this limit is returned.
+/// s → 0 of the double integral is not ‖∇u‖; for 0 < s < 1e-30 on an interval the constant for this limit is
+/// returned.
 ///
 /// # Method
 ///
 /// **Interval (0, h).** For u with slope v, e = u − Iu has e' = v − v̄ and e(0) = e(h) = 0. The best constants are
-/// h^{1+s} C_L2(s), h^s C_H1(s) with C_H1 = γ₁, and h^s C_1(s, h) for the full norm, C_1(s, h)² = sup (‖e'‖² + h²
-/// ‖e‖²)/|v|²_s on (0, 1), which increases with h. Extremal slopes are odd about the centre, behave like a constant
-/// plus r^a at the ends, 2s < a < 2s + 1, and are analytic in the interior: with K odd Legendre polynomials the
-/// constant is approached from below like K^{-4(a+1/2−s)}, in experiments like K^{-5.6}: 1e-9 at K = 16, 1e-13 at
-/// K = 64. Cost O(K⁴).
+/// h^{1+s} C_L2(s), h^s C_H1(s) with C_H1 = γ₁, the Poincaré constant [`gamma`](crate::gamma) for mean zero
+/// on (0, 1), and h^s C_1(s, h) for the full norm, C_1(s, h)² = sup (‖e'‖² + h² ‖e‖²)/|v|²_s on (0, 1), which
+/// increases with h. Extremal slopes are odd about the centre, behave like a constant plus r^a at the ends, r
+/// the distance from the end, 2s < a < 2s + 1, and are analytic in the interior: with K odd Legendre
+/// polynomials the constant is approached from below like K^{-4(a+1/2−s)}, in experiments like K^{-5.6}: 1e-9
+/// at K = 16, 1e-13 at K = 64. Cost O(K⁴).
 ///
 /// **Mesh.** The constant is at most that of the longest element, and smaller for several elements, because
 /// |u|²\_{1+s} also contains the pairs of points in different elements. The value is a lower bound from slopes
 /// that are linear on m cells per element, and the best constant exceeds it by at most `error`; the error
-/// decreases like m^{-1-2s}, at most like m^{-2}. The matrices are dense; cost O((N m)³).
+/// decreases like m^{-1-2s}, at most like m^{-2}. The matrices are dense; cost O((N m)³) for N elements.
 ///
 /// **Triangle**, s ≥ 0.02. Orthonormal polynomials up to degree p and powers r^{2s} about the corners, times
 /// polynomials in an angular variable, give a lower bound by a generalised eigenvalue problem. The bounds of degrees
@@ -59,7 +61,7 @@ use crate::order::SobolevOrder;
 /// twice the contribution of the last angular polynomial. p increases from 10, or from 14 for tolerances below 1e-5,
 /// to 30 at most. `upper` is a proved bound up to rounding errors, from eigenvalues of matrices for cells similar to
 /// the triangle: at most twice the constant for s ≥ 1/4; for the gradient at s = 1 it is Kobayashi's (Proc. Symp.
-/// RIMS 1733 (2011) 58-77). The quadrature error is 3e-8.
+/// RIMS 1733 (2011) 58-77). The relative quadrature error is 3e-8.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};

@@ -20,12 +20,13 @@ use std::f64::consts::FRAC_1_PI;
 const FIRST: usize = 4;
 
 /// The best constant in ‖φ − π φ‖ ≤ C |φ|_r, where πφ is the mean of φ on the interval or on every element of
-/// the mesh, 0 ≤ r ≤ 1; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
+/// the mesh, 0 ≤ r ≤ 1; on the left the norm is the given [`ErrorNorm`]; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
 ///
 /// # Method
 ///
 /// On an interval of length h, with the Legendre basis as in
-/// [`interpolation_constant`](crate::interpolation_constant):
+/// [`interpolation_constant`](crate::interpolation_constant), γ₁ the Poincaré constant
+/// [`gamma`](crate::gamma) for mean zero on (0, 1):
 ///
 /// ```text
 /// (4.6)  L2      C(r) h^r,  C(r) = γ₁(r) for 0 < r < 1, C(0) = 1, C(1) = 1/π
@@ -33,15 +34,16 @@ const FIRST: usize = 4;
 /// (6.2)  At(x)   κ(x/h) h^{1/2},  κ(t)² = (t³ + (1−t)³)/3, for r = 1
 /// ```
 ///
-/// The dual norm on an interval is dual to the seminorm |ψ|\_{1/2}, so that (4.7) follows element by element: Σ
-/// |·|²_{r,I} ≤ |·|²_{r,Γ}. The square of C* is the largest eigenvalue of A_{1/2}⁻¹ x = λ A_r x, A_r the matrix of
+/// The dual norm on an interval is dual to the seminorm |ψ|\_{1/2}, so that (4.7) follows element by element:
+/// Σ_I |·|²_{r,I} ≤ |·|²_{r,Γ}, I the elements, Γ the interval of the mesh. The square of C* is the largest
+/// eigenvalue of A_{1/2}⁻¹ x = λ A_r x, A_r the matrix of
 /// |·|²_r in an L²-orthonormal basis; the chain of estimates in the paper gives γ₁(r) γ₁(1/2) instead, which is equal
 /// at r = 1/2.
 ///
 /// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower
 /// bound from piecewise linear functions on cells, and the best constant exceeds it by at most `error`; the
-/// matrices are dense, with at most 4096 cells. From N to 2N equal elements it decreases at the rate r, or r +
-/// 1/2 in the dual norm.
+/// matrices are dense, with at most 4096 cells. On N equal elements the constant decreases like N^{-r}, in
+/// the dual norm like N^{-r-1/2}.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, Mesh, projection_constant};
@@ -56,8 +58,9 @@ const FIRST: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for r outside [0, 1] or an inadmissible length; [`Error::Incompatible`] for another domain
-/// or norm; [`Error::CountOutOfRange`] for more than 1024 elements; [`Error::ToleranceNotMet`].
+/// [`Error::OutOfRange`] for r outside [0, 1], a length outside [1e-150, 1e150] or a point outside the
+/// interval; [`Error::Incompatible`] for another domain or norm; [`Error::CountOutOfRange`] for more than
+/// 1024 elements; [`Error::ToleranceNotMet`].
 #[doc(alias("L2 projection", "Poincare-Wirtinger"))]
 pub fn projection_constant(
     domain: Domain,

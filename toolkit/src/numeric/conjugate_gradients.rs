@@ -1,9 +1,9 @@
 //! Preconditioned conjugate gradients for A x = b, A symmetric and positive definite, with buffers that are
 //! kept between calls.
 //!
-//! With r = b − A x and z = B r (B ≈ A⁻¹) a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA p, and reduces the energy
-//! xᵀA x of the error by ρ²/κ. √ρ is the residual in the norm of the preconditioner. Cost of a step: one
-//! product with A, one with B, and O(n) operations.
+//! With r = b − A x, z = B r (B ≈ A⁻¹) and the search direction p, a step adds (ρ/κ) p to x, ρ = rᵀz, κ = pᵀA
+//! p, and reduces the energy eᵀA e of the error e by ρ²/κ. √ρ is the residual in the norm of the
+//! preconditioner. Cost of a step: one product with A, one with B, and O(n) operations.
 
 use super::sum::pairwise_dot;
 use crate::error::Result;

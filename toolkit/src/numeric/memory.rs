@@ -1,4 +1,4 @@
-//! Checks, before any allocation, that the required memory is available.
+//! Checks, before any allocation, that the required memory does not exceed the physical memory.
 
 use crate::error::{Error, Result};
 use std::sync::OnceLock;

@@ -2,8 +2,8 @@
 //!
 //! A is scaled to unit diagonal and factorized by Cholesky's method, A = D L Lᵀ D. The largest λ with B x = λ A
 //! x is the largest eigenvalue of L⁻¹ D⁻¹ B D⁻¹ L⁻ᵀ, a symmetric matrix that is first divided by its largest
-//! diagonal entry. The value returned is the Rayleigh quotient of the eigenvector, whose error is the square of
-//! that of the eigenvector: a lower bound of λ up to the rounding of A and B.
+//! diagonal entry. The value returned is the Rayleigh quotient of the eigenvector, whose error is of the
+//! order of the square of that of the eigenvector: a lower bound of λ up to the rounding of A and B.
 
 use super::dense::{Cholesky, product, symmetric_eigen};
 use crate::error::{Error, Result};

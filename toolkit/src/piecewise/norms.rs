@@ -1,5 +1,4 @@
-//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper; names and arguments are as for
-//! formulas.
+//! Norms of order ν and 1 + ν of piecewise polynomials, (1.1) of the paper.
 
 use super::polynomial::PiecewisePolynomial;
 use crate::error::{Error, Result};

@@ -86,7 +86,8 @@ impl PiecewisePolynomial {
     }
 
     /// The continuous piecewise polynomial of the given degree that agrees with f at the nodes and whose
-    /// bubbles are the L²(t(1−t)) projection of the remainder. f is called with the distance from the left end.
+    /// bubbles are t(1−t) times the L² projection of the remainder divided by t(1−t). f is called with the
+    /// distance from the left end.
     ///
     /// # Errors
     /// [`Error::NotFinite`] if a value of f is not finite, [`Error::CountOutOfRange`] for degree 0 and for

@@ -4,7 +4,7 @@
 //! S_ab = ∫∫ φ_a(x) φ_b(x) k, C_ab = ∫∫ φ_a(x) φ_b(y) k, k = |x−y|^{-2-2s}, x in the square at 0, y in the
 //! square at Δ. Near squares are treated by [`super::means`]. For the others k is interpolated at q × q
 //! Chebyshev points of both squares: on a uniform grid this takes only (2q−1)² values, and the moments of hat
-//! functions and of their products are computed once for all.
+//! functions and of their products are computed only once.
 
 use super::far::Nodes;
 use super::kernel::InversePower;

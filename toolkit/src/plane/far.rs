@@ -2,10 +2,10 @@
 //!
 //! With Lagrange polynomials ℓ_k on q × q Chebyshev points x_k of the box of a cluster and the moments M^j_k
 //! = ∫ ℓ_k (w − c)^j, j = 0, 1, 2, of a cluster, c its first value, and a = c − c',
-//! ∫∫ (w(x)−w(y))² |x−y|^{-2-2s} ≈ Σ_kl |x_k−y_l|^{-2-2s} (M̃²_k N⁰_l − 2 M̃¹_k N¹_l + M̃⁰_k N²_l), M̃ the
-//! moments of w − c + a. The moments of a parent follow exactly from those of its children. If a box is no
-//! longer than its distance, the error is about ρ^{-q}, ρ = 2.83 + 3 for equal sides. Cost: q⁴ kernel values
-//! for a pair.
+//! ∫∫ (w(x)−w(y))² |x−y|^{-2-2s} ≈ Σ_kl |x_k−y_l|^{-2-2s} (M̃²_k N⁰_l − 2 M̃¹_k N¹_l + M̃⁰_k N²_l), c' the
+//! first value and N the moments of the other cluster, M̃ the moments of w − c + a = w − c'. The moments of a
+//! parent follow exactly from those of its children. If a box is no longer than its distance, the error is
+//! about ρ^{-q}, ρ = 2.83 + 3 for equal sides. Cost: q⁴ kernel values for a pair.
 
 use super::geometry::Point;
 use super::kernel::InversePower;

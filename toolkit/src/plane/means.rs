@@ -14,8 +14,8 @@
 //!
 //! All factors are positive: there is no cancellation. Simplices that do not touch are integrated by
 //! [`super::leaves`]; for a point and a segment, Gauss rules in θ are used, where the distance along the
-//! segment from the foot of the perpendicular through the point is its height times sinh θ: exact to rounding
-//! for every sliver.
+//! segment from the foot of the perpendicular through the point is the length of the perpendicular times sinh
+//! θ: exact to rounding for every sliver.
 
 use super::geometry::{dot, length, minus, product_difference, twice_area};
 use super::leaves::{LEVELS, Leaves, Levels, add_square};

@@ -37,8 +37,9 @@ impl Triangles {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] without triangles, [`Error::NotFinite`] for a coordinate, [`Error::Triangle`]
-    /// for a node number out of range or a triangle of area zero, [`Error::Edge`] for an edge of more than two
-    /// triangles, [`Error::Overlap`] for two triangles with interior points in common.
+    /// for a node number out of range or a triangle whose area is zero, underflows or overflows,
+    /// [`Error::Edge`] for an edge of more than two triangles, [`Error::Overlap`] for two triangles with
+    /// interior points in common.
     pub fn new(nodes: &[[f64; 2]], triangles: &[[usize; 3]]) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::CountOutOfRange { name: "triangles", value: 0, range: "[1, inf)" });

@@ -14,10 +14,11 @@ use crate::estimate::{Estimate, Tolerance};
 ///
 /// # Method
 ///
-/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E). γ² is the largest eigenvalue of the
-/// pencil (‖·‖₀², |·|_ν²) on functions whose slopes are polynomials on graded cells; the space is conforming, so that
-/// every value is a lower bound up to rounding. The error estimate is the difference of the values on two such spaces
-/// with different cells and degrees, mostly the error of the coarser one. Cost: a few hundred unknowns for every θ.
+/// γ = sup ‖u‖₀ / |u|_ν over u ∈ H^ν(0,1) with ∫_E u = 0 (or u = 0 on E), E a zone of length θ. γ² is the
+/// largest eigenvalue of the pencil (‖·‖₀², |·|_ν²) on functions whose slopes are polynomials on graded
+/// cells; the space is conforming, so that every value is a lower bound up to rounding. The error estimate is
+/// the difference of the values on two such spaces with different cells and degrees, mostly the error of the
+/// coarser one. Cost: a few hundred unknowns for every θ.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma};
@@ -28,10 +29,11 @@ use crate::estimate::{Estimate, Tolerance};
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for a condition at a point and ν ≤ 1/2, where point values are not defined;
-/// [`Error::ToleranceNotMet`] if rounding exceeds the tolerance (about 2e-13, up to 5e-11 for very short zones
-/// in the interior; for several intervals far apart, of lengths up to θ, also 4e-15 θ^(2ν−1) for ν < 1/2), and
-/// for a condition at a point if ν is so close to 1/2 that the constant depends on distances below 1e-290.
+/// Those of the constraint; [`Error::OutOfRange`] for a condition at a point and ν ≤ 1/2, where point values
+/// are not defined; [`Error::ToleranceNotMet`] if rounding exceeds the tolerance (about 2e-13, up to 5e-11
+/// for very short zones in the interior; for several intervals far apart, the longest of length ℓ, also 4e-15
+/// ℓ^(2ν−1) for ν < 1/2), and for a condition at a point if ν is so close to 1/2 that the constant depends on
+/// distances below 1e-290.
 #[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
 pub fn gamma(
     order: impl Given<Order>,

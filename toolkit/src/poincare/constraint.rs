@@ -15,7 +15,8 @@ pub(crate) enum Condition {
 /// A constraint on u: mean zero on a zone, zero on a zone, or zero at a point.
 ///
 /// A zone is a range `a..b` given by its two ends, an array of such ranges, or, for very small lengths,
-/// [`Zones`] given by start and length. An invalid zone is reported by the function that takes the constraint.
+/// [`Zones`] given by start and length. The constructors with a zone or a point return `Result<Constraint>`,
+/// which [`gamma`](crate::gamma) accepts directly: it returns the error of an invalid zone.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};

@@ -1,12 +1,12 @@
 //! Extrapolation of γ from larger orders to orders so small that ν|u|_ν², a difference of terms of order one,
 //! loses all digits.
 //!
-//! γ_θ(ν) is the largest eigenvalue of a form that is analytic in ν through ν = 0 (where the kernel is
+//! γ_θ(ν)² is the largest eigenvalue of a pencil that is analytic in ν through ν = 0 (where the kernel is
 //! 1/|x−y|), so ln γ is interpolated by a polynomial at Chebyshev points ν_k ∈ [h/40, h] and evaluated at ν <
-//! h/40, and the dual norm and the extremal function likewise. On that interval ln γ varies at most like e^{−2ν
-//! ln(1/θ)}: h = 0.04, or 0.9 / ln(1/θ) for short lengths, for which truncation and rounding errors are of the
-//! same size. The error estimate is the sum of the errors of the points, each multiplied by the modulus of its
-//! Lagrange polynomial, and of the change when one point is omitted.
+//! h/40, and the dual norm and the extremal function likewise. On that interval ln γ varies at most like
+//! e^{−2ν ln(1/θ)}, θ the shortest length: h is the smaller of 0.04 and 0.9 / ln(1/θ), for which truncation
+//! and rounding errors are of the same size. The error estimate is the sum of the errors of the points, each
+//! multiplied by the modulus of its Lagrange polynomial, and of the change when one point is omitted.
 
 use crate::Order;
 use crate::error::{Error, Result};

@@ -4,8 +4,9 @@
 //! zero is a point. Lengths are divided by the square root of the shortest one, so that all of them lie between
 //! 1e-150 and 1e150.
 //!
-//! Scaling of the results: γ² is an area of the form ℓ^{2ν} and the mass matrices are divided by the length
-//! 1/unit of the interval, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the same way.
+//! Scaling of the results: γ² scales like the power 2ν of the length of the interval, and the mass matrices
+//! are divided by this length, 1/unit, hence γ = √λ · unit^{ν−1/2}; the dual norm of a mean value scales the
+//! same way.
 
 use super::constraint::{Condition, Constraint};
 use super::mesh::{MeshModel, PANEL_SPREAD};

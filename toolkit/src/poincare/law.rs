@@ -14,8 +14,9 @@ use crate::estimate::{Estimate, Tolerance};
 /// extremely short lengths.
 const NEAR_HALF: f64 = 0.01;
 
-/// The asymptotic law of γ_θ(ν) as θ → 0 for fixed ν, for functions with mean zero on zones that shrink to the
-/// point `place` of \[0, 1\]; for ν > 1/2 also for functions that vanish there. It is not uniform in ν.
+/// The asymptotic law of the constant γ_θ(ν) of [`gamma`] as θ → 0 for fixed ν, for functions with mean zero
+/// on zones of length θ that shrink to the point `place` of \[0, 1\]; for ν > 1/2 also for functions that
+/// vanish there. It is not uniform in ν.
 ///
 /// # Method
 ///
@@ -25,11 +26,11 @@ const NEAR_HALF: f64 = 0.01;
 /// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/γ² + e/γ⁴ + O(L⁻³) | γ² ~ L/(2π²) |
 /// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
 ///
-/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u:
-/// with its representer r, γ² = λ solves λ = N² + ‖r‖₀²/λ + ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on
-/// functions of mean zero). For 0.49 ≤ ν < 1/2, and for ν > 1/2 if γ₀ cannot be computed in binary64, the same
-/// expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 − 2ν) and A by A(ν) = (1 − 2ν) B(ν)²,
-/// continued analytically to ν > 1/2.
+/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u,
+/// E the zone: with its representer r in the inner product ⟨·, ·⟩ of |·|_ν, γ² = λ solves λ = N² + ‖r‖₀²/λ +
+/// ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on functions of mean zero). For 0.49 ≤ ν < 1/2, and for ν > 1/2
+/// if γ₀ cannot be computed in binary64, the same expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 −
+/// 2ν) and A by A(ν) = (1 − 2ν) B(ν)², continued analytically to ν > 1/2.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -79,7 +80,7 @@ pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance
 pub struct Law {
     /// The power of θ: ν − 1/2 if that is negative, 0 for ν ≥ 1/2.
     pub exponent: f64,
-    /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, for a zone at an end and ν at or near 1/2.
+    /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, L as for [`law`], for a zone at an end and ν at or near 1/2.
     pub expansion: Option<[Estimate; 4]>,
     order: Order,
     at_end: bool,
@@ -110,8 +111,9 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for θ near 1, where the expansion for ν near 1/2 does not hold, and for a zone in the
-    /// interior of (0,1) with ν = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known.
+    /// [`Error::OutOfRange`] for θ > 1/2, or nearly 1/2, where the expansion for ν near 1/2 is used but does
+    /// not hold, and for a zone in the interior of (0,1) with ν = 1/2 (or slightly above), where only γ² ~
+    /// L/(2π²) is known.
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) => {
@@ -127,7 +129,7 @@ impl Law {
         }
     }
 
-    /// The limit lim θ^{−exponent} γ_θ: B for ν < 1/2, γ₀ for ν > 1/2.
+    /// The limit of θ^{−exponent} γ_θ as θ → 0: B for ν < 1/2, γ₀ for ν > 1/2.
     ///
     /// # Method
     ///
@@ -144,8 +146,9 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists; [`Error::ToleranceNotMet`] if the
-    /// rounding error of 1 − 2ν, in relative terms 9e-16/(1 − 2ν), exceeds the tolerance.
+    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists, and for ν so little above 1/2 that γ₀
+    /// cannot be computed in binary64; [`Error::ToleranceNotMet`] if the rounding error of 1 − 2ν, in
+    /// relative terms 9e-16/(1 − 2ν), exceeds the tolerance.
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
@@ -159,9 +162,9 @@ impl Law {
     /// A lower and an upper bound of γ_θ(1/2)², with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`,
     /// which may exceed ln of the largest binary64 number.
     ///
-    /// The lower bound is the square of the quotient of a ramp in ln x, the upper bound is γ₁² + N², where N is
-    /// bounded by the Cauchy-Schwarz inequality along chains of equal steps in ln x. Cost: about a
-    /// thousand evaluations per bisection step.
+    /// The lower bound is the squared quotient of a ramp in ln x, the upper bound is γ₁² + N², γ₁ the
+    /// constant of (0,1), where the dual norm N of u ↦ mean u − mean_(0,θ) u is bounded by the Cauchy-Schwarz
+    /// inequality along chains of equal steps in ln x. Cost: about a thousand evaluations per bisection step.
     ///
     /// ```
     /// use fractional_sobolev::law;

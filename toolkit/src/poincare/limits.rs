@@ -1,4 +1,4 @@
-//! Limits in closed form.
+//! The limits of the law of γ_θ(ν) as θ → 0 that have a closed form.
 
 use crate::Order;
 use crate::error::{Error, Result};

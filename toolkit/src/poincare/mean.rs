@@ -1,4 +1,5 @@
-//! The largest mean of a function relative to its seminorm: the second part of the constant of Lemma 5.2.
+//! The largest mean of a function relative to its seminorm under a constraint: N in γ² ≤ γ₁² + N², γ the
+//! constant of Lemma 5.2, γ₁ that of the whole interval.
 
 use super::constraint::Constraint;
 use super::discrete::Discrete;

@@ -1,4 +1,5 @@
-//! Two-sided bounds of γ: a conforming lower bound, and an upper bound from γ₁ and a dual norm.
+//! Two-sided bounds for γ: a conforming lower bound, and an upper bound from the constant γ₁ of the whole
+//! interval and a dual norm.
 
 use super::constraint::Constraint;
 use super::discrete::{Discrete, DualNorm};
@@ -9,7 +10,7 @@ use crate::Order;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
 
-/// Two-sided bounds of γ that do not use the eigenvalue.
+/// Two-sided bounds for γ that do not depend on the accuracy of the eigenvalue.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, GammaBounds, gamma};
@@ -29,6 +30,7 @@ pub struct GammaBounds {
     /// so small that γ is extrapolated from larger ones, γ less its error.
     pub lower: f64,
     /// A sharpened upper bound from γ₁ and the dual norm N, increased by the estimated errors of γ₁ and N.
+    /// For extrapolated γ, √(γ₁² + N²) with these errors, and at least γ plus its error.
     pub upper: f64,
     /// The constant γ₁(ν) of the whole interval.
     pub whole: Estimate,

@@ -1,4 +1,4 @@
-//! A formula for γ_θ(ν) with the zone (0,θ) that holds uniformly through ν = 1/2.
+//! An asymptotic formula, θ → 0, for the constant γ_θ(ν) of the zone (0,θ), uniform in ν ∈ [0.4, 0.6].
 
 use super::constant::gamma;
 use super::constraint::Constraint;

@@ -15,7 +15,8 @@ const TOUCHING: f64 = 4.0 * f64::EPSILON;
 /// A zone E ⊂ (0,1): an interval, or a union of disjoint intervals with gaps between them.
 ///
 /// A range `a..b` or an array of ranges is accepted wherever a zone is an argument. The zone is stored as a
-/// list of lengths, so that short intervals and short gaps have full relative accuracy at any position.
+/// list of lengths, so that short intervals and gaps given by their lengths have full relative accuracy at
+/// any position.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, Zones, gamma};
@@ -102,7 +103,8 @@ impl Zones {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`] unless there are 1 to 32 intervals; [`Error::EntryOutOfRange`] for
-    /// inadmissible lengths and for intervals that overlap, touch, or leave (0,1); [`Error::NotFinite`].
+    /// lengths of intervals or gaps below 1e-300, for intervals that overlap or touch, and for a start below
+    /// 0; [`Error::OutOfRange`] for an end beyond 1; [`Error::NotFinite`].
     pub fn union(intervals: &[Range<f64>]) -> Result<Self> {
         require_count(intervals.len())?;
         for (k, interval) in intervals.iter().enumerate() {
@@ -142,7 +144,7 @@ impl Zones {
     /// ```
     ///
     /// # Errors
-    /// As [`Zones::union`]; [`Error::LengthMismatch`] for an odd number of lengths.
+    /// As for [`Zones::union`]; [`Error::LengthMismatch`] for an odd number of lengths.
     pub fn from_lengths(lengths: &[f64]) -> Result<Self> {
         require_count(lengths.len() / 2)?;
         if lengths.len() % 2 == 1 {

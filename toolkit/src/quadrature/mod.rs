@@ -1,7 +1,7 @@
 //! Quadrature rules on the unit interval, used by all double integrals.
 //!
-//! All rules are given on (0, 1), so that a point close to the end 0 keeps its relative accuracy, which t = 1 +
-//! x on (−1, 1) does not.
+//! All rules are given on (0, 1), so that a point t close to 0 has full relative accuracy; the distance 1 + x
+//! of a point x ∈ (−1, 1) from −1 would not.
 
 mod power_weight;
 mod rules;

@@ -13,10 +13,10 @@ use std::sync::OnceLock;
 /// # Method
 ///
 /// ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1. Legendre rules (α = β = 0)
-/// are computed by `gauss-quad` and a Newton step on the recurrence in t, and are cached up to 64 points. Jacobi
-/// rules are computed from the eigenvalues of the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969) 221-230),
-/// followed by Newton steps on the three-term recurrence in t itself. Cost: O(n²) for Legendre rules, O(n³) for
-/// Jacobi rules.
+/// are computed by `gauss-quad` and Newton steps on the recurrence in t, and are cached up to 64 points.
+/// Jacobi rules are computed from the eigenvalues of the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969)
+/// 221-230), followed by Newton steps on the three-term recurrence in t itself. Cost: O(n²) for Legendre
+/// rules, O(n³) for Jacobi rules.
 #[doc(alias("Gauss-Legendre", "Gauss-Jacobi", "quadrature"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rule {
@@ -53,7 +53,7 @@ pub fn gauss_legendre(n: usize) -> Result<Rule> {
 ///
 /// # Errors
 /// [`Error::CountOutOfRange`] for n = 0 and for n > 65536, [`Error::OutOfRange`] unless α and β are finite and
-/// exceed −1.
+/// exceed −1, and if the recurrence overflows for large α or β.
 pub fn gauss_jacobi(n: usize, alpha: f64, beta: f64) -> Result<Rule> {
     Rule::gauss_jacobi(n, alpha, beta)
 }

@@ -2,11 +2,12 @@
 //!
 //! - Levin & Sidi's D-transform (Appl. Math. Comput. 9 (1981) 175-215): S_k = S + t_k ℓ(t_k) (c_0 + c_1/t_k +
 //!   ...), exact in the limit for algebraic decay t^{-p} with corrections in 1/t, and for a single exponential.
-//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; it is applied to an equidistant
-//!   end of the sequence.
+//! - Wynn's ε-algorithm (MTAC 10 (1956) 91-96): exact for sums of exponentials; it is applied to the equally
+//!   spaced values at the end of the sequence.
 //!
-//! Each gives a sequence of limits; the one with the smaller last changes is used; its error is estimated
-//! by its last two changes and the amplified rounding of the S_k. Cost O(m²).
+//! Each gives a sequence of approximate limits, whose error is estimated by two consecutive changes and by
+//! the amplified rounding of the S_k; the limit with the smallest estimate is returned. Cost O(m) for m
+//! values, at most 16 of which enter a table.
 
 /// A limit and its estimated absolute error.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,4 +1,5 @@
-//! The half-plane H = {y > 0}: |w(·,0)|²_{s−1/2,ℝ} ≤ C(s)² |w|²_{s,H} with the best constant
+//! The half-plane H = {y > 0}: |w(·,0)|²_{s−1/2,ℝ} ≤ C(s)² |w|²_{s,H}, the best constant C(s)
+//! in closed form.
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};

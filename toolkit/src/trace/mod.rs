@@ -34,11 +34,12 @@ const FAR: f64 = 690.0;
 ///
 /// **Half-plane.** C(s)² = 4s² / ((2s−1) D(s)), D(s) = −π cot(πs) − ψ(2s) − γ, ψ = Γ'/Γ, γ Euler's constant; C(1)² =
 /// 2π. Limits: C(s)² (2s−1)² → 3/π² as s → 1/2; π/(2(1−s)) C(s)² → 2π as s → 1. No edge of a domain has a smaller
-/// constant. The extremal function is cos(x) φ(y), φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2.
+/// constant. The extremal function (per period) is cos(x) φ(y), φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2,
+/// K_σ the modified Bessel function.
 ///
-/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of the modes, which tends to that of the
-/// half-plane as τ → ∞. The larger of the latter and of the largest quotient found for τ ≤ 16 is returned: a
-/// lower bound up to the error of the finite elements.
+/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of the mode r^{s−1+iτ}, which tends to
+/// that of the half-plane as τ → ∞. The square root of the larger of the latter and the largest quotient
+/// found for τ ≤ 16 is returned: a lower bound up to the error of the finite elements; `upper` is `None`.
 ///
 /// **Square.** C(s) of the half-plane: proved to be the best constant for s = 1, and proved to be a lower bound for s
 /// < 1, where no function with a larger quotient is known and `upper` is `None`.
@@ -55,8 +56,8 @@ const FAR: f64 = 690.0;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace, and unless 0.1 ≤ ω ≤ π;
-/// [`Error::Incompatible`] for another domain; [`Error::ToleranceNotMet`].
+/// [`Error::OutOfRange`] for s ≤ 1/2, where functions have no trace, for s > 1, and for a corner unless its
+/// angle is in [0.1, π]; [`Error::Incompatible`] for another domain; [`Error::ToleranceNotMet`].
 #[doc(alias("trace theorem", "trace constant"))]
 pub fn trace_constant(
     domain: Domain,
@@ -83,14 +84,15 @@ pub fn trace_constant(
     )
 }
 
-/// The quotient |f|²\_{s−1/2}/|w|²_s for the boundary values f = r^{s−1+iτ} of a corner or, even in x, of the
-/// half-plane, and the extension w of least energy, 1/2 < s ≤ 1, 0 ≤ τ ≤ 100: a lower bound of the square of
-/// [`trace_constant`].
+/// The quotient |f|²\_{s−1/2}/|w|²_s for the boundary values f = r^{s−1+iτ} of a corner of angle ω or, even
+/// in x, of the half-plane, and the extension w of least energy, 1/2 < s ≤ 1, 0 ≤ τ ≤ 100: a lower bound of
+/// the square of [`trace_constant`].
 ///
 /// # Method
 ///
 /// For w = r^{s−1+iτ} ψ(θ), ψ(0) = 1, and s < 1 the quotient is C(τ)/min E_τ. Per unit of ln r the squared seminorm
-/// is C(τ), the Mellin symbol of the half line, on the edge and E_τ(ψ) on the wedge, where u runs over ℝ:
+/// is C(τ), the Mellin symbol of the half line, on the edge and E_τ(ψ) on the wedge, where u runs over ℝ and
+/// ψ' = ψ(θ'):
 ///
 /// ```text
 /// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
@@ -100,8 +102,8 @@ pub fn trace_constant(
 ///
 /// The minimum over ψ is approximated from above by finite elements: up to quadrature the value is a lower
 /// bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient equals
-/// the closed form for *every* τ, as two independent computations confirm. For s = 1 the quotient is 2(πτ
-/// coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.
+/// the closed form for *every* τ, as two independent computations confirm. For s = 1 the quotient of a corner
+/// is 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, trace_constant, trace_quotient};

@@ -1,8 +1,9 @@
 //! Finite elements in the angle: polynomials on a mesh graded towards both edges of a wedge, and c θ^{2s−1} on
 //! the first element, the singular part of the function of least energy.
 //!
-//! With ψ = 1 − η, η(0) = 0, the energy is e₁₁ − 2 r·η + η·Mη, the entries formed from differences of the
-//! basis: constants have no energy and there is no cancellation.
+//! With ψ = 1 − η, η(0) = 0, the energy is E(1) − 2 r·η + η·Mη, M the matrix of the form and r·η its value
+//! for 1 and η. The terms with the kernel K_τ are formed from differences of the basis functions, so that
+//! constants do not contribute to them and there is no cancellation.
 
 use super::angular_kernel::AngularKernel;
 use crate::closed_forms;

@@ -1,5 +1,6 @@
 //! The deformed body of a contact solution: an elastic body on its floors, coloured by its largest shear stress, or a
-//! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. And its contact edge.
+//! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. Charts of the
+//! contact edge.
 //!
 //! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
 
@@ -235,8 +236,8 @@ pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, t
     chart
 }
 
-/// u_N and −σ_N along an edge, each divided by its maximum, with the segments shaded that are in the first
-/// case, in the second one, or in both, of Figure 3.2 or 4.1.
+/// The chart of u_N and −σ_N along an edge, each divided by the maximum of its absolute value; the segments
+/// in the first case of Figure 3.2 or 4.1, in the second case, and in both are shaded.
 pub fn edge_trace(edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Chart {
     let title = format!("{} segments of a contact edge", cases.iter().map(Vec::len).sum::<usize>());
     let mut chart = Chart::new(title, Axis::linear("x"), Axis::linear("share of the largest value"));

@@ -1,5 +1,5 @@
-//! Line and point charts on linear or logarithmic axes, with a legend below the plot, so that it never covers data; and the
-//! numbers behind a chart as a table of comma-separated values.
+//! Line and point charts on linear or logarithmic axes, with a legend below the plot, so that it never covers
+//! data; the data of a chart as comma-separated values.
 
 use super::canvas::{Anchor, Canvas, Paint};
 use super::scale::{Scale, Tick};
@@ -25,7 +25,7 @@ const CHARACTER: f64 = 0.56;
 /// Digits of a table behind the first one: a picture shows four, and processors agree on these.
 const DIGITS: usize = 7;
 
-/// An axis: its label (with the unit, or the word nondimensional left to the label), scale and optional range.
+/// An axis: label, scale and optional range.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     label: String,
@@ -45,12 +45,12 @@ impl Axis {
         Self { logarithmic: true, ..Self::linear(label) }
     }
 
-    /// Named rows from above: row k is drawn at −k.
+    /// An axis of named rows from top to bottom, row k at −k.
     pub fn rows(names: Vec<String>) -> Self {
         Self { range: Some((0.5 - names.len() as f64, 0.5)), rows: names, ..Self::linear("") }
     }
 
-    /// The same axis over exactly [low, high].
+    /// The same axis with the range \[low, high\].
     pub fn range(mut self, low: f64, high: f64) -> Self {
         self.range = Some((low, high));
         self
@@ -103,12 +103,12 @@ impl Series {
         Self::new(name, points, Mark::Line)
     }
 
-    /// A dashed line: bounds and theory.
+    /// A dashed line through the points, for bounds and theory.
     pub fn dashed(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, points, Mark::Dashed)
     }
 
-    /// Points only: measurements.
+    /// Points only, for measurements.
     pub fn points(name: impl Into<String>, points: Vec<(f64, f64)>) -> Self {
         Self::new(name, points, Mark::Points)
     }
@@ -143,7 +143,8 @@ impl Chart {
         Self { title: title.into(), x, y, series: Vec::new(), bands: Vec::new() }
     }
 
-    /// Adds a series in the next colour of the palette. Where the colours come round again a line has markers.
+    /// The chart with one more series, in the next colour of the palette. From the eighth series on, where
+    /// the colours repeat, a plain line has markers.
     #[must_use]
     pub fn with(mut self, mut series: Series) -> Self {
         if self.series.len() >= PALETTE.len() && series.mark == Mark::Line {

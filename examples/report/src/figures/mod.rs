@@ -1,8 +1,9 @@
-//! Charts and mesh pictures as SVG that reads in light and dark, on screen and on paper.
+//! Charts and mesh pictures as SVG, legible on light and dark backgrounds, on screen and on paper.
 //!
-//! Ink (axes, ticks, words) is `currentColor`, so a figure inlined in a page takes the page's colour; opened
-//! alone it brings its own light and dark colours. Series use the eight-colour palette of Okabe and Ito, told
-//! apart by people with any kind of colour vision, and every series also has its own marker.
+//! Axes, ticks and text are drawn in `currentColor`, so that an inlined figure has the text colour of the
+//! page; opened alone it has light and dark colours of its own. Series use six colours of the palette of
+//! Okabe and Ito, which are distinguishable with any kind of colour vision, and grey; points have four
+//! markers in turn.
 
 pub(crate) mod body;
 mod canvas;
@@ -17,7 +18,7 @@ pub(crate) use chart::{Mark, save_svg};
 /// A colour as red, green, blue.
 pub type Colour = (u8, u8, u8);
 
-/// The palette, in the order series take it.
+/// The palette, in the order in which the series of a chart are coloured.
 pub const PALETTE: [Colour; 7] = [
     (0, 114, 178),
     (213, 94, 0),

@@ -1,4 +1,4 @@
-//! Linear and logarithmic axes: from data to the unit interval, and ticks a reader can use.
+//! Linear and logarithmic axes: the map from data to the unit interval, and ticks at round numbers.
 
 /// Ticks on an axis.
 const MOST: f64 = 6.0;

@@ -1,5 +1,5 @@
-//! Words of a figure as a page would set them: `u_N` with a lowered N, `x^0.6` with a raised exponent, `1e-4` as a power
-//! of ten.
+//! Typesetting of the texts of a figure: `u_N` with a subscript, `x^0.6` with a superscript, `1e-4` as a
+//! power of ten.
 
 /// How far an index is lowered and an exponent raised, in units of its own letters, and how large these are.
 const SHIFT: (f64, f64) = (0.3, 0.45);

@@ -3,8 +3,9 @@
 //! φ_k(x) = √(2k+1) P_k(2x−1), orthonormal in L²(0,1). With x = y + r and y = (1−r)s,
 //! a(φ_j, φ_k) = 2 ∫₀¹ r^{1-2ν} (1−r) ∫₀¹ q_j q_k ds dr,  q_k = (φ_k(y+r) − φ_k(y))/r,
 //! and q_k is a polynomial: Gauss-Jacobi rules in r and Gauss-Legendre rules in s are exact. The quotients are
-//! computed from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, without
-//! cancellation. Domain 0 < ν < 1. Cost: O(d²) points, O(d² K²) operations for K functions of degree at most d.
+//! computed from the three-term recurrence itself, (k+1) Q_{k+1} = (2k+1)(x Q_k + P_k(y)) − k Q_{k−1}, Q_k =
+//! (P_k(x) − P_k(y))/(x − y), without cancellation. Domain 0 < ν < 1. Cost: O(d²) points, O(d² K²) operations
+//! for K functions of degree at most d.
 
 use crate::Order;
 use crate::error::{Error, Result};

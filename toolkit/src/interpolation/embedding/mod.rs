@@ -77,9 +77,10 @@ impl Embedding {
     }
 }
 
-/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or in
-/// |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1; it is rounded up. It is the upper bound of
-/// [`embedding_constant`]: the maximum over the Fourier index of an expression in closed form.
+/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or,
+/// with s = 3/2, in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α ≤ 1 − 1e-6; it is rounded up. It is the
+/// upper bound of [`embedding_constant`]: max_k (m_k/w_k)^{1/2} over the Fourier index k, with m_k, w_k in
+/// closed form.
 ///
 /// ```
 /// let bound = fractional_sobolev::embedding_bound(0.5, 100.0)?;
@@ -95,26 +96,28 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 }
 
 /// The best constant in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), with the full norm (1.1), 0 < s ≤ 1/2, 2 ≤ q ≤
-/// 2/(1−2s), q ≤ 1e6; or in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α < 1.
+/// 2/(1−2s), q ≤ 1e6; or, with s = 3/2, in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α ≤ 1 − 1e-6.
 ///
-/// `lower` and `upper` are accurate to the tolerance; `constant` is the midpoint of the interval between them,
-/// whose width does not depend on the tolerance: the best constant is known only if `upper` is 1, the quotient
-/// of u = 1. At s = 1/2 both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672 √q, `upper` like
-/// (q/8)^{1/2}.
+/// `lower` is computed to the tolerance, `upper` is rounded up; `constant` is the midpoint of the interval
+/// between them, whose width does not depend on the tolerance: the best constant is known only if `upper` is
+/// 1, the quotient of u = 1. At s = 1/2 both bounds grow like √q, `lower` like (3/(4π²e))^{1/2} √q = 0.1672
+/// √q, `upper` like (q/8)^{1/2}.
 ///
 /// # Method
 ///
 /// For s = 1/2 the range of q is 2 ≤ q < ∞. C ≥ 1, as u = 1 shows.
 ///
-/// **Lower bound.** Piecewise linear functions on a mesh graded geometrically towards 0 and the iteration u ← B⁻¹ ∫
-/// |u|^{q−2} u φ_i, B the matrix of ‖·‖²_s, which increases the quotient. For the Hölder constant, the largest
-/// value over the nodes θ of θ^{−α} times the norm of the functional v ↦ ∫₀^θ v, v = u'. Cost: O(N³) once, N a few
-/// hundred to about a thousand, and O(N²) per step; the factorized matrix of the last order is cached.
+/// **Lower bound.** Piecewise linear functions on a mesh graded geometrically towards 0 and the iteration u ←
+/// B⁻¹ ∫ |u|^{q−2} u φ_i, φ_i the hat functions and B the matrix of ‖·‖²_s, which increases the quotient. For
+/// the Hölder constant, the largest value over the nodes θ of θ^{−α} times the norm of the functional v ↦
+/// ∫₀^θ v, v = u'. Cost: O(N³) once, N a few hundred to about a thousand, and O(N²) per step; the factorized
+/// matrix of the last order is cached.
 ///
 /// **Upper bound.** Let c_k be the Fourier coefficients of the even reflection of u to a circle. The double integral
-/// on the circle has a closed form, so that ‖u‖²_s ≥ Σ w_k |c_k|², and Beckner's sharp inequality (Ann. of Math. 138
-/// (1993) 213-242) is ‖u‖²_q ≤ Σ m_k |c_k|²: C² ≤ max_k m_k/w_k. Hölder's inequality gives C(α) ≤ C(q), q = 1/(1−α).
-/// Cost: one pass over k.
+/// on the circle has a closed form, so that ‖u‖²_s ≥ Σ w_k |c_k|² with explicit w_k, and Beckner's sharp
+/// inequality (Ann. of Math. 138 (1993) 213-242) is ‖u‖²_q ≤ Σ m_k |c_k|² with explicit m_k: C² ≤ max_k
+/// m_k/w_k. For the Hölder constant C(α), Hölder's inequality gives C(α) ≤ C(q), q = max(2, 1/(1−α)), C(q)
+/// the constant of s = 1/2. Cost: one pass over k.
 ///
 /// ```
 /// use fractional_sobolev::{Target, embedding_constant};

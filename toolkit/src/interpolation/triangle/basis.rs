@@ -4,8 +4,9 @@
 //! w_km = (2|T|)^{-1/2} P_k(a) R_km(τ), P_k Legendre's polynomials orthonormal on (0, 1) and R_km =
 //! (2m+2k+2)^{1/2} τ^k P_m^{(0,2k+1)}(2τ − 1) orthonormal with the weight τ. Degree k + m, orthonormal in L².
 //!
-//! Powers: τ^μ P_k(a), k ≤ J. Their gradients are τ^{μ−1} (μ P_k ∇τ + P_k' (∇β_C − a ∇τ)), again polynomials
-//! of degree k in a times τ^{μ−1}.
+//! Powers: τ^μ P_k(a), k = 0, 1, ..., μ = 2s (moved away from 1 and 2). Their gradients are τ^{μ−1} (μ P_k
+//! ∇τ + P_k' (∇β_C − a ∇τ)), β_C the barycentric coordinate of the corner C, again polynomials of degree k in
+//! a times τ^{μ−1}.
 
 use super::shape::{Barycentric, TriangleShape, collapsed};
 use crate::error::Result;

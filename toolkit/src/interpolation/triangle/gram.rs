@@ -1,7 +1,8 @@
 //! Double integrals of polynomials and powers about one corner.
 //!
-//! With the weight 2 (2|T|)² q τ^{1−2s} dτ dq over x farther from the corner than y; the integrals over a and
-//! b are those of [`super::ring`]. For the powers τ^{μ−1} the integral over τ is in closed form, 1/(2μ − 2s).
+//! The integrals are taken over the pairs with x farther from the corner than y, and doubled: with the weight
+//! 2 (2|T|)² q τ^{1−2s} dτ dq, T the triangle, and the integrals over a and b of [`super::ring`]. For the
+//! powers τ^{μ−1} the integral over τ is in closed form, 1/(2μ − 2s).
 
 use super::basis::Polynomials;
 use super::ring::{directions, nodes};

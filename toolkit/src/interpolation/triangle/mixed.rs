@@ -1,9 +1,9 @@
 //! Integrals of powers about two different corners A and B.
 //!
 //! Seen from A, with x farther away: τ, a as in [`super::shape`], ε = 1 − q and a distance |a − b|, the
-//! larger of which is ξ: the kernel times dq db leaves ξ^{1−2s} and a smooth factor. What is singular at B (τ
-//! = 1, a = 0, there also ξ = 0) is smoothed by 1 − τ = t³, a = t³ and ξ of third order, what is singular at
-//! A (q = 0) by the third order of 1 − ξ. 14 points in each direction leave 1e-9 of the whole.
+//! larger of which is ξ: the kernel times dq db is ξ^{1−2s} times a smooth factor. Singularities at B (τ = 1,
+//! a = 0, ξ = 0) are smoothed by the substitutions 1 − τ = t³, a = t³ and one of third order for ξ, those at
+//! A (q = 0) by the third order of 1 − ξ. With 14 points in each direction the relative error is 1e-9.
 
 use super::basis::{Angular, Powers};
 use super::shape::{TriangleShape, barycentric, dot};

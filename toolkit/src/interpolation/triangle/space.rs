@@ -2,7 +2,8 @@
 //!
 //! Polynomials of degree 2 ... p (the linear ones are interpolated exactly) and, about every corner, the
 //! powers r^{2s} times polynomials in the direction: an extremal function solves an equation of order 2 + 2s
-//! with point forces at the corners, where it has interpolation conditions, and such a force leaves r^{2s}.
+//! with point forces at the corners, where it has interpolation conditions, and such a force causes a
+//! singularity r^{2s}.
 
 use super::basis::{Polynomials, Powers};
 use super::gram::CornerGram;

@@ -9,20 +9,21 @@
 //! - *Near pairs, s > 3/4.* T is convex: F(h) = ∫ |g(x + h) − g(x)|² dx has F(2h) ≤ 4 F(h), so that f(r) = F(rω)/r² has f(2r)
 //!   ≤ f(r), and b may be taken with r^(−2−2s) κ(r) where Σ_{j≥0} q^j κ(2^(−j) r) ≤ 1/(1 − q) for all r, q = 2^(2s−2):
 //!   κ = 1 for r ≥ 2ρ, 1 + q/(1−q) (1 − (r/2ρ)^γ) for ρ ≤ r ≤ 2ρ, κ(ρ) (r/ρ)^γ for r ≤ ρ, γ = 2s − 2s'. Then the near pairs are
-//!   used twice, and |g|²_s ≥ t Σ D_K + (1 − t) b(p). At s = 1, where D_K is ‖∇g‖² on K, f(r) ≤ f(0), and κ is the limit of
-//!   2(1−s)/π times this κ.
+//!   used twice, and |g|²_s ≥ t Σ D_K + (1 − t) b(p). For s ≤ 3/4 both t and 1 − t are replaced by 1 below.
+//!   At s = 1, where D_K is ‖∇g‖² on K, f(r) ≤ f(0), and κ is the limit of 2(1−s)/π times this κ.
 //! - *Means.* P² = sup ‖g − mean‖²/|g|²_s on T is the same on K but for a^(2s): with μ = min b(p)/Σ|K||p_K − mean|², |g|²_s ≥
 //!   Σ ‖g − p_K‖²_K/(P² n^(−2s)) t + (1 − t) μ Σ |K| |p_K − mean|²; hence P² ≤ 1/((1 − t) μ) if t > n^(−2s).
 //! - *Values at corners.* p_K is the gradient of the Crouzeix-Raviart interpolant, which is given by the means z on the edges.
-//!   φ_A(z) is its value at the corner A of T in the cell there. E_A = sup |u(A) − (value for K = T)|/|g|_s on T is E_A a^s
-//!   on that cell, and E_A² ≤ M²/(1 − t) + E_A² a^(2s)/t, M² = sup (φ_A(z) − value for K = T)²/b.
+//!   φ_A(z) is its value at the corner A of T in the cell there. E_A = sup |u(A) − φ⁰_A|/|g|_s, φ⁰_A the
+//!   value for the single cell K = T, is E_A a^s on the cell at A, and E_A² ≤ M²/(1 − t) + E_A² a^(2s)/t,
+//!   M² = sup (φ_A(z) − φ⁰_A)²/b.
 //! - *The constants.* Let u = 0 at the corners (subtract Iu): then u(A) − φ_A(z) = −φ_A(z), and
 //!   ‖∇(u − Iu)‖² = Σ ‖g − p_K‖²_K + |K||p_K|² is at most |g|²_s times the larger one of P² n^(−2s)/t and the
 //!   largest eigenvalue of Σ |K||p_K|² against (1 − t) b + Σ_A t φ_A²/(2 E_A² a^(2s)). In L² likewise with the interpolant's norm, and
 //!   ‖u − interpolant‖_K ≤ (1/π² + 1/48)^(1/2) a ‖g − p_K‖_K: Payne & Weinberger (1960), and the mean m over K of a
 //!   function with mean 0 on each edge, 2|K| m = −∫ (x − c)·∇, c the centre of K.
 //!
-//! As n grows both bounds tend to the constants. They are proved but for rounding.
+//! As n grows, and t → 0 for s > 3/4, both bounds tend to the constants. They are proved up to rounding.
 
 use super::shape::TriangleShape;
 use crate::error::{Error, Result};

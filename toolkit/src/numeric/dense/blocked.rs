@@ -1,4 +1,4 @@
-//! Dense linear algebra by faer. Small matrices are processed on one thread: for some dozen rows
+//! Dense linear algebra by faer. Small matrices are processed on one thread: for a few dozen rows
 //! synchronisation dominates, and callers solve several problems at once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};

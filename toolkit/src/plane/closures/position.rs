@@ -21,7 +21,7 @@ pub(super) struct Corners {
     pub(super) all: Vec<Corner>,
 }
 
-/// A point of a triangle.
+/// A point of a triangle of a triangulation.
 ///
 /// In the triangles at a declared corner the offset from that corner is exact down to 1e-290; the coordinates
 /// are rounded.
@@ -66,7 +66,8 @@ impl<'a> PlanePosition<'a> {
         self.triangle
     }
 
-    /// The offset of x from the declared corner with this number; NaN if there is none.
+    /// The offset of x from the declared corner with this number, in the order of declaration; NaN if there
+    /// is none.
     pub fn offset(&self, corner: usize) -> [f64; 2] {
         match (self.anchor, self.corners.all.get(corner)) {
             (Some((anchor, offset)), _) if anchor == corner => offset,

@@ -25,9 +25,10 @@ use crate::quadrature::Rule;
 ///
 /// # Method
 ///
-/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, by one linear solve on the spaces of
-/// [`gamma`](crate::gamma). The space is conforming, so that every value is a lower bound up to rounding, and its
-/// error is the square of the approximation error in |w|_ν; the error estimate compares two spaces, as for `gamma`.
+/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, (·, ·)_ν the inner product of |·|_ν,
+/// by one linear solve on the spaces of [`gamma`](crate::gamma). The space is conforming, so that every value
+/// is a lower bound up to rounding, and the error of M² is the square of the approximation error in |·|_ν;
+/// the error estimate compares two spaces, as for `gamma`.
 ///
 /// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of a given length
 /// the zone at an end has the largest moment for m = 1 (by rearrangement). Cost: one factorization for a few
@@ -133,10 +134,11 @@ impl MomentConstant {
     ///
     /// # Method
     ///
-    /// On the complement of the zone, scaled to (0, 1), the seminorm is (v, Av) with an integral operator A, and k is
-    /// the potential of the zone; for every v, with the residual r = m − A v, ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫
-    /// r²/k. v is the least squares solution of r = 0. The gap between the bounds is 1e-15 to 3e-9 of M in
-    /// experiments. Cost: a million evaluations of basis functions for each ν; those for the last ν are cached.
+    /// On the complement of the zone, scaled to (0, 1), the squared seminorm is (v, Av) with an integral
+    /// operator A, and k(s) = ∫ |s−t|^{−1−2ν} dt over the scaled zone; for every v, with the residual r = m −
+    /// A v, ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. The gap
+    /// between the bounds is 1e-15 to 3e-9 of M in experiments. Cost: a million evaluations of basis
+    /// functions for each ν; those for the last ν are cached.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the length of the complement lies

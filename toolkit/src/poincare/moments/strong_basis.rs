@@ -1,6 +1,7 @@
 //! The basis of the trial functions of [`super::strong_form`], and the operator A on it.
 //!
-//! On s ∈ (0, 1), s the distance from the free end, with the zone from 1 on:
+//! On s ∈ (0, 1), s the distance from the free end, with the zone from 1 on, (ν)_k the Pochhammer symbols and
+//! P_i the Legendre polynomials:
 //!
 //! * (1−s)^ν (1 + ν s + ... + (ν)_12 s¹²/12!), flat at 0: 1 minus the remainder of a Taylor series;
 //! * (1−s)^ν s^β P_i(2s−1), β ∈ (1, 2) the first exponent at a free end, A s^β = 0 on the half line;

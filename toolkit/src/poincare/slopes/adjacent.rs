@@ -1,6 +1,7 @@
 //! Pairs of panels on which the kernel is singular: a panel with itself or with its neighbour.
 //!
-//! There ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of the
+//! There the kernel K of [`super::kernel`] is, with p = 1 − 2ν,
+//! ν K = h^p [ ((x/h)^p − 1)/p + (1 − (d/h)^p)/p ] − ((y+e)^p − y^p)/p, d = |s−t|, x the distance of the
 //! farther point from the near end of the interval, e and y the distances of the nearer point from the near and
 //! the far end, h the size of the pair. Only d is singular; in suitable coordinates d/h = ρ g with g analytic,
 //! and (1 − (ρg)^p)/p = (1 − ρ^p)/p − ρ^p (g^p − 1)/p is integrated with the two Gauss rules of

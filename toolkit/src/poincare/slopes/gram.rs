@@ -1,10 +1,10 @@
 //! The Gram matrix of the squared seminorm |u|_ν² in the slope basis.
 //!
-//! A = ∬ L_k(s) L_l(t) K(s,t), K of [`super::kernel`]. Pairs of panels fall into two classes: those with a gap
-//! between them ([`super::separated`]; pairs whose kernel is below 1e-18 of the geometric mean of their self
-//! energies are skipped), and those of a panel with itself or its neighbour ([`super::adjacent`]). Cost: O(P²)
-//! kernel values for P panels, with a factor that decreases from some hundred to ten with the distance; O(P)
-//! once the skipped pairs dominate.
+//! A_kl = ∬ L_k(s) L_l(t) K(s,t) ds dt, L_k the slopes of the basis functions, K of [`super::kernel`]. Pairs
+//! of panels fall into two classes: those with a gap between them ([`super::separated`]; pairs whose kernel
+//! is below 1e-18 of the geometric mean of their self energies are skipped), and those of a panel with itself
+//! or its neighbour ([`super::adjacent`]). Cost: O(P²) kernel values for P panels, with a factor that
+//! decreases from several hundred to ten with the distance; O(P) once the skipped pairs dominate.
 
 use super::adjacent::{Adjacent, Block, EMPTY};
 use super::kernel::{exp_quotient, kernel, ln_ratio, power_increment};

@@ -1,5 +1,5 @@
-//! The basis of the group around a short zone: hat functions in place of steps, and the terms that the matrix
-//! of the seminorm, assembled with the shifted kernel of [`super::local`], still lacks in this basis.
+//! The basis of the group around a short zone: hat functions in place of steps, and the terms to be
+//! added to the matrix of the seminorm after its assembly with the shifted kernel of [`super::local`].
 
 use super::kernel::{kernel, power_increment};
 use super::local::Local;

@@ -9,7 +9,7 @@
 //!
 //! ν K = [ (α+γ)^p + (β+γ)^p − γ^p − (α+β+γ)^p ] / p,   at ν = 1/2:  ln(1 + αβ/(γℓ)).
 //!
-//! K is positive; it is computed with a small relative error for all lengths and through p = 0.
+//! K is positive; it is computed with a small relative error for all lengths and all p, p = 0 included.
 
 /// (e^{p x} − 1)/p; x at p = 0.
 pub(crate) fn exp_quotient(p: f64, x: f64) -> f64 {

@@ -3,7 +3,8 @@
 //! Each interval is represented by a cell on which u is constant; that all constants agree is one condition for
 //! every gap between two intervals, Σ x = 0 over the steps of the gap. In the basis of steps, the step of the
 //! longest cell is expressed by the others; in the basis with hat functions of [`super::local`], where a
-//! coefficient is the value of u behind its cell, all gaps end with the value before the first one.
+//! coefficient is the value of u at the right end of its cell, the coefficient at the end of every gap equals
+//! the one before the first interval.
 
 use super::local::Local;
 use super::space::SlopeSpace;

@@ -1,4 +1,5 @@
-//! A short zone in the interior: local coordinates for the kernel; those for the basis are in [`super::hats`].
+//! A short zone of length θ in the interior: local coordinates for the kernel; the local basis is in
+//! [`super::hats`].
 //!
 //! Near the zone K(s,t) is a constant κ plus a part of order r^p, p = 1 − 2ν, r the distance from the zone. For
 //! p > 0 a jump of u has finite energy, the extremal function jumps down and up again, and in the step basis
@@ -10,9 +11,10 @@
 //!   K(s,t) − K(P,t) for s ∈ G, t outside. The hat functions and the functions of degree ≥ 1 have zero
 //!   increment and are not affected by the subtraction; for the last step it is added back.
 //!
-//! All entries then have the size of their scale, uniformly in θ. For p well below 0 the basis of steps is
-//! preferable (a wide plateau of many short hat functions would have a negligible energy compared with theirs);
-//! there the group serves only to replace near points by P in distant interactions.
+//! All entries then have the order of magnitude of the energies of their basis functions, uniformly in θ. For
+//! p well below 0 the basis of steps is preferable (a wide plateau of many short hat functions would have a
+//! negligible energy compared with theirs); there the group serves only to replace near points by P in
+//! distant interactions.
 
 use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;

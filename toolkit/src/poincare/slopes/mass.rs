@@ -1,9 +1,11 @@
-//! The Gram matrix of ‖u‖₀² in the slope basis, where a condition on a range of cells determines the constant.
+//! The Gram matrix of ‖u‖₀²/ℓ, ℓ the length of the interval, in the slope basis, where a condition on a range
+//! of cells determines the constant.
 //!
 //! The condition is ∫_E u = 0 on ranges E of cells, or u = 0 at a node (an empty range). Each basis function is
 //! a constant to the left of its cell, a constant to the right of it, and a primitive of its slope inside; the
-//! two constants follow from the condition: (−1, 0) left of E, (0, 1) right of E and (−e_r, e_l)/|E| between
-//! two ranges, e_l and e_r the lengths of E on either side, so that no large numbers are subtracted.
+//! two constants follow from the condition. For function 0 of a cell (the step) they are (−1, 0) left of E,
+//! (0, 1) right of E and (−e_r, e_l)/|E| between two ranges, e_l and e_r the lengths of E on either side, so
+//! that no large numbers are subtracted; for the other functions of a cell outside E they are 0.
 
 use super::space::{MOST_FUNCTIONS, SlopeSpace, Values, legendre_primitives};
 use crate::error::Result;

@@ -1,4 +1,4 @@
-//! The hp space in which the constants of the appendices are computed: slopes on graded cells.
+//! The hp space in which the Poincaré constants are computed: slopes on graded cells.
 //!
 //! The unknowns are the slopes of u, so that constants, on which the seminorm vanishes, do not occur and
 //! positions are never subtracted. See [`cell`] for the parametrizations, [`gram`] for |u|_ν², [`mass`] for

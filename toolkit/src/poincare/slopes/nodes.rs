@@ -3,8 +3,8 @@
 //! The number of points follows from the required digits, from the degree of the slopes on the panel (a
 //! polynomial on a long cell has a low degree on each of its panels) and from the nearest singularity of the
 //! kernel: an n-point rule is exact up to degree 2n − 1, and the Chebyshev coefficients of the kernel decrease
-//! like ϱ^{−k} on the Bernstein ellipse of the singularity, and at most as fast as those of eˣ because the
-//! panels are exponential.
+//! like ϱ^{−k}, ϱ the parameter of the Bernstein ellipse through the singularity, and at most as fast as
+//! those of eˣ because the panels are exponential.
 
 use super::kernel::power_increment;
 use super::local::Local;

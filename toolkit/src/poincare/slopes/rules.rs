@@ -1,9 +1,9 @@
 //! Gauss rules for the weights that arise at the diagonal of the kernel: t^{p+k} and t^k (1 − t^p)/p, k = 0, 1.
 //!
 //! The second weight is positive for either sign of p and becomes −t^k ln t at p = 0. Because (1 − t^p)/p =
-//! ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: a product of a Gauss-Jacobi and a
-//! Gauss-Legendre rule is exact for polynomials. The n-point rule is obtained from that product rule by the
-//! Stieltjes procedure.
+//! ∫_t^1 τ^{p−1} dτ, its integrals are ∫₀¹ τ^{p+k} ∫₀¹ κ^k f(τκ) dκ dτ: the product of a Gauss-Jacobi and a
+//! Gauss-Legendre rule with n + 1 points each is exact for polynomials of degree 2n. The n-point rule is
+//! obtained from that product rule by the Stieltjes procedure.
 
 use crate::error::{Error, Result};
 use crate::numeric::dense::symmetric_eigen;

@@ -6,8 +6,8 @@
 //! ν K = (x(t)^p − d^p)/p − (ℓ^p − y(s)^p)/p,  the first term = x(t)^p (1 − e^{−pL})/p,  L = ln(1 + x(s)/d),
 //!
 //! and its mirror image for x(s) > y(t): one logarithm and one exponential per pair of points, without
-//! cancellation as long as d is not the largest of the three lengths. Only in that case the general formula is
-//! needed.
+//! cancellation as long as d is not the largest of the three lengths. In that case, and where e^{−pL} would
+//! overflow, the general formula is used.
 
 use super::adjacent::{Block, EMPTY};
 use super::gram::Assembly;
