@@ -59,7 +59,12 @@ impl ContactSolution {
         }
         self.traction.iter_mut().flatten().for_each(|v| *v *= unit);
         self.reaction.iter_mut().for_each(|v| *v *= unit);
-        for value in [&mut self.force_scale, &mut self.displacement_scale, &mut self.contact_force] {
+        for value in [
+            &mut self.force_scale,
+            &mut self.displacement_scale,
+            &mut self.contact_force,
+            &mut self.force_rounding,
+        ] {
             *value *= unit;
         }
         for value in [&mut self.energy, &mut self.energy_rounding] {

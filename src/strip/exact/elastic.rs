@@ -71,7 +71,7 @@ impl ExactElastic {
         let mut matrices: Vec<Vec<EdgeMatrix>> = Vec::new();
         let mut defects: Vec<Vec<EdgeMatrix>> = Vec::new();
         let mut n = cells;
-        while n >= coarsest.max(2) {
+        while n >= coarsest.min(cells).max(2) {
             let layers = layers_on(n, height)?;
             power_of_two(2 * layers)?;
             let own = edge_matrices(n, layers, lame);

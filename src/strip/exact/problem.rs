@@ -98,8 +98,8 @@ impl StripProblem {
     /// The problem on the strip of height 1; for elasticity λ = μ = 1, and the reference must be the discrete
     /// solution on the grid of the test problem.
     ///
-    /// `coarsest` is the smallest number of cells for which errors are computed in the elastic strip, where
-    /// it must not exceed N, the number of cells of the data. Cost: O(N log N).
+    /// `coarsest` is the smallest number of cells for which errors are computed in the elastic strip; above N, the
+    /// number of cells of the data, it counts as N. Cost: O(N log N).
     ///
     /// # Errors
     /// [`ToolkitError::Incompatible`] for the lateral conditions of the other kind of strip
