@@ -113,9 +113,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");
     out.check("fixed u: order of the lower bound").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
     out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
-    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(order_of_smooth, 2.0, 0.02, "no aliasing");
+    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(order_of_smooth, 2.0, 0.02, "smooth function");
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
-    out.plot("remark_2_dual_norm_counterexample", "Remark 2: aliasing in a dual norm", axes)
+    out.plot("remark_2_dual_norm_counterexample", "Remark 2: a wave and its interpolant in a dual norm", axes)
         .dashed("elements", "bound")
         .curve("elements", "wave")
         .curve("elements", "smooth");
