@@ -115,9 +115,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
     out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(order_of_smooth, 2.0, 0.02, "smooth function");
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
-    out.plot("remark_2_dual_norm_counterexample", "Remark 2: a wave and its interpolant in a dual norm", axes)
-        .dashed("elements", "bound")
-        .curve("elements", "wave")
-        .curve("elements", "smooth");
+    out.plot(
+        "remark_2_dual_norm_counterexample",
+        "Remark 2: a wave and its interpolant in a dual norm",
+        axes,
+    )
+    .dashed("elements", "bound")
+    .curve("elements", "wave")
+    .curve("elements", "smooth");
     Ok(())
 }

@@ -54,7 +54,6 @@ chapters! {
     fractional_laplacian: "fractional_laplacian.md",
     speed_for_accuracy: "speed_for_accuracy.md",
     every_label: "every_label.md",
-    lemma_cards: "lemma_cards.md",
     errata: "errata.md",
     after_2012: "after_2012.md",
     teaching: "teaching.md",

@@ -16,9 +16,12 @@ fn read(path: &str) -> String {
     std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap_or_default()
 }
 
-/// The cells of each row.
+/// The cells of each row above the cards.
 fn rows(page: &str) -> Vec<Vec<String>> {
-    let lines = page.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| label"));
+    let lines = page
+        .lines()
+        .take_while(|line| !line.starts_with("## Cards"))
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| label"));
     lines
         .filter(|line| !line.starts_with("| ---"))
         .map(|line| line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect())

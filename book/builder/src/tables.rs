@@ -35,7 +35,7 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
         table("CONTRIBUTING.md", None, readme_table(&all, repository));
         table("src/with_contact.md", None, contents_table(&all));
         for (group, members) in &groups {
-            table("book/src/lemma_cards.md", Some(group), cards_table(members));
+            table("book/src/every_label.md", Some(group), cards_table(members));
         }
     }
     let mut list = |file, begin: &str, end, lines, source| {
@@ -208,7 +208,7 @@ mod tests {
         put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
-        put("book/src/lemma_cards.md", &format!("{cards}<!-- end of labels -->\n"));
+        put("book/src/every_label.md", &format!("{cards}<!-- end of labels -->\n"));
         directory
     }
 
@@ -220,7 +220,7 @@ mod tests {
             let faults = stale(&labels, directory.path()).unwrap();
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
-        let cards = "book/src/lemma_cards.md";
+        let cards = "book/src/every_label.md";
         assert_eq!(stale_files(), ["CONTRIBUTING.md", "src/with_contact.md", cards, cards, CHAPTERS]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
