@@ -89,15 +89,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let known = KnownSolution::three_halves();
     let multigrid = |accuracy| Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
     let solvers = |is_known: bool, n: usize| {
-        let all: [(&str, bool, Settings<'_>); 5] = [
+        let all: [(&str, bool, Settings<'_>); 4] = [
             // Interior eliminated by a sparse factorisation, then guesses of the contact set on the edge: exact to rounding.
             ("active set", true, Solver::ActiveSet.into()),
             // Nested iteration; gradients with a V-cycle on the contact set in hand; stops by an estimate of |u^h − v|_a.
             ("multigrid, 1e-10", true, multigrid(Accuracy::Relative(Tolerance::new(1e-10)?))),
             ("multigrid, h/100", is_known, multigrid(Accuracy::OfDiscretisation(0.01))),
-            // Primal-dual path (Clarabel) on all unknowns; the same on the edge.
+            // Primal-dual path (Clarabel) on all unknowns.
             ("interior point", is_known && n <= 64, Solver::InteriorPoint.into()),
-            ("interior point, edge", is_known && n <= 1024, Solver::EdgeInteriorPoint.into()),
         ];
         Ok::<_, Error>(all.into_iter().filter(|(_, runs, _)| *runs))
     };

@@ -6,9 +6,7 @@
 //! forces.
 
 use super::active_set::{EdgeOutcome, solve_on_edge};
-use super::barrier::solve_by_barrier;
 use super::cascade;
-use super::edge_interior_point::edge_interior_point;
 use super::edge_problem::EdgeProblem;
 use super::problem::ContactProblem;
 use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
@@ -32,30 +30,18 @@ struct Condensed<'a> {
 
 /// The solution by the active set method from the given initial guess.
 pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-    by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, guess))
+    by_edge(problem, cone, |edge| solve_on_edge(edge, guess))
 }
 
 /// The solution by the active set method, with an initial guess from coarser functions on the edge.
 pub(super) fn solve_by_cascade(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
-    by_edge(problem, cone, Solver::ActiveSet, |edge| solve_on_edge(edge, cascade::guess(edge)?))
+    by_edge(problem, cone, |edge| solve_on_edge(edge, cascade::guess(edge)?))
 }
 
-/// The solution by the barrier method with the given displacement sizes, recovered once.
-pub(super) fn solve_by_sizes(problem: &ContactProblem, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
-    by_edge(problem, cone, Solver::EdgeInteriorPoint, |edge| solve_by_barrier(edge, sizes))
-}
-
-/// The solution by the interior point method on the edge, recovered once.
-pub(super) fn solve_by_program(problem: &ContactProblem, cone: Cone) -> Result<ContactSolution> {
-    by_edge(problem, cone, Solver::EdgeInteriorPoint, edge_interior_point)
-}
-
-/// The solution by elimination, `on_edge` for the condensed problem, recovery, and a step of refinement for the
-/// active set method.
+/// The solution by elimination, `on_edge` for the condensed problem, recovery, and a step of refinement.
 fn by_edge(
     problem: &ContactProblem,
     cone: Cone,
-    solver: Solver,
     on_edge: impl FnOnce(&EdgeProblem<'_>) -> Result<EdgeOutcome>,
 ) -> Result<ContactSolution> {
     problem.matrix();
@@ -69,17 +55,15 @@ fn by_edge(
     let contact = start.elapsed().as_secs_f64();
     let start = Instant::now();
     iterate.add(&reduced, &outcome.state.displacement, &outcome.state.multiplier);
-    if solver == Solver::ActiveSet {
-        let (reduced, bound) = iterate.remainder()?;
-        let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
-        iterate.add(&reduced, &correction.displacement, &correction.multiplier);
-    }
+    let (reduced, bound) = iterate.remainder()?;
+    let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
+    iterate.add(&reduced, &correction.displacement, &correction.multiplier);
     let iterations = outcome.steps as u64;
     let mut solution = conclude(
         problem,
         cone,
         Candidate {
-            solver,
+            solver: Solver::ActiveSet,
             unknowns: iterate.unknowns,
             multiplier: iterate.multiplier,
             contact_set: outcome.set,

@@ -6,13 +6,11 @@
 //! called by [`ContactProblem::solve`] with [`Settings`].
 
 mod active_set;
-mod barrier;
 mod by_radius;
 mod cascade;
 mod condensed;
 mod data;
 mod dual_active_set;
-mod edge_interior_point;
 mod edge_problem;
 mod interior_point;
 mod multigrid;
@@ -20,7 +18,6 @@ mod npy;
 mod operator;
 mod problem;
 mod products;
-mod program;
 mod settings;
 mod solution;
 mod solve;

@@ -35,12 +35,6 @@ pub struct Settings<'a> {
     /// A callback invoked after every step of multigrid; an error that it returns ends the iteration.
     #[allow(clippy::type_complexity)] // a callback, spelled out
     pub progress: Option<&'a mut (dyn FnMut(&Progress) -> Result<()> + Send)>,
-    /// Expected relative sizes of the displacement at the nodes of the contact edge, all positive, for
-    /// [`Solver::EdgeInteriorPoint`] in the nodal cone: each node has its own barrier weight.
-    ///
-    /// Near a singular point the contact set is then resolved in every decade of r that the mesh covers; with equal
-    /// weights only in about half of them (example `section_1_clamped_end`).
-    pub sizes: Option<&'a [f64]>,
 }
 
 impl From<Solver> for Settings<'_> {

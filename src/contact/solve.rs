@@ -39,26 +39,19 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`] if some part of the body has no Dirichlet boundary;
-    /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces or with
-    /// [`Settings::sizes`], and for a start from the other cone; [`Error::Solver`] for an error of Clarabel;
-    /// [`ToolkitError::CountOutOfRange`] for a start from a coarser mesh or for [`Settings::sizes`] if the
-    /// edge has several pieces, and for sizes on a closed edge; [`ToolkitError::LengthMismatch`] for a
-    /// contact set or sizes of the wrong length, or a hierarchy whose finest mesh is not that of the problem;
-    /// [`ToolkitError::EntryOutOfRange`] for sizes that are not positive, [`ToolkitError::NotFinite`] for
-    /// sizes that are not finite or an energy that overflows; [`ToolkitError::OutOfRange`] unless
-    /// the share of the discretisation error is in (0, 1]; the error of the progress callback. The
-    /// termination of the iteration is a status, not an error.
+    /// [`ToolkitError::Incompatible`] for the midpoint cone on a contact edge in several pieces and for a start from
+    /// the other cone; [`Error::Solver`] for an error of Clarabel; [`ToolkitError::CountOutOfRange`] for a start from
+    /// a coarser mesh if the edge has several pieces; [`ToolkitError::LengthMismatch`] for a contact set of the wrong
+    /// length, or a hierarchy whose finest mesh is not that of the problem; [`ToolkitError::NotFinite`] for an energy
+    /// that overflows; [`ToolkitError::OutOfRange`] unless the share of the discretisation error is in (0, 1]; the
+    /// error of the progress callback. The termination of the iteration is a status, not an error.
     pub fn solve<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {
-        let Settings { solver, start, accuracy, hierarchy, progress, sizes } = how.into();
+        let Settings { solver, start, accuracy, hierarchy, progress } = how.into();
         self.require_cone(cone)?;
         match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => condensed::solve(self, cone, self.first_set(cone, start)?),
             Solver::Multigrid | Solver::Auto => self.by_multigrid(cone, hierarchy, accuracy, progress),
             Solver::InteriorPoint => interior_point::solve(self, cone),
-            Solver::EdgeInteriorPoint => match sizes {
-                Some(sizes) => self.by_sizes(cone, sizes),
-                None => condensed::solve_by_program(self, cone),
-            },
         }
     }
 
@@ -76,18 +69,5 @@ impl ContactProblem {
                 self.edge_cone(cone).refined_set(&coarse.contact_set)
             }
         }
-    }
-
-    fn by_sizes(&self, cone: Cone, sizes: &[f64]) -> Result<ContactSolution> {
-        self.edge.require_one_piece()?;
-        if self.edge().is_closed() {
-            let range = "{2}, the number required with displacement sizes";
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "ends of the contact edge",
-                value: 0,
-                range,
-            }));
-        }
-        condensed::solve_by_sizes(self, cone, sizes)
     }
 }

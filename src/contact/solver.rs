@@ -10,14 +10,13 @@ use std::str::FromStr;
 /// | --- | --- | --- |
 /// | `ActiveSet` | primal-dual active sets on the Schur complement S | one sparse factorization, O(n³) per step |
 /// | `InteriorPoint` | primal-dual interior point method on (K, B) | 11 to 16 sparse factorizations of size N |
-/// | `EdgeInteriorPoint` | the same on (S, B) | one sparse, about 15 dense factorizations of size n |
 /// | `Multigrid` | nested iteration, V-cycle preconditioner | O(N) for a fixed accuracy |
 ///
 /// ```
 /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
 /// let problem = TestProblem::Block.problem(8)?;
 /// let direct = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-/// let independent = problem.solve(Cone::Nodal, Solver::EdgeInteriorPoint)?;
+/// let independent = problem.solve(Cone::Nodal, Solver::InteriorPoint)?;
 /// // the minimum of J and the contact set do not depend on the solver
 /// assert!((direct.energy - independent.energy).abs() < 1e-9 * direct.energy.abs());
 /// assert_eq!(direct.contact_set, independent.contact_set);
@@ -28,13 +27,9 @@ pub enum Solver {
     /// Elimination of all but the contact unknowns, followed by a primal-dual active set method on the edge.
     #[default]
     ActiveSet,
-    /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem.
+    /// A general interior point method for quadratic programs (Clarabel) on the full sparse problem: the independent
+    /// computation up to some ten thousand unknowns, for an algebraic error of about 1e-9.
     InteriorPoint,
-    /// The same method on the problem condensed to the edge: the elimination is that of the active set method, the
-    /// contact set is found independently. On 128 × 128 squares it takes 0.04 s for an algebraic error of 2e-13,
-    /// while [`Solver::InteriorPoint`] takes 0.3 s for 8e-10 (`section_2_speed_for_accuracy`); it therefore serves as
-    /// the independent computation on finer meshes.
-    EdgeInteriorPoint,
     /// Nested iteration with conjugate gradients and a V-cycle.
     Multigrid,
     /// The active set method up to [`Solver::CROSSING`] unknowns, multigrid above: the faster of the two.
@@ -69,7 +64,6 @@ impl fmt::Display for Solver {
         f.write_str(match self {
             Solver::ActiveSet => "active-set",
             Solver::InteriorPoint => "interior-point",
-            Solver::EdgeInteriorPoint => "edge-interior-point",
             Solver::Multigrid => "multigrid",
             Solver::Auto => "auto",
         })
@@ -83,13 +77,12 @@ impl FromStr for Solver {
         match text {
             "active-set" => Ok(Solver::ActiveSet),
             "interior-point" => Ok(Solver::InteriorPoint),
-            "edge-interior-point" => Ok(Solver::EdgeInteriorPoint),
             "multigrid" => Ok(Solver::Multigrid),
             "auto" => Ok(Solver::Auto),
             _ => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "solver",
                 given: text.to_owned(),
-                expected: "active-set, interior-point, edge-interior-point, multigrid or auto",
+                expected: "active-set, interior-point, multigrid or auto",
             })),
         }
     }

@@ -18,14 +18,8 @@ use fractional_sobolev::Estimate;
 /// Energy norms in [1/PLAIN, PLAIN] are not rescaled.
 const PLAIN: f64 = 1e60;
 
-/// The power of two for an energy norm of about `root`; `None` if no scaling is needed, or none helps.
-pub(super) fn unit_for(root: f64) -> Option<f64> {
-    let plain = root == 0.0 || (PLAIN.recip()..=PLAIN).contains(&root);
-    (!plain && root.is_finite()).then(|| power_of_two(root))
-}
-
 impl ContactProblem {
-    /// The scaled problem and its unit; `None` if no scaling is needed.
+    /// The scaled problem and its unit, a power of two; `None` if no scaling is needed, or none helps.
     pub(super) fn in_unit(&self) -> Option<(Self, f64)> {
         let stiff = match &self.form {
             Form::Scalar { .. } => 1.0,
@@ -35,7 +29,11 @@ impl ContactProblem {
         };
         let root = f64::sqrt(stiff);
         let length = largest(&self.gap).max(largest(&self.values));
-        let unit = unit_for((largest(&self.load) / root).max(length * root))?;
+        let norm = (largest(&self.load) / root).max(length * root);
+        if norm == 0.0 || !norm.is_finite() || (PLAIN.recip()..=PLAIN).contains(&norm) {
+            return None;
+        }
+        let unit = power_of_two(norm);
         let mut scaled = self.clone();
         for values in [&mut scaled.load, &mut scaled.values, &mut scaled.gap] {
             values.iter_mut().for_each(|v| *v /= unit);

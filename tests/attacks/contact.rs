@@ -52,11 +52,6 @@ fn every_solver_beside_all_contact_sets() {
     assert!(one.is_some() || !asked.values().any(many), "{asked:?}");
 }
 
-/// The interior point method on the edge with a barrier weight for every node.
-fn barrier(sizes: &[f64]) -> Settings<'_> {
-    Settings { solver: Solver::EdgeInteriorPoint, sizes: Some(sizes), ..Settings::default() }
-}
-
 fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     let program = Program::new(scene, cone).expect("positive definite in numbers of twice the length");
     let answer = program.solve();
@@ -75,7 +70,6 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     for (name, solver) in [
         ("active set", Solver::ActiveSet),
         ("interior point", Solver::InteriorPoint),
-        ("interior point, edge", Solver::EdgeInteriorPoint),
         ("multigrid", Solver::Multigrid),
         ("auto", Solver::Auto),
     ] {
@@ -87,10 +81,6 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>();
         problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() })
     });
-    if cone == Cone::Nodal && !scene.mesh.is_closed {
-        let sizes = vec![1.0; scene.mesh.chain.len()];
-        ask("barrier", &|| problem()?.solve(cone, barrier(&sizes)));
-    }
 }
 
 /// Whether there is an answer beside a status, or a reason to refuse; otherwise what is wrong.
@@ -107,7 +97,7 @@ fn verdict(
         Err(error) => return Err(format!("refused: {error}")),
         Ok(solution) => solution,
     };
-    let is_iterated = matches!(solver, "interior point" | "interior point, edge" | "barrier");
+    let is_iterated = solver == "interior point";
     // Prescribed values that penetrate have a status that says so.
     if compare(scene, program, answer, &solution)? || !program.is_admissible() {
         return Ok(true);
