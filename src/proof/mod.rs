@@ -1,6 +1,5 @@
 //! The explicit constants of the proofs of Theorems 3.1 and 4.1, the bounds that contain them, and the best constants
-//! of a segment. Both sides of every inequality are evaluated in the examples `theorem_3_1_proof_profile` and
-//! `theorem_4_1_proof_profile`.
+//! of a segment. Both sides of every inequality are evaluated in the example `theorem_3_1_proof_profile`.
 
 mod constants;
 mod explicit_bound;

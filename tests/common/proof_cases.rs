@@ -26,13 +26,11 @@ pub struct Proof {
 /// left ≤ right, or left = right, within the error of both sides.
 fn holds((name, left, right, size): Line, t: &SegmentNorms) -> bool {
     let relative = SUMS + t.stress.seminorm_error() + t.slope.seminorm_error();
-    let size = match size.is_infinite() {
-        true if name.starts_with("(3.4)") => t.depth,
-        true => t.force * t.depth,
-        false => size,
-    };
-    match name.starts_with("(3.4)") || name.contains("σ u = 0") || name.contains("mean zero") {
-        true => (left - right).abs() <= SUMS * (left.abs() + right.abs()) + 1e-12 * size,
+    match size.is_infinite() {
+        true => {
+            let size = if name.starts_with("(3.4)") { t.depth } else { t.force * t.depth };
+            (left - right).abs() <= SUMS * (left.abs() + right.abs()) + 1e-12 * size
+        }
         false => left - right <= relative * (left.abs() + right.abs()) + 64.0 * f64::EPSILON * size,
     }
 }

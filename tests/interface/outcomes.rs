@@ -146,10 +146,11 @@ fn segments_of_the_block_are_in_the_cases_of_both_figures() {
 /// zone is taken as short as h_e θ.
 #[test]
 fn the_order_is_lost_where_the_zone_is_taken_as_short_as_h_theta() {
-    for name in ["theorem_3_1_proof_profile", "theorem_4_1_proof_profile"] {
+    let name = "theorem_3_1_proof_profile";
+    for cone in ["nodal", "midpoint"] {
         let steps = ["h-lder", "zone-of-the-segment", "zone-of-length-thetah", "whole-edge"];
-        let losses = steps.map(|step| value(name, &format!("loss.step{step}")));
-        assert!((value(name, "exponent.stepintegral") - 1.5).abs() < 1e-6);
+        let losses = steps.map(|step| value(name, &format!("loss.cone{cone}.step{step}")));
+        assert!((value(name, &format!("exponent.cone{cone}.stepintegral")) - 1.5).abs() < 1e-6);
         assert!((losses.iter().sum::<f64>() - 0.125).abs() < 1e-6, "{losses:?}");
         assert!((losses[2] - 0.125).abs() < 0.01 && losses[0].abs() + losses[1].abs() < 1e-6, "{losses:?}");
     }

@@ -12,7 +12,7 @@ mod theorem_3_1_proof_profile;
 
 const PROOF: Proof = Proof {
     lines: |t, c, theta| {
-        let found = theorem_3_1_proof_profile::lines(t, c, theta).unwrap();
+        let found = theorem_3_1_proof_profile::nodal(t, c, theta).unwrap();
         assert!(found.1.is_some(), "a segment in neither case: {t:?}");
         found
     },

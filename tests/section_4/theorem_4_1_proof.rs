@@ -5,12 +5,12 @@ use signorini::edge::ContactPair;
 use signorini::proof::ProofConstants;
 
 #[allow(dead_code)]
-#[path = "../../examples/theorem_4_1_proof_profile.rs"]
-mod theorem_4_1_proof_profile;
+#[path = "../../examples/theorem_3_1_proof_profile.rs"]
+mod theorem_3_1_proof_profile;
 
 const PROOF: Proof = Proof {
     lines: |t, c, theta| {
-        let found = theorem_4_1_proof_profile::lines(t, c, theta).unwrap();
+        let found = theorem_3_1_proof_profile::midpoint(t, c, theta).unwrap();
         assert!(found.1.is_some() || t.contact_diameter().is_none(), "a segment in neither case: {t:?}");
         found
     },
