@@ -21,7 +21,7 @@
 //! Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by half, cosh η = 2 −
 //! cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone, e²
 //! = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p is that of 4 d(h/2)
-//! − d(h), d(h) = e(h)² − e(h/2)².
+//! − d(h), d(h) = e(h)² − e(h/2)² (`order_of_squares`).
 // x.at_most(b), at_least(b): with its error; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts.
 // stronger: if it holds, the bound is loose.
 use example_report::prelude::*;
@@ -57,18 +57,10 @@ fn squares(kind: StripKind, tau: f64, cone: Cone, finest: u32) -> Result<Vec<f64
     Ok(squares)
 }
 
-/// p over the last two halvings; ± is its largest change since the three meshes before: a drift, as large as p is off its limit.
-fn order(squares: &[f64]) -> Measured {
-    let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-    let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-    let p: Vec<f64> = t.windows(3).rev().map(|t| 0.25 * (t[0] / t[2]).abs().log2()).collect();
-    Measured::new(p[0], p.iter().take(4).fold(0.0, |most, q| (q - p[0]).abs().max(most)))
-}
-
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &tau in &options.tau {
         let (earlier, printed, optimal) = (0.5 * tau - 0.25, tau * tau - 2.5 * tau + 2.0, tau - 1.0);
-        let measured = |cone| Ok(order(&squares(options.kind, tau, cone, options.finest)?));
+        let measured = |cone| Ok(order_of_squares(&squares(options.kind, tau, cone, options.finest)?, 2));
         let [nodal, midpoint]: [Result<Measured>; 2] = [Cone::Nodal, Cone::Midpoint].map(measured);
         let (nodal, midpoint) = (nodal?, midpoint?);
         out.row(cells! { tau => earlier, printed, optimal, nodal, midpoint });

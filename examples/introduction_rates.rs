@@ -29,7 +29,7 @@
 //! values v; A_n = Σ S_k w_k w_kᵀ, w_k = (cos kπi/n)ᵢ, end nodes by half, S_k = (2/n) sinh η coth nη, S_0 = 1/n², S_n by
 //! half, cosh η = 2 − cos(kπ/n). With P from n to N cells u^h has the edge values v that minimise ½ v·A_n v − (A_N g + λ)·P
 //! v in the cone, e² = g·A_N g − 2 (A_N g)·P v + v·A_n v. Order: as e² ≈ A h^(2p) + B h² + const (const: u on N cells), p
-//! is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², at most 1.
+//! is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², at most 1 (`order_of_squares`).
 // x.at_most(b) holds if x + ± ≤ b, x.at_least(b) if x − ± ≥ b; otherwise it fails, or is undecided within ±. The worst call counts.
 // stronger: if it holds, the bound is loose. observe: shown, decides nothing.
 use example_report::prelude::*;
@@ -68,15 +68,6 @@ fn squares(problem: &str, tau: f64, cone: Cone, finest: u32) -> Result<Vec<f64>>
     Ok(squares)
 }
 
-/// p over the last two halvings, at most 1; ± is twice its largest change since the three meshes before.
-fn order(squares: &[f64]) -> Measured {
-    let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-    let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-    let order = |t: &[f64]| (0.25 * (t[0] / t[2]).abs().log2()).min(1.0);
-    let p: Vec<f64> = t.windows(3).rev().map(order).collect();
-    Measured::new(p[0], p.iter().take(4).fold(0.0, |most, q| (2.0 * (q - p[0]).abs()).max(most)))
-}
-
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     type Row = (f64, &'static str, &'static [(&'static str, f64)]);
     let rows: [Row; 9] = [
@@ -94,7 +85,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let optimal = (tau - 1.0).min(1.0);
         let mut orders = Vec::new();
         for cone in Cone::ALL {
-            let order = order(&squares(problem, tau, cone, options.finest)?);
+            let order = order_of_squares(&squares(problem, tau, cone, options.finest)?, 2).min(1.0);
             for &(label, exponent) in printed {
                 let above = order.value + order.error - exponent;
                 let claim = format!("{label}: order + error − exponent");

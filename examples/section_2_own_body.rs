@@ -16,8 +16,9 @@
 //! of load, clamp and floors do not add up, if two solvers differ in J, if body and load turned by an angle have another J or
 //! force, or if J rises on a finer mesh (nested cones).
 //!
-//! As J(u^h) − J(u) ≈ A h^(2p) + B h², the order p of the error in the energy norm, at most 1, is that of 4 d(h/2) − d(h), d(h) =
-//! J(h) − J(h/2), over the last halving; ±: twice the change since the mesh before. It decides nothing.
+//! As J(u^h) − J(u) ≈ A h^(2p) + B h², the order p of the error in the energy norm, at most 1, is that of t(h) = 4 d(h/2) − d(h) ~
+//! h^(2p), d(h) = J(h) − J(h/2), over the last halving; ±: its largest change since three meshes before, or as many as there
+//! are (`order_of_squares`). It decides nothing.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --files DIR`
 
@@ -161,13 +162,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         last = Some((problem, u));
     }
     let j: Vec<f64> = out.series("segments", "J").into_iter().map(|(_, j)| j).collect();
-    let d: Vec<f64> = j.windows(2).map(|j| j[0] - j[1]).collect();
-    let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-    let orders: Vec<f64> = t.windows(2).map(|t| 0.5 * (t[0] / t[1]).abs().log2().min(2.0)).collect();
-    if let [.., before, last] = orders[..] {
-        out.note("order", last);
-        out.note("order.error", 2.0 * (last - before).abs());
-        let order = Measured::new(last, 2.0 * (last - before).abs());
+    let order = order_of_squares(&j, 1).min(1.0);
+    if j.len() >= 5 {
+        out.note("order", order);
+        out.note("order.error", order.error);
         out.observe("order of the error in the energy norm").near(order, 0.5, 0.5, "corner singularities");
     } else {
         out.remark("too few meshes for an order: --levels 5 or more");

@@ -10,8 +10,9 @@
 //!
 //! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right, every triangle cut into four again and
 //! again: 4, 8, .. 2^finest squares along a side, h = 1/4, 1/8, ... e(h) = ‖u^* − u^h‖/‖u^*‖ for all but the last, whose
-//! solution is u^*; all by multigrid to 1e-10. As e² ≈ A h^(2p) + B h² + const, the order p is that of 4 d(h/2) − d(h),
-//! d(h) = e(h)² − e(h/2)², over the last two halvings, 1 if larger; ±: the largest change since the two meshes before.
+//! solution is u^*; all by multigrid to 1e-10. As e² ≈ A h^(2p) + B h² + const, the order p, at most 1, is that of t(h) = 4
+//! d(h/2) − d(h) ~ h^(2p), d(h) = e(h)² − e(h/2)², over the last two halvings; ±: its largest change since the three meshes
+//! before, or as many as there are (`order_of_squares`).
 //!
 //! Expected: min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is below the printed exponent.
 // x.at_least(b): x ≥ b; near(x, b, t): |x − b| plus its error ≤ t. Of several calls the worst counts. observe: decides nothing.
@@ -66,11 +67,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let tau = if is_corner { asked } else { body.regularity(&Parameters::default())?.tau };
             let points = errors(body, asked, cone, options.finest)?;
             let squares: Vec<f64> = points.iter().map(|(_, e)| e * e).collect();
-            let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-            let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-            let order = |t: &[f64]| (0.25 * (t[0] / t[2]).abs().log2()).min(1.0);
-            let p: Vec<f64> = t.windows(3).rev().map(order).collect();
-            let order = Measured::new(p[0], p.iter().take(3).fold(0.0, |most, q| (q - p[0]).abs().max(most)));
+            let order = order_of_squares(&squares, 2).min(1.0);
             let (printed, optimal) = ((tau * tau - 2.5 * tau + 2.0).min(1.0), (tau - 1.0).min(1.0));
             out.row(cells! { problem: body.name(), tau => finest: points[points.len() - 1].1, order, printed, optimal });
             out.check("order + error − printed exponent").at_least(

@@ -6,9 +6,9 @@
 //! (from the last node below a up to a: all to it). u^h: linear on n × n squares cut into triangles, h = 1/n, u^h ≤ 0 at
 //! the nodes of the edge (nodal cone).
 //!
-//! e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells. As e² ≈ A h^(2p) + B h² + const, const from N, the
-//! order p is that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over the last two halvings; ±: largest change since the
-//! three meshes before. Expected: τ − 1. Refuted if e/h^(τ² − 5τ/2 + 2) keeps growing: if its last increment over the one
+//! e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells. Order p from e² ≈ A h^(2p) + B h² + const, const from
+//! N (`order_of_squares`: that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over the last two halvings; ±: largest change
+//! since the three meshes before). Expected: τ − 1. Refuted if e/h^(τ² − 5τ/2 + 2) keeps growing: if its last increment over the one
 //! before exceeds 0.95 (growth like h^(−δ) has increments that grow by 2^δ, those that fall by 0.95 add up to a bound), or
 //! if `by_definition` differs by 1e-6. Loose if p > τ² − 5τ/2 + 2.
 // near(x, b, t) asks |x − b| + error ≤ t; the worst call counts. stronger: if it holds, the theorem is loose; observe
@@ -55,10 +55,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         agreement.near(definition / library, 1.0, 1e-6, "N = 256");
         let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
-        let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-        let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-        let p: Vec<f64> = t.windows(3).rev().map(|t| 0.25 * (t[0] / t[2]).abs().log2()).collect();
-        let order = Measured::new(p[0], p.iter().take(4).fold(0.0, |most, q| (q - p[0]).abs().max(most)));
+        let order = order_of_squares(&squares, 2);
         let (printed, optimal) = (tau * tau - 2.5 * tau + 2.0, tau - 1.0);
         let points: Vec<_> = (3..).zip(&squares).map(|(k, s)| (0.5f64.powi(k), s.sqrt())).collect();
         out.row(cells! { tau => definition, library, finest: points[points.len() - 1].1, order, printed, optimal });

@@ -57,10 +57,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("error, h = 1/32: by_definition/library").near(definition / library, 1.0, 1e-6, "N = 256");
         let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
-        let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-        let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-        let p: Vec<f64> = t.windows(3).rev().map(|t| (0.25 * (t[0] / t[2]).abs().log2()).min(1.0)).collect();
-        let order = Measured::new(p[0], p.iter().take(4).fold(0.0, |most, q| (q - p[0]).abs().max(most)));
+        let order = order_of_squares(&squares, 2).min(1.0);
         let (printed, optimal) = ((tau * tau - 2.5 * tau + 2.0).min(1.0), (tau - 1.0).min(1.0));
         let points: Vec<_> = (3..).zip(&squares).map(|(k, s)| (0.5f64.powi(k), s.sqrt())).collect();
         out.row(cells! { tau => definition, library, finest: points[points.len() - 1].1, order, printed, optimal });

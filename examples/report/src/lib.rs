@@ -49,7 +49,7 @@ pub use command::main;
 pub use error::{Error, Result};
 pub use expression::Expression;
 pub use hats::{constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis};
-pub use measured::{Measured, largest, smallest};
+pub use measured::{Measured, largest, order_of_squares, smallest};
 pub use options::{Declarations, Declared, OptionValue};
 pub use outcome::{Outcome, Verdict};
 pub use plot::{Axes, Plot};
@@ -59,7 +59,7 @@ pub use report::Report;
 pub mod prelude {
     pub use crate::{
         Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example, harmonic_energy,
-        largest, largest_eigenvalue, mass_matrix, mean_zero_basis, smallest,
+        largest, largest_eigenvalue, mass_matrix, mean_zero_basis, order_of_squares, smallest,
     };
     pub use fractional_sobolev::{Estimate, Order, Tolerance};
 }

@@ -48,6 +48,15 @@ impl Measured {
         Self { value: root, error }
     }
 
+    /// min(v, bound), with an error that contains min(w, bound) for every w within the error of v.
+    #[must_use]
+    pub fn min(self, bound: f64) -> Self {
+        match self.value > bound {
+            true => Self { value: bound, error: (bound - (self.value - self.error)).max(0.0) },
+            false => self,
+        }
+    }
+
     /// ln v, with error −ln(1 − u/v) for u < v.
     #[must_use]
     pub fn ln(self) -> Self {
@@ -145,6 +154,23 @@ pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Opti
     largest(numbers.into_iter().map(|number| -number.into())).map(|found| -found)
 }
 
+/// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their squares:
+///
+/// ```text
+/// p = ½ log₂ |t(h)/t(h/2^k)|/k,    t(h) = 4 d(h/2) − d(h) ~ h^(2p),    d(h) = e(h)² − e(h/2)²,    k = halvings,
+/// ```
+///
+/// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as there are: a drift,
+/// about as large as p is off its limit. No number with fewer than k + 4 squares, where nothing is known of a change.
+pub fn order_of_squares(squares: &[f64], halvings: usize) -> Measured {
+    let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
+    let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
+    let order = |t: &[f64]| 0.5 / halvings as f64 * (t[0] / t[halvings]).abs().log2();
+    let p: Vec<f64> = t.windows(halvings + 1).rev().take(4).map(order).collect();
+    let [last, before @ ..] = &p[..] else { return Measured::NONE };
+    before.iter().map(|q| (q - last).abs()).reduce(f64::max).map(|change| (*last, change)).into()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -175,5 +201,30 @@ mod tests {
         let found = largest([(1.0, 0.0), (0.9, 0.2), (0.5, 0.1)]).unwrap();
         assert_eq!(found, Measured::new(0.9, 0.2));
         assert_eq!(smallest([1.0, -2.0]).unwrap().value, -2.0);
+    }
+
+    #[test]
+    fn an_order_is_read_beside_a_square_and_a_constant() {
+        let squares: Vec<f64> = (0..8)
+            .map(|k| 0.5f64.powi(k))
+            .map(|h| 3.0 * h.powf(1.4) + 20.0 * h * h - 0.5 + 0.1 * h.powi(3))
+            .collect();
+        for halvings in [1, 2] {
+            let p = order_of_squares(&squares, halvings);
+            assert!((p.value - 0.7).abs() < p.error && p.error < 0.02, "{p:?}");
+        }
+        let exact: Vec<f64> = (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();
+        assert!((order_of_squares(&exact, 2) - 0.5).abs().value < 1e-12);
+        assert!(order_of_squares(&squares[..5], 2).value.is_nan());
+    }
+
+    #[test]
+    fn a_minimum_keeps_what_lies_below() {
+        let ends = |v: f64, u: f64| (Measured::new(v, u).min(1.0).value, Measured::new(v, u).min(1.0).error);
+        assert_eq!(
+            [ends(0.75, 0.5), ends(1.25, 0.5), ends(2.0, 0.5)],
+            [(0.75, 0.5), (1.0, 0.25), (1.0, 0.0)]
+        );
+        assert!(Measured::NONE.min(1.0).value.is_nan());
     }
 }
