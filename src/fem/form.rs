@@ -28,7 +28,7 @@ pub struct Lame {
 }
 
 impl Lame {
-    /// The constants with given λ and μ of plane strain.
+    /// The Lamé constants λ and μ, as in plane strain.
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless μ > 0 and λ + μ > 0, both finite.

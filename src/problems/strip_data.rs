@@ -3,8 +3,9 @@
 //!
 //! Regularity, Ω two-dimensional: u ∈ H^τ needs u_N ∈ H^{τ−1/2} and λ ∈ H^{τ−3/2} on the edge.
 //!
-//! * u_N = −δ^p in each non-contact interval (a, b), δ = (x−a)(b−x)/(b−a); a single end with exponent p lies in H^s
-//!   for s < p + 1/2, intervals with boundary dimension d for s ≤ p + 1/2 − d/2. So p = τ − 1 + d/2 gives τ.
+//! * u_N = −δ^p in each non-contact interval (a, b), δ = (x−a)(b−x)/(b−a): near an isolated end of an
+//!   interval u_N is in H^s for s < p + 1/2; if the ends form a set of dimension d, for s ≤ p + 1/2 − d/2. So
+//!   p = τ − 1 + d/2 gives the regularity τ.
 //! * transitions (d = 0): λ = dist^{τ−2} on the contact set, of the same regularity τ; τ = 5/2 is the natural
 //!   r^{3/2}.
 //! * fat Cantor: λ = 1 on C lies in H^{(1−d)/2}, so τ = 2 − d/2: d = 4 − 2τ, p = 1, and both data have

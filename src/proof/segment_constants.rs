@@ -9,8 +9,8 @@
 //! | κ(ν), [`consistency_constant`] | ∫ σ (I^h u), one gap at an end | max_e A(e) B(1−e) |
 //! | κ̄(ν), [`midpoint_bound`] | midpoint cone, every E | max_e B(e) D(1−e) |
 //!
-//! B, A, D are the moments of 1, x and e − x of functions that vanish outside (0, e), x the distance from the free
-//! end: [`fractional_sobolev::moment`].
+//! B, A, D are the best constants M in ∫ m w ≤ M |w|_ν for the functions w that vanish outside (0, e), with the
+//! weights m = 1, x and e − x, x the distance from the free end: [`fractional_sobolev::moment`].
 //!
 //! **c.** For x in N, ∫_E |x−y|^{−1−2ν} dy is smallest when E is as far from x as possible: it is at least ∫_n^1
 //! t^{−1−2ν} dt = e G(n), G(s) the mean of t^{−1−2ν} over (s, 1). Hence 2 e G(n) ‖w‖² ≤ |w|², 2 n G(e) ‖σ‖² ≤ |σ|²,

@@ -85,7 +85,12 @@ pub fn worst_ratio(
     }
     let why = "the maximum number of bisections was reached";
     let best = Estimate::new(before, change, work)?;
-    Err(Error::not_met("worst ratio of a segment", tolerance.relative(), best, why))
+    Err(Error::not_met(
+        "largest ratio of the term of a segment to both seminorms",
+        tolerance.relative(),
+        best,
+        why,
+    ))
 }
 
 /// The ratio for the best piecewise constants on a graded mesh, with every cell bisected this many times.

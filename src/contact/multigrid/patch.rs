@@ -1,14 +1,14 @@
 //! Contact on patches of a level: the contact set near some constraints, computed from functions supported near them.
 //!
 //! For an iterate x, J(x + d) is minimised over B (x + d) ≤ g and d in the patch: nodal functions within [`DEPTH`]
-//! edges of the nodes of the constraints, and, if a contact interval of the midpoint cone leaves the patch, the
-//! sawtooth on its part outside as an additional function, without which the interval would be fixed. J does
-//! not increase, whatever the set (local minimisation in addition to a linear correction, as in truncated
-//! nonsmooth Newton methods: C. Gräser and R. Kornhuber, J. Comput. Math. 27 (2009)). The patch is condensed
-//! to its nodes on the edge, a dozen or two, and solved there by the active set method. The motion of the
-//! ends of the contact intervals depends on the nodes near them; effects from outside the patch are left to
-//! the next linear system. Cost for m constraints: O((m + DEPTH)³), independent of the number of unknowns of
-//! the level.
+//! edges of the nodes of the constraints, and, if a contact interval of the midpoint cone extends beyond the
+//! patch, the sawtooth on the part outside as an additional function, without which the interval could not
+//! move. J does not increase, whichever contact set x has (local minimisation in addition to a linear
+//! correction, as in truncated nonsmooth Newton methods: C. Gräser and R. Kornhuber, J. Comput. Math. 27
+//! (2009)). The patch is condensed to its nodes on the edge, a dozen or two, and solved there by the active
+//! set method. The ends of the contact intervals are determined mainly by nearby nodes; the next linear solve
+//! reduces the error that remains. Cost for m constraints: O((m + DEPTH)³), independent of the number of
+//! unknowns of the level.
 
 use super::super::active_set::solve_on_edge;
 use super::super::edge_problem::EdgeProblem;

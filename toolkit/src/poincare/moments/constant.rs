@@ -45,18 +45,24 @@ use crate::quadrature::Rule;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless the zone touches one end and the lengths of the zone and of its complement lie
-/// in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for [`gamma`](crate::gamma).
+/// [`Error::Incompatible`] unless the zone is one interval with an end at 0 or 1; [`Error::OutOfRange`] unless the
+/// lengths of the zone and of its complement lie in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for
+/// [`gamma`](crate::gamma).
 pub fn moment(
     order: impl Given<Order>,
     zone: impl Given<Zones>,
     moment: Moment,
     tolerance: impl Given<Tolerance>,
 ) -> Result<MomentConstant> {
-    let (order, zone, tolerance) = (order.given()?, zone.given()?, tolerance.given()?);
-    let Some((zone, length, at_right)) = zone.at_one_end() else {
-        let range = "(0, 1), for an interval with an end at 0 or 1";
-        return Err(Error::OutOfRange { name: "length of the zone", value: zone.length(), range });
+    let (order, zones, tolerance) = (order.given()?, zone.given()?, tolerance.given()?);
+    let Some((zone, length, at_right)) = zones.at_one_end() else {
+        let (what, given, with) = ("zone", zones.to_string(), "moments");
+        return Err(Error::Incompatible {
+            what,
+            given,
+            with,
+            expected: "one interval with an end at 0 or 1",
+        });
     };
     // The end from which the other length is known is given exactly.
     let (name, given) =
