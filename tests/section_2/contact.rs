@@ -42,7 +42,7 @@ fn nested_energy_errors_decrease() {
 fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
     /// Standard deviations.
     const ROUNDINGS: f64 = 8.0;
-    let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_999].map(|poisson| {
+    let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_99, 0.499_999_999].map(|poisson| {
         let mesh = unit_square(16, SideParts::HANGING).unwrap();
         let load = [0.0, -1.0].repeat(mesh.nodes().len());
         let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
@@ -54,9 +54,18 @@ fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
             "{poisson}: {imbalance:e}, {:e}",
             solution.force_rounding
         );
+        // Where the interior point method loses the solution, it does not say that it converged.
+        let interior = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
+        let apart = (interior.energy - solution.energy).abs();
+        let allowed = 10.0 * solution.energy_rounding - 1e-8 * solution.energy;
+        assert!(
+            !interior.status.is_converged() || apart <= allowed,
+            "{poisson}: {apart:e}, {}",
+            interior.status
+        );
         (imbalance, solution.force_rounding)
     });
     // It grows with λ/μ = 2ν/(1 − 2ν), and is no excuse elsewhere.
-    assert!(imbalances[0].1 < 1e-13 && imbalances[3].1 < 1e-4, "{imbalances:?}");
+    assert!(imbalances[0].1 < 1e-13 && imbalances[4].1 < 1e-4, "{imbalances:?}");
     assert!(imbalances.windows(2).all(|pair| pair[0].1 < pair[1].1), "{imbalances:?}");
 }
