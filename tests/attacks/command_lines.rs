@@ -217,7 +217,7 @@ fn options_are_checked_before_the_first_computation() {
         ("lemma_6_2_global_estimate", "--power=-0.25"),
         ("lemma_6_2_global_estimate", "--elements=1,65536,0"),
         ("theorem_3_1_with_numbers", "--lambda=-1"),
-        ("theorem_3_1_without_c", "--lambda=1e300"),
+        ("theorem_3_1_with_numbers", "--lambda=1e300"),
         ("theta_balance", "--finest=1"),
         ("figure_4_1_alternative", "--problem=membrane-reaction"),
         ("remark_1_whole_boundary", "--meshes=11"),
