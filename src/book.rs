@@ -37,7 +37,6 @@ chapters! {
     section_4_p0_projection: "section_4_p0_projection.md",
     theorem_3_1_proof: "theorem_3_1_proof.md",
     figure_3_1: "figure_3_1.md",
-    equation_3_2_logarithm: "equation_3_2_logarithm.md",
     remark_3_face: "remark_3_face.md",
     lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
     segment_constants: "segment_constants.md",

@@ -233,7 +233,7 @@ fn options_are_checked_before_the_first_computation() {
         ("equation_3_2_logarithm", "--finest=19"),
         ("worst_contact_set", "--depth=25"),
         ("section_2_speed_for_accuracy", "--n=65536"),
-        ("introduction_rates", "--finest=64"),
+        ("figure_3_1", "--finest=64"),
         ("remark_1_whole_boundary", "--meshes=18446744073709551615"),
         ("section_1_clamped_end", "--angles=18446744073709551615"),
         ("figure_3_2_alternative", "--n=18446744073709551615"),
