@@ -4,15 +4,13 @@
 //! at y = 1, without flux at the sides; ‖v‖² = ∫ |∇v|². For x < a contact, λ = (a − x)^(τ−2); for x > a g = −δ^(τ−1), δ = d
 //! (2 − 2a − d)/(2 − 2a), d = x − a: u in H^s for s < τ only. On N cells: g at the nodes, ∫ λ over a cell half to each node
 //! (from the last node below a up to a: all to it). u^h: linear on n × n squares cut into triangles, h = 1/n, u^h ≤ 0 at
-//! the nodes of the edge (nodal cone).
+//! the nodes of the edge (nodal cone). e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells.
 //!
-//! e: root mean square over a = 5/12, 11/24, u on N = 32·2^finest cells. Order p from e² ≈ A h^(2p) + B h² + const, const from
-//! N (`order_of_squares`: that of 4 d(h/2) − d(h), d(h) = e(h)² − e(h/2)², over the last two halvings; ±: largest change
-//! since the three meshes before). Expected: τ − 1. Refuted if e/h^(τ² − 5τ/2 + 2) keeps growing: if its last increment over the one
-//! before exceeds 0.95 (growth like h^(−δ) has increments that grow by 2^δ, those that fall by 0.95 add up to a bound), or
-//! if `by_definition` differs by 1e-6. Loose if p > τ² − 5τ/2 + 2.
-// near(x, b, t) asks |x − b| + error ≤ t; the worst call counts. stronger: if it holds, the theorem is loose; observe
-// decides nothing.
+//! Refuted if e/h^(τ² − 5τ/2 + 2) keeps growing: if its last increment over the one before exceeds 0.95 (those of a growth
+//! like h^(−δ) grow by 2^δ; those that fall by 0.95 add up to a bound), or if `by_definition` differs by 1e-6. Loose if the
+//! order p less its ± is above that exponent; expected: τ − 1. `order_of_squares`: e² ≈ A h^(2p) + B h² + const, so t(h) = 4 d(h/2)
+//! − d(h) ~ h^(2p), d(h) = e(h)² − e(h/2)²; p over two halvings, ±: its largest change since three meshes before.
+// near(x, b, t): |x − b| + error ≤ t; the worst call counts. stronger: the theorem is loose; observe decides nothing.
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;
@@ -46,22 +44,21 @@ fn errors(edge: &EdgeData, finest: u32) -> Result<Vec<f64>> {
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let finest = options.finest;
     for &tau in &options.tau {
+        let (printed, optimal) = (tau * tau - 2.5 * tau + 2.0, tau - 1.0);
         let data = |a: f64, cells: usize| TransitionPowers::of_regularity(tau).data(a, cells);
         let coarse = data(5.0 / 12.0, 256)?;
         let (definition, library) = (by_definition(&coarse, 32)?, errors(&coarse, 5)?[2]);
-        let agreement = out.check("error, h = 1/32: by_definition/library");
-        agreement.near(definition / library, 1.0, 1e-6, "N = 256");
-        let [e, f] = [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << finest)?, finest));
+        out.check("error, h = 1/32: by_definition/library").near(definition / library, 1.0, 1e-6, "N = 256");
+        let [e, f] =
+            [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << options.finest)?, options.finest));
         let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
-        let order = order_of_squares(&squares, 2);
-        let (printed, optimal) = (tau * tau - 2.5 * tau + 2.0, tau - 1.0);
         let points: Vec<_> = (3..).zip(&squares).map(|(k, s)| (0.5f64.powi(k), s.sqrt())).collect();
+        let order = order_of_squares(&squares, 2);
         out.row(cells! { tau => definition, library, finest: points[points.len() - 1].1, order, printed, optimal });
         let over: Vec<f64> = points.iter().rev().map(|(h, e)| e / h.powf(printed)).collect(); // finest first
-        let claim = out.check("ratio of successive increments of error/bound");
-        claim.at_most((over[0] - over[1]) / (over[1] - over[2]).abs(), 0.95, "bounded");
+        let ratio = (over[0] - over[1]) / (over[1] - over[2]).abs();
+        out.check("ratio of successive increments of error/bound").at_most(ratio, 0.95, "bounded");
         out.observe("order − (τ − 1)").near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         out.stronger("order − printed exponent").at_least(order - printed, 0.0, "(3.1)");
         let axes = Axes::LogLog("h", "‖u − u^h‖");
