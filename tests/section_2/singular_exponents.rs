@@ -1,7 +1,7 @@
 //! Where τ comes from: singular exponents by two computations, none lost.
 
 #[allow(dead_code)]
-#[path = "../../examples/section_2_regularity.rs"]
+#[path = "../../examples/section_2_singular_exponents.rs"]
 mod example;
 
 use signorini::problems::{Parameters, TestProblem};
