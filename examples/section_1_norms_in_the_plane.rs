@@ -23,7 +23,7 @@
 // `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
 // fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
-use fractional_sobolev::{Error as Refusal, Function, Triangles, closed_forms};
+use fractional_sobolev::{Error as Refusal, Function, PlanePosition, Triangles, closed_forms};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, up to the limits of finiteness";
@@ -41,67 +41,35 @@ example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, u
 
 const AT_CORNERS: f64 = 1e-6;
 
-/// The unit square in triangles, inner nodes moved by up to a fifth of a square: multiples of the golden ratio.
-fn moved_grid(squares: usize) -> Result<Triangles> {
-    let h = 1.0 / squares as f64;
-    let mut k = 0.0;
-    let mut by = || {
-        k += 1.0;
-        0.4 * h * ((k * 0.618_033_988_749_895_f64).fract() - 0.5)
-    };
-    let is_inner = |x: f64| x > 0.5 * h && x < 1.0 - 0.5 * h;
-    let moved = |[x, y]: [f64; 2]| if is_inner(x) && is_inner(y) { [x + by(), y + by()] } else { [x, y] };
-    Ok(Triangles::grid([squares, squares], h)?.mapped(moved)?)
-}
-
-/// A polygon 0, P₁, ..., P_m with its corner at 0: the angle ω there, radii of the inner and the outer sector.
-struct Polygon {
-    name: &'static str,
-    points: Vec<[f64; 2]>,
-    angle: f64,
-    radii: [f64; 2],
-}
-
-fn polygons() -> [Polygon; 4] {
-    let wedge = |name, degrees: f64, parts: i32| {
-        let (angle, part) = (degrees.to_radians(), degrees.to_radians() / f64::from(parts));
-        let points =
-            (0..=parts).map(|k| [(part * f64::from(k)).cos(), (part * f64::from(k)).sin()]).collect();
-        Polygon { name, points, angle, radii: [(0.5 * part).cos(), 1.0] }
-    };
-    let points = vec![[1.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, -1.0]];
-    let l_shape = Polygon { name: "L-shape", points, angle: 1.5 * PI, radii: [1.0, SQRT_2] };
-    [wedge("60°", 60.0, 1), wedge("90°", 90.0, 1), wedge("150°", 150.0, 2), l_shape]
-}
-
 /// |r^a sin(πφ/ω)|_s from the values of the function alone, on triangles with a node at the corner, or (`cut`) on these cut
 /// near the corner. Rings of triangles that halve towards the corner, in ln r, until the sum over rings is below the tolerance.
-fn on_polygon(s: Order, polygon: &Polygon, gap: f64, cut: bool) -> fractional_sobolev::Result<Estimate> {
-    let (a, b) = (gap - (1.0 - s.value()), PI / polygon.angle);
-    let star = Triangles::star(&polygon.points)?;
+fn on_polygon(
+    s: Order,
+    points: &[[f64; 2]],
+    a: f64,
+    b: f64,
+    cut: bool,
+) -> fractional_sobolev::Result<Estimate> {
+    let star = Triangles::star(points)?;
     let mesh = if cut { star.cut_at(0, 0.45)? } else { star };
-    let w = Function::from_plane_positions(&mesh, &[(0, a)], |at| {
-        at.radius(0).powf(a) * (b * at.angle(0)).sin()
-    })?;
-    w.seminorm(s, AT_CORNERS)
-}
-
-/// The same on a sector, where polar coordinates leave one integral over the quotient of the radii.
-fn on_sector(s: Order, polygon: &Polygon, gap: f64, radius: f64) -> Result<Measured> {
-    let a = gap - (1.0 - s.value());
-    let w = Function::sector_power(a, PI / polygon.angle, polygon.angle, radius)?;
-    Ok(w.seminorm(s, AT_CORNERS)?.into())
+    let w = |at: &PlanePosition<'_>| at.radius(0).powf(a) * (b * at.angle(0)).sin();
+    Function::from_plane_positions(&mesh, &[(0, a)], w)?.seminorm(s, AT_CORNERS)
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    out.column("room", "room", "1 − s for x₁, 1/2 − s for the step, a + 1 − s at a corner of this angle");
+    out.column("room", "room", "1 − s for x₁, 1/2 − s for the step, a + 1 − s at a corner");
     out.column("norm", "|w|_s", "");
     out.column(
         "over",
         "/limit",
         "(1 − s)|x₁|² over π/2, (1 − 2s)|step|² over 4√2, inner sector over polygon",
     );
-    let mesh = moved_grid(options.squares)?;
+    // Inner nodes are moved by up to a tenth of the side, the boundary stays.
+    let moved = |[x, y]: [f64; 2]| {
+        let by = 0.1 * (PI * x).sin() * (2.0 * PI * y).sin();
+        [x + by, y - by]
+    };
+    let mesh = Triangles::grid([options.squares; 2], 1.0 / options.squares as f64)?.mapped(moved)?;
     let x: Vec<f64> = mesh.nodes().iter().map(|node| node[0]).collect();
     let coordinate = Function::on_triangles(&mesh, 1, &x)?; // continuous, linear on each triangle
     let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?; // constant on two triangles
@@ -140,32 +108,46 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     .line("x₁, s → 1", to_one)
     .line("step, s → 1/2", to_half)
     .dashed_line("1", vec![(0.0, 1.0), (1.0, 1.0)]);
-    let (s, mut curves) = (options.corner, Vec::new());
-    for polygon in polygons() {
-        let mut curve = Vec::new();
+    let s = options.corner;
+    // Name, nodes P₁, .., P_m of a polygon 0, P₁, .., P_m, its angle ω at 0, radii of the inner and the outer sector.
+    let height = 0.75f64.sqrt();
+    let polygons = [
+        ("triangle", &[[1.0, 0.0], [0.5, height]][..], PI / 3.0, [height, 1.0]),
+        (
+            "L-shape",
+            &[[1.0, 0.0], [1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [0.0, -1.0]],
+            1.5 * PI,
+            [1.0, SQRT_2],
+        ),
+    ];
+    for (name, points, angle, radii) in polygons {
+        let (b, mut curve) = (PI / angle, Vec::new());
         for &gap in &options.gap {
-            let [norm, again] = [on_polygon(s, &polygon, gap, false)?, on_polygon(s, &polygon, gap, true)?];
-            let apart = (Measured::from(norm.value) / again.value - 1.0).abs();
+            let a = gap - (1.0 - s.value());
+            let on_polygon = |cut| on_polygon(s, points, a, b, cut);
+            let (norm, again) = (Measured::from(on_polygon(false)?), on_polygon(true)?.value);
+            let apart = (norm.value / again - 1.0).abs();
             out.check("two triangulations: relative difference").at_most(apart, AT_CORNERS, "tolerance");
-            let [inner, outer] = polygon.radii.map(|radius| on_sector(s, &polygon, gap, radius));
-            let (over, outer) = (inner? / norm, Measured::from(norm) / outer?);
+            // The same on a sector, where polar coordinates leave one integral over the quotient of the radii.
+            let on_sector = |radius: f64| -> Result<Measured> {
+                Ok(Function::sector_power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
+            };
+            let (over, outer) = (on_sector(radii[0])? / norm, norm / on_sector(radii[1])?);
             out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
             out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
             out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "norm ~ R^(a+1−s)");
-            out.row(cells! { w: polygon.name, s, room: gap => norm, over: over.value });
+            out.row(cells! { w: name, s, room: gap => norm, over: over.value });
             curve.push((gap, norm.value));
         }
-        curves.push((polygon.name, curve));
-    }
-    for gap in [0.0, -1e-9, -0.2] {
-        let refused = matches!(on_polygon(s, &polygons()[0], gap, false), Err(Refusal::InfiniteNorm { .. }));
-        out.check("a + 1 − s ≤ 0: infinite norms not detected").holds(refused, "divergence at the corner");
-    }
-    let axes = Axes::LogLog("a + 1 − s", "|w|_s");
-    let plot = out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes);
-    for (name, curve) in curves {
-        plot.line(name, curve);
+        let axes = Axes::LogLog("a + 1 − s", "|w|_s");
+        out.plot("section_1_corners", "Norms of r^a sin(πφ/ω)", axes).line(name, curve);
+        for gap in [0.0, -1e-9, -0.2] {
+            let found = on_polygon(s, points, gap - (1.0 - s.value()), b, false);
+            let refused = matches!(found, Err(Refusal::InfiniteNorm { .. }));
+            out.check("a + 1 − s ≤ 0: infinite norms not detected")
+                .holds(refused, "divergence at the corner");
+        }
     }
     Ok(())
 }
