@@ -120,6 +120,26 @@ impl Error {
         }
     }
 
+    /// [`ToolkitError::CountOutOfRange`]: the count `value` of `name` outside its range.
+    pub(crate) fn count(name: &'static str, value: usize, range: &'static str) -> Self {
+        Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range })
+    }
+
+    /// [`ToolkitError::Incompatible`]: `what` is `given` together with `with`, where `expected` is required.
+    pub(crate) fn incompatible(
+        what: &'static str,
+        given: impl std::fmt::Display,
+        with: &'static str,
+        expected: &'static str,
+    ) -> Self {
+        Error::Toolkit(ToolkitError::Incompatible { what, given: given.to_string(), with, expected })
+    }
+
+    /// [`ToolkitError::NotPositiveDefinite`]: the pivot with this number vanishes.
+    pub(crate) fn not_positive_definite(what: &'static str, pivot: usize) -> Self {
+        Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot })
+    }
+
     /// [`ToolkitError::ToleranceNotMet`] with the best estimate of `what`.
     pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
         let reached = best.relative_error();

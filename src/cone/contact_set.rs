@@ -131,16 +131,3 @@ impl ContactSet {
         (0..longest).filter(|&i| self.contains(i) != other.contains(i)).count()
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn runs_are_maximal() {
-        let set = ContactSet::new(&[true, true, false, true, false]);
-        assert_eq!(set.runs(), vec![0..2, 3..4]);
-        assert_eq!((set.count(), set.distance(&ContactSet::empty(5))), (3, 3));
-        assert!(ContactSet::empty(4).runs().is_empty());
-    }
-}

@@ -5,7 +5,8 @@
 
 use super::contact_set::ContactSet;
 use super::kind::Cone;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
+use crate::numeric::check::require_length;
 
 /// Whether the ends of an edge are joined.
 ///
@@ -147,14 +148,7 @@ impl EdgeCone {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless λ has one entry per constraint.
     pub fn apply_transposed(self, multiplier: &[f64]) -> Result<Vec<f64>> {
-        let expected = self.constraints();
-        if multiplier.len() != expected {
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-                name: "multiplier",
-                given: multiplier.len(),
-                expected,
-            }));
-        }
+        require_length("multiplier", multiplier.len(), self.constraints())?;
         Ok(match self.cone {
             Cone::Nodal => multiplier.to_vec(),
             Cone::Midpoint => {
@@ -211,6 +205,8 @@ impl EdgeCone {
     /// let coarse = ContactSet::new(&[true, true, false]);
     /// let fine = Cone::Nodal.on(5, Ends::Open).refined_set(&coarse)?;
     /// assert_eq!(fine.indices(), [0, 1, 2]);
+    /// assert_eq!(Cone::Nodal.on(6, Ends::Joined).refined_set(&coarse)?.indices(), [0, 1, 2]);
+    /// assert_eq!(Cone::Midpoint.on(7, Ends::Open).refined_set(&coarse)?.indices(), [0, 1, 2, 3]);
     /// assert!(Cone::Nodal.on(6, Ends::Open).refined_set(&coarse).is_err());
     /// # Ok::<(), signorini::Error>(())
     /// ```
@@ -224,13 +220,7 @@ impl EdgeCone {
             (Cone::Nodal, Ends::Open) => (2 * set.len()).saturating_sub(1),
             _ => 2 * set.len(),
         };
-        if given != self.constraints() {
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-                name: "contact set",
-                given,
-                expected: self.constraints(),
-            }));
-        }
+        require_length("contact set", given, self.constraints())?;
         Ok(ContactSet::new(&match self.cone {
             // Coarse nodes and, between two active ones, the new node.
             Cone::Nodal => {
@@ -265,19 +255,6 @@ impl EdgeCone {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn halved_segments_inherit_contact() {
-        let coarse = ContactSet::new(&[true, true, false]);
-        let refined = |cone: Cone, nodes, ends| cone.on(nodes, ends).refined_set(&coarse);
-        let fine = refined(Cone::Nodal, 5, Ends::Open).unwrap();
-        assert_eq!(fine.as_slice(), [true, true, true, false, false]);
-        let fine = refined(Cone::Midpoint, 7, Ends::Open).unwrap();
-        assert_eq!(fine.as_slice(), [true, true, true, true, false, false]);
-        let fine = refined(Cone::Nodal, 6, Ends::Joined).unwrap();
-        assert_eq!(fine.as_slice(), [true, true, true, false, false, false]);
-        assert!(refined(Cone::Nodal, 6, Ends::Open).is_err());
-    }
 
     #[test]
     fn transposed_is_the_adjoint() {

@@ -31,7 +31,7 @@ pub use contact_set::ContactSet;
 pub use edge_cone::{EdgeCone, Ends};
 pub(crate) use face::{Block, Face};
 pub use kind::Cone;
-pub use kkt::{KKT_ROUNDING, KktResiduals, KktTerms, Margins};
+pub use kkt::{KktResiduals, KktTerms, Margins};
 pub(crate) use projection::{Weighted, active_on_ring, project_weighted};
 pub(crate) use sawtooth::Coordinates;
 pub use status::Status;

@@ -25,12 +25,13 @@ impl EdgeCone {
             (Cone::Nodal, _) => {
                 (z.iter().map(|v| v.min(0.0)).collect(), z.iter().map(|&v| v > 0.0).collect())
             }
-            (Cone::Midpoint, Ends::Open) => project_chain(z),
-            (Cone::Midpoint, Ends::Joined) => project_ring(
-                z,
-                &Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false },
-                deepest(z),
-            ),
+            (Cone::Midpoint, ends) => {
+                let plain = Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false };
+                match ends {
+                    Ends::Open => project_weighted(z, &plain),
+                    Ends::Joined => project_ring(z, &plain, deepest(z)),
+                }
+            }
         }
     }
 }
@@ -45,11 +46,6 @@ pub(crate) struct Weighted<W, G, F> {
     pub(crate) weight: W,
     pub(crate) bound: G,
     pub(crate) is_fixed: F,
-}
-
-/// Projects z onto p_i + p_{i+1} ≤ 0 along a chain; returns p and the active flags of the n − 1 segments.
-pub(crate) fn project_chain(z: &[f64]) -> (Vec<f64>, Vec<bool>) {
-    project_weighted(z, &Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false })
 }
 
 /// Projects z onto p_i + p_{i+1} ≤ 2 g_i along a chain in the norm with weights d; returns p and the n − 1
@@ -209,57 +205,12 @@ where
 mod tests {
     use super::*;
 
-    /// Multipliers of the projection, z − x = B'λ with B w = w_i + w_{i+1}: λ ≥ 0 and complementary proves
-    /// optimality.
-    fn chain_defect(z: &[f64], x: &[f64]) -> f64 {
-        let (mut multiplier, mut worst) = (0.0, 0.0f64);
-        for i in 0..z.len() {
-            let next = z[i] - x[i] - multiplier;
-            if i + 1 == z.len() {
-                return worst.max(next.abs());
-            }
-            let gap = x[i] + x[i + 1];
-            worst = worst.max(gap).max(-next).max((next * gap).abs());
-            multiplier = next;
-        }
-        worst
-    }
-
     /// Numbers in (0, 1) of a linear congruential generator.
     fn random(seed: u64) -> impl FnMut() -> f64 {
         let mut state = seed;
         move || {
             state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
             ((state >> 33) as f64 + 0.5) / (1u64 << 31) as f64
-        }
-    }
-
-    #[test]
-    fn chain_projection_is_optimal() {
-        let mut random = random(1);
-        for _ in 0..256 {
-            let n = 1 + (199.0 * random()) as usize;
-            let z: Vec<f64> = (0..n).map(|_| 2.0 * random() - 1.0).collect();
-            assert!(chain_defect(&z, &project_chain(&z).0) < 1e-11, "{z:?}");
-        }
-    }
-
-    #[test]
-    fn ring_projection_is_the_chain_of_many_turns() {
-        let mut random = random(2);
-        for _ in 0..256 {
-            let (n, cut) = (2 + 2 * (9.0 * random()) as usize, (40.0 * random()) as usize);
-            let z: Vec<f64> = (0..n).map(|_| 2.0 * random() - 1.0).collect();
-            let plain = Weighted { weight: |_| 1.0, bound: |_| 0.0, is_fixed: |_| false };
-            let (x, active) = project_ring(&z, &plain, cut);
-            assert!((0..n).all(|s| x[s] + x[(s + 1) % n] <= 1e-12), "{z:?}");
-            // Unwinding the ring many times changes the middle turn only if no constraint is inactive.
-            if active.iter().any(|a| !a) {
-                let unrolled: Vec<f64> = (0..21 * n).map(|i| z[i % n]).collect();
-                let (y, _) = project_chain(&unrolled);
-                let worst = (0..n).map(|i| (x[i] - y[10 * n + i]).abs()).fold(0.0, f64::max);
-                assert!(worst < 1e-10, "{z:?}: {worst}");
-            }
         }
     }
 

@@ -29,7 +29,7 @@ use crate::error::Result;
 use std::collections::{HashMap, HashSet};
 
 /// Signs of quantities below this multiple of the size of their terms are attributed to rounding (16 ε).
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Largest number of steps, plus [`STEPS_PER_CONSTRAINT`] for every constraint. Ten or twenty steps are typical;
 /// exchanging single constraints takes a few steps per constraint.
@@ -126,7 +126,7 @@ fn by_dual(problem: &EdgeProblem<'_>, fewest: usize) -> Result<Option<ContactSet
 }
 
 /// The set with the given constraints exchanged.
-fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
+pub(super) fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
     let mut active = set.as_slice().to_vec();
     constraints.iter().for_each(|&i| active[i] = !active[i]);
     ContactSet::new(&active)

@@ -17,7 +17,6 @@ mod multigrid;
 mod npy;
 mod operator;
 mod problem;
-mod products;
 mod settings;
 mod solution;
 mod solve;

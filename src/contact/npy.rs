@@ -1,6 +1,6 @@
 //! Arrays in NumPy's `.npy` format.
 
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 
 /// The bytes of a `.npy` file (version 1.0, little-endian `float64`, row-major) with these values in the given number
 /// of columns; a single column gives a one-dimensional array. `numpy.load` returns the same numbers, bit for bit.
@@ -15,12 +15,12 @@ use crate::error::{Error, Result, ToolkitError};
 /// ```
 ///
 /// # Errors
-/// [`ToolkitError::CountOutOfRange`] unless the number of columns divides the number of values.
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the number of columns divides the number of values.
 #[doc(alias("NumPy", "export", "write", "file"))]
 pub fn npy(values: &[f64], columns: usize) -> Result<Vec<u8>> {
     if columns == 0 || !values.len().is_multiple_of(columns) {
         let range = "the set of divisors of the number of values";
-        return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "columns", value: columns, range }));
+        return Err(Error::count("columns", columns, range));
     }
     let rows = values.len() / columns;
     let shape = if columns == 1 { format!("({rows},)") } else { format!("({rows}, {columns})") };

@@ -6,7 +6,7 @@
 
 use super::operator::Operator;
 use crate::cone::{Cone, EdgeCone, Ends};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::{Form, Frame, Frames, consistent_load};
 use crate::mesh::{ContactEdge, Hierarchy, Part, Point, Triangulation};
 use crate::numeric::check::require_values;
@@ -79,11 +79,11 @@ impl ContactProblem {
         let held = mesh.nodes_on(Part::Dirichlet);
         let reaction = matches!(form, Form::Scalar { reaction } if reaction > 0.0);
         if !reaction && !held.contains(&true) {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "Dirichlet edges",
-                value: 0,
-                range: "[1, inf), the range for a form without reaction term",
-            }));
+            return Err(Error::count(
+                "Dirichlet edges",
+                0,
+                "[1, inf), the range for a form without reaction term",
+            ));
         }
         if !reaction {
             require_held(&mesh, &held)?;
@@ -178,13 +178,7 @@ impl ContactProblem {
         if cone == Cone::Nodal || self.edge.pieces().len() == 1 {
             return Ok(());
         }
-        let (given, with) = (cone.to_string(), "a contact edge in several pieces");
-        Err(Error::Toolkit(ToolkitError::Incompatible {
-            what: "cone",
-            given,
-            with,
-            expected: "the nodal cone",
-        }))
+        Err(Error::incompatible("cone", cone, "a contact edge in several pieces", "the nodal cone"))
     }
 
     /// The cone on the contact edge.

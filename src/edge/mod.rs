@@ -6,7 +6,6 @@
 //! | u_N and −σ_N dΓ of a computed solution | [`EdgeTrace`]: nodal values and point forces |
 //! | (u_N, σ_N) with finite norms of order ν = τ − 3/2 | [`ContactPair`] |
 //! | norms (1.1) on each segment T ∩ Γ_C | [`ContactPair::norms`], [`SegmentNorms`] |
-//! | ‖u_N‖_{τ−1/2}, ‖σ_N‖_{τ−3/2} on Γ_C | [`edge_norms`] |
 //! | ∫ σ_N (I^h u)_N, ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) | [`consistency_terms`] |
 //! | contact and non-contact intervals in ln r, r the distance from an end | [`radial_intervals`] |
 //!
@@ -21,7 +20,6 @@
 //! Lengths are in the units of the data. Sign convention of the paper: u_N ≤ 0, σ_N ≤ 0.
 
 mod consistency_levels;
-mod norms;
 mod pair;
 mod problem_trace;
 mod radial;
@@ -30,7 +28,6 @@ mod seminorm;
 mod trace;
 
 pub use consistency_levels::consistency_terms;
-pub use norms::{EdgeNorms, edge_norms};
 pub use pair::{ContactPair, Traces};
 pub use radial::{RadialInterval, radial_intervals};
 pub use segment::{SegmentNorms, TraceNorms};

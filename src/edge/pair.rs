@@ -20,7 +20,7 @@
 //! contact problem on a strip, and every inequality of the proof applies to it with the norms of the continuous
 //! functions.
 
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
 /// The piecewise polynomials that represent u_N' and σ_N.
@@ -201,7 +201,7 @@ impl ContactPair {
     pub(super) fn segments(&self, n: usize) -> Result<impl Iterator<Item = Segment<'_>>> {
         if n == 0 || !self.cells().is_multiple_of(n) {
             let range = "the set of divisors of the number of grid cells";
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "segments", value: n, range }));
+            return Err(Error::count("segments", n, range));
         }
         let width = self.cells() / n;
         Ok((0..n).map(move |i| self.segment(i * width, width)))

@@ -12,7 +12,7 @@
 use super::trace::EdgeTrace;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Solver;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::problems::{NamedProblem, StripData, TestProblem};
 use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
@@ -63,7 +63,7 @@ impl EdgeTrace {
     /// of a strip test problem.
     ///
     /// # Errors
-    /// Those of the test problems; [`ToolkitError::Incompatible`] for a closed contact edge.
+    /// Those of the test problems; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a closed contact edge.
     pub fn reference(source: &NamedProblem, n: usize, tau: f64) -> Result<Self> {
         match source {
             NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, MESH_FACTOR * n, Cone::Nodal),
@@ -74,7 +74,7 @@ impl EdgeTrace {
     /// The trace of the discrete solution on n segments.
     ///
     /// # Errors
-    /// Those of the test problems and solvers; [`ToolkitError::Incompatible`] for a closed contact edge.
+    /// Those of the test problems and solvers; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a closed contact edge.
     pub fn discrete(source: &NamedProblem, n: usize, tau: f64, cone: Cone) -> Result<Self> {
         match source {
             NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, n, cone),
@@ -97,12 +97,8 @@ fn strip_data(source: &StripData, n: usize, tau: f64) -> Result<EdgeData> {
 fn mesh_trace(test_problem: TestProblem, squares: usize, cone: Cone) -> Result<EdgeTrace> {
     let problem = test_problem.problem(squares)?;
     if problem.edge().is_closed() {
-        return Err(Error::Toolkit(ToolkitError::Incompatible {
-            what: "test problem",
-            given: test_problem.to_string(),
-            with: "a trace on a segment",
-            expected: "a test problem whose contact edge has two ends",
-        }));
+        let (with, expected) = ("a trace on a segment", "a test problem whose contact edge has two ends");
+        return Err(Error::incompatible("test problem", test_problem, with, expected));
     }
     let solution = problem.solve(cone, Solver::ActiveSet)?;
     let arc = problem.edge().arc().to_vec();

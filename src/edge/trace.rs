@@ -6,7 +6,7 @@
 //! | −σ_N dΓ | point forces `force` ≥ 0 at the nodes, so that ∫ σ_N v dΓ = −Σ λᵢ v(xᵢ) |
 //! | contact set {u_N = 0} | closed intervals between nodes where u_N = 0, single points included |
 
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::numeric::check::{require_entry, require_finite, require_length};
 
 /// A closed interval [start, end] of the contact edge; a single point if the two coincide.
@@ -35,7 +35,6 @@ impl Interval {
 /// let trace = EdgeTrace::new(&nodes, &gap, &[1.0, 0.0, 0.0, 3.0, 2.0], 0.0)?;
 /// let contact = [Interval { start: 0.0, end: 0.0 }, Interval { start: 0.75, end: 1.0 }];
 /// assert_eq!((trace.contact(), trace.transitions()), (&contact[..], 2));
-/// assert_eq!(trace.displacement_at(0.625), -0.25);
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
@@ -62,11 +61,7 @@ impl EdgeTrace {
     /// exceeds `rounding`.
     pub fn new(nodes: &[f64], displacement: &[f64], force: &[f64], rounding: f64) -> Result<Self> {
         if nodes.len() < 2 {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "nodes of the contact edge",
-                value: nodes.len(),
-                range: "[2, inf)",
-            }));
+            return Err(Error::count("nodes of the contact edge", nodes.len(), "[2, inf)"));
         }
         for (name, values) in [("displacement", displacement), ("force", force)] {
             require_length(name, values.len(), nodes.len())?;
@@ -139,20 +134,6 @@ impl EdgeTrace {
     /// The support of σ_N, as intervals in ascending order.
     pub fn pressed(&self) -> &[Interval] {
         &self.pressed
-    }
-
-    /// The normal displacement u_N at a point of the edge (linear between nodes, constant beyond the ends).
-    pub fn displacement_at(&self, x: f64) -> f64 {
-        let right = self.nodes.partition_point(|&node| node < x);
-        if right == 0 {
-            return self.displacement[0];
-        }
-        if right == self.nodes.len() {
-            return self.displacement[right - 1];
-        }
-        let (a, b) = (self.nodes[right - 1], self.nodes[right]);
-        let s = (x - a) / (b - a);
-        (1.0 - s) * self.displacement[right - 1] + s * self.displacement[right]
     }
 }
 

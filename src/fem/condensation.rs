@@ -12,12 +12,12 @@
 //! O(N^{3/2}) operations, O(N log N) memory.
 
 use super::dissection::{Tree, dissect};
-use super::front::{Front, Update};
+use super::front::{Front, Ordering, Update};
 use super::matrix::BlockMatrix;
-use super::ordering::Ordering;
 use super::pool::Pool;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
 use crate::mesh::Point;
+use crate::numeric::check::require_length;
 use crate::numeric::memory::require_memory;
 use faer::Mat;
 
@@ -96,7 +96,8 @@ impl Condensation {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the lengths of the arrays differ;
     /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory for the fronts.
     pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
-        check_lengths(matrix, points, prescribed)?;
+        require_length("points", points.len(), matrix.nodes())?;
+        require_length("prescribed", prescribed.len(), matrix.unknowns())?;
         // 4.4 GB at two million unknowns of a plane mesh.
         let depth = matrix.unknowns().max(2).ilog2() as usize;
         require_memory("unknowns to be eliminated", matrix.unknowns(), BYTES_PER_DEPTH * depth)?;
@@ -161,17 +162,6 @@ impl Condensation {
         let at = |&position: &u32| if position == PRESCRIBED { 0.0 } else { values[position as usize] };
         self.positions.iter().map(at).collect()
     }
-}
-
-fn check_lengths(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool]) -> Result<()> {
-    for (name, given, expected) in
-        [("points", points.len(), matrix.nodes()), ("prescribed", prescribed.len(), matrix.unknowns())]
-    {
-        if given != expected {
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
-        }
-    }
-    Ok(())
 }
 
 /// The root's update plus the entries of K between kept unknowns, both triangles.

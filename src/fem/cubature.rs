@@ -147,19 +147,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn singular_points_cost_no_accuracy() {
-        // ∫ r^{-1/2} over the unit triangle, in polar coordinates (2/3) ∫ (cos φ + sin φ)^{-3/2} dφ.
-        let angle = gauss_legendre(40).unwrap();
-        let quarter = std::f64::consts::FRAC_PI_2;
-        let exact = quarter
-            * angle.integrate(|t| {
-                let phi = quarter * t;
-                (phi.cos() + phi.sin()).powf(-1.5) * (2.0 / 3.0)
-            });
-        let rule = Cubature::new(14).unwrap().singular_at(&[[0.0, 0.0]]);
-        let value = integral(&rule, UNIT, |[x, y]| x.hypot(y).powf(-0.5));
-        assert!((value / exact - 1.0).abs() < 1e-10, "{value} {exact}");
-    }
 }

@@ -3,8 +3,9 @@
 use super::cubature::Cubature;
 use super::field::Field;
 use super::form::{Element, Form};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
 use crate::mesh::{Point, Triangulation};
+use crate::numeric::check::{require_finite_at, require_length};
 
 /// The gradient ∇u: row c is the gradient of component c; for a scalar function the second row is 0.
 pub type Gradient<'a> = &'a dyn Fn(Point) -> [Point; 2];
@@ -53,14 +54,7 @@ pub fn error_norms(
 ) -> Result<ErrorNorms> {
     let c = form.components();
     exact.require(c)?;
-    let expected = mesh.nodes().len() * c;
-    if values.len() != expected {
-        return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-            name: "nodal values",
-            given: values.len(),
-            expected,
-        }));
-    }
+    require_length("nodal values", values.len(), mesh.nodes().len() * c)?;
     let [mut l2, mut h1, mut energy] = [0.0; 3];
     for (t, corners) in mesh.triangles().iter().enumerate() {
         let triangle = mesh.corners(t);
@@ -82,13 +76,7 @@ pub fn error_norms(
                 }
             }
             let slopes: f64 = difference.iter().flatten().map(|d| d * d).sum();
-            if !slopes.is_finite() {
-                return Err(Error::Toolkit(ToolkitError::NotFinite {
-                    name: "squared gradient of the error in a triangle",
-                    index: t,
-                    value: slopes,
-                }));
-            }
+            require_finite_at("squared gradient of the error in a triangle", t, slopes)?;
             l2 += weight * square;
             h1 += weight * slopes;
             energy += weight * density(form, mesh.region(t), &difference, square);

@@ -2,6 +2,7 @@
 
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::Point;
+use crate::numeric::check::require_length;
 
 /// A function on the plane with one component (scalar forms) or two (elasticity).
 ///
@@ -74,13 +75,6 @@ impl Field<'_> {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless the field has `components` components.
     pub(crate) fn require(&self, components: usize) -> Result<()> {
-        if self.components() == components {
-            return Ok(());
-        }
-        Err(Error::Toolkit(ToolkitError::LengthMismatch {
-            name: "components of a field",
-            given: self.components(),
-            expected: components,
-        }))
+        require_length("components of a field", self.components(), components)
     }
 }

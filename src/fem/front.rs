@@ -6,8 +6,9 @@
 //!
 //! The columns (L₁₁; L₂₁) are kept as one column-major panel; only lower triangles are touched.
 
-use super::ordering::Ordering;
-use crate::error::{Error, Result, ToolkitError};
+use super::matrix::BlockMatrix;
+use super::pool::Pool;
+use crate::error::{Error, Result};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
 use faer::linalg::matmul::triangular::{BlockStructure, matmul};
@@ -21,6 +22,16 @@ const PARALLEL: f64 = 2e8;
 
 /// A pivot below this multiple of its diagonal entry counts as zero: the body has no Dirichlet boundary.
 const VANISHING: f64 = 1e-13;
+
+/// The input of the elimination of a subtree.
+pub(super) struct Ordering<'a> {
+    pub(super) matrix: &'a BlockMatrix,
+    /// Position of every unknown; the largest number for prescribed ones.
+    pub(super) positions: &'a [u32],
+    /// The unknown at every position.
+    pub(super) unknowns: &'a [u32],
+    pub(super) pool: Pool,
+}
 
 /// The factored columns of one front.
 #[derive(Debug)]
@@ -94,10 +105,7 @@ impl Front {
                 .map_err(|_| self.pivots.start)
                 .and_then(|_| vanishing_pivot(ordering, &self.pivots, |j| top[(j, j)]).map_or(Ok(()), Err))
                 .map_err(|position| {
-                    Error::Toolkit(ToolkitError::NotPositiveDefinite {
-                        what: "stiffness matrix",
-                        pivot: ordering.unknowns[position] as usize,
-                    })
+                    Error::not_positive_definite("stiffness matrix", ordering.unknowns[position] as usize)
                 })?;
             solve_lower_triangular_in_place(top.rb(), bottom.rb_mut().transpose_mut(), par);
             matmul(

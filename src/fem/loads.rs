@@ -107,7 +107,6 @@ pub fn surface_load(
 mod tests {
     use super::*;
     use crate::mesh::{SideParts, unit_square};
-    use fractional_sobolev::gauss_legendre;
 
     #[test]
     fn quadrature_of_an_affine_load_is_the_consistent_one() {
@@ -120,16 +119,5 @@ mod tests {
         for (a, b) in load.iter().zip(nodal) {
             assert!((a - b).abs() < 1e-16);
         }
-    }
-
-    #[test]
-    fn pressure_on_a_closed_curve_has_no_resultant() {
-        let mesh =
-            unit_square(3, SideParts { bottom: Part::Neumann, top: Part::Neumann, ..SideParts::HANGING })
-                .unwrap();
-        let rule = gauss_legendre(2).unwrap();
-        let load = surface_load(&mesh, Part::Neumann, 2, &|_, normal| Ok(normal), &rule).unwrap();
-        let total = load.chunks(2).fold([0.0, 0.0], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
-        assert!(total.iter().all(|f| f.abs() < 1e-15));
     }
 }

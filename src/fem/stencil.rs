@@ -27,7 +27,7 @@ pub(crate) struct Stencils {
 }
 
 /// 0 at the first, 2 at the last, 1 between.
-fn kind(index: usize, last: usize) -> usize {
+pub(crate) fn kind(index: usize, last: usize) -> usize {
     if index == 0 { 0 } else { 1 + usize::from(index == last) }
 }
 

@@ -9,11 +9,7 @@ const FLATNESS: f64 = 1024.0 * f64::EPSILON;
 /// Checks that coordinates are finite, node numbers in range, areas positive, and every node belongs to a triangle.
 pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> Result<()> {
     if triangles.is_empty() {
-        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "triangles",
-            value: 0,
-            range: "[1, inf)",
-        }));
+        return Err(Error::count("triangles", 0, "[1, inf)"));
     }
     for (index, point) in nodes.iter().enumerate() {
         if let Some(&value) = point.iter().find(|x| !x.is_finite()) {

@@ -57,11 +57,7 @@ impl ContactEdge {
                 nodes: [whole.numbers[second], whole.numbers[second + 1]],
                 reason: "belongs to a second piece of the contact edge, which must be connected",
             })),
-            [] => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "contact edges",
-                value: 0,
-                range: "[1, inf)",
-            })),
+            [] => Err(Error::count("contact edges", 0, "[1, inf)")),
         }
     }
 
@@ -85,11 +81,7 @@ impl ContactEdge {
         let edges: Vec<[usize; 2]> =
             mesh.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
         if edges.is_empty() {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "contact edges",
-                value: 0,
-                range: "[1, inf)",
-            }));
+            return Err(Error::count("contact edges", 0, "[1, inf)"));
         }
         let chains = chains(&edges).map_err(|error| mesh.in_own_numbers(error))?;
         let (mut nodes, mut arc, mut starts) = (Vec::new(), Vec::new(), Vec::new());
@@ -130,11 +122,7 @@ impl ContactEdge {
     pub(crate) fn require_one_piece(&self) -> Result<()> {
         match self.starts.len() {
             1 => Ok(()),
-            value => Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "pieces of the contact edge",
-                value,
-                range: "{1}",
-            })),
+            value => Err(Error::count("pieces of the contact edge", value, "{1}")),
         }
     }
 
@@ -292,15 +280,6 @@ fn follow(after: &mut BTreeMap<usize, usize>, head: usize) -> Vec<usize> {
 mod tests {
     use super::*;
     use crate::mesh::{SideParts, mapped_grid, unit_square};
-
-    #[test]
-    fn bottom_of_the_square_points_down() {
-        let edge = ContactEdge::of(&unit_square(4, SideParts::HANGING).unwrap()).unwrap();
-        assert_eq!(edge.nodes(), [0, 1, 2, 3, 4]);
-        assert_eq!(edge.normal(), Ok([0.0, -1.0]));
-        assert_eq!(edge.nodal_lengths(), [0.125, 0.25, 0.25, 0.25, 0.125]);
-        assert!(!edge.is_closed());
-    }
 
     #[test]
     fn whole_boundary_closes_and_has_no_normal() {

@@ -8,11 +8,9 @@ use super::bisection::bisect;
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, Point, distance, middle};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
+use crate::numeric::check::require_length;
 use crate::numeric::memory::require_memory;
-
-/// Distance, in units of the mesh size, below which a point is identified with a node.
-const SAME_POINT: f64 = 1e-12;
 
 /// Bytes per triangle of a refined mesh: its corners, half a node, and the edges it is made from.
 const BYTES_OF_TRIANGLE: usize = 60;
@@ -72,11 +70,7 @@ impl Hierarchy {
     pub fn refine(&mut self) -> Result<()> {
         let coarse = self.finest();
         if coarse.triangles().len() > 1 << 30 {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "triangles to refine",
-                value: coarse.triangles().len(),
-                range: "[1, 2^30]",
-            }));
+            return Err(Error::count("triangles to refine", coarse.triangles().len(), "[1, 2^30]"));
         }
         require_memory("triangles", 4 * coarse.triangles().len(), BYTES_OF_TRIANGLE)?;
         let (fine, parents) = red(coarse)?;
@@ -106,39 +100,6 @@ impl Hierarchy {
         let (fine, parents) = bisect(coarse, &chosen)?;
         self.levels.push(fine);
         self.parents.push(parents);
-        Ok(())
-    }
-
-    /// Adds `times` levels graded toward a node: on each level the triangles at that point are cut into four.
-    /// Mesh sizes are proportional to the distance from the point, down to 2^−k times the initial size,
-    /// k = `times`.
-    ///
-    /// ```
-    /// use signorini::mesh::{Hierarchy, SideParts, unit_square};
-    /// let mut hierarchy = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
-    /// hierarchy.refine_toward_point([0.0, 0.0], 10)?;
-    /// assert!(hierarchy.refine_toward_point([0.1, 0.1], 1).is_err());
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless the point is a node of the finest level.
-    pub fn refine_toward_point(&mut self, point: Point, times: usize) -> Result<()> {
-        let finest = self.finest();
-        let nearest = finest.nodes().iter().map(|&node| distance(node, point)).fold(f64::INFINITY, f64::min);
-        if nearest > SAME_POINT * finest.mesh_size() {
-            return Err(Error::Toolkit(ToolkitError::OutOfRange {
-                name: "distance of the point from the nearest node",
-                value: nearest,
-                range: "[0, rounding error]: the point must be a node",
-            }));
-        }
-        for _ in 0..times {
-            // The nearest node of this level is the point itself: nodes are never moved.
-            self.refine_where(|mesh, t| {
-                mesh.corners(t).into_iter().any(|corner| distance(corner, point) <= nearest)
-            })?;
-        }
         Ok(())
     }
 
@@ -220,20 +181,9 @@ impl Hierarchy {
     /// values.
     pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "target level",
-                value: to,
-                range: "[source level, finest level]",
-            }));
+            return Err(Error::count("target level", to, "[source level, finest level]"));
         }
-        let expected = self.levels[from].nodes().len() * components;
-        if values.len() != expected {
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-                name: "nodal values",
-                given: values.len(),
-                expected,
-            }));
-        }
+        require_length("nodal values", values.len(), self.levels[from].nodes().len() * components)?;
         let mut values = values.to_vec();
         for parents in &self.parents[from..to] {
             values.reserve(parents.len() * components);

@@ -12,7 +12,7 @@
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use std::f64::consts::PI;
 
 /// Smallest radius for which areas have full precision in binary64.
@@ -56,11 +56,7 @@ pub enum Outline {
 pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "{4, 8, 12, ..., 512}";
-        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "angles per ring",
-            value: angles,
-            range,
-        }));
+        return Err(Error::count("angles per ring", angles, range));
     }
     Error::require("logarithmic step of the rings", step, "[1e-3, 2]", (1e-3..=2.0).contains(&step))?;
     let admissible = (SMALLEST..=0.5).contains(&smallest);
@@ -73,11 +69,7 @@ pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) ->
     let rings = (-smallest.ln() / step).ceil() as usize + 1;
     let count = rings * (angles + 1) + 1;
     if count > MOST {
-        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "number of nodes",
-            value: count,
-            range: "[1, 4000000]",
-        }));
+        return Err(Error::count("number of nodes", count, "[1, 4000000]"));
     }
     let around: Vec<Point> = (0..=angles).map(|j| direction(outline, j, angles)).collect();
     let mut nodes = Vec::with_capacity(count);

@@ -2,7 +2,7 @@
 
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::numeric::memory::require_memory;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -54,7 +54,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulatio
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
             let range = "[1, 16384]";
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range }));
+            return Err(Error::count(name, value, range));
         }
     }
     require_memory("cells", nx.saturating_mul(ny), BYTES_OF_CELL)?;
@@ -136,7 +136,7 @@ pub fn mapped_grid(
 pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range: "[1, 4096]" }));
+            return Err(Error::count(name, value, "[1, 4096]"));
         }
     }
     let (mut nodes, mut triangles): (Vec<Point>, Vec<[usize; 3]>) = (Vec::new(), Vec::new());

@@ -7,6 +7,7 @@
 use super::check;
 use super::geometry::{BoundaryEdge, Part, Point, distance};
 use crate::error::{Error, Result, ToolkitError};
+use crate::numeric::check::require_length;
 
 /// A conforming triangulation with labelled boundary.
 #[derive(Debug, Clone, PartialEq)]
@@ -66,13 +67,7 @@ impl Triangulation {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one number per triangle.
     pub fn with_regions(mut self, regions: &[u32]) -> Result<Self> {
-        if regions.len() != self.triangles.len() {
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch {
-                name: "regions",
-                given: regions.len(),
-                expected: self.triangles.len(),
-            }));
-        }
+        require_length("regions", regions.len(), self.triangles.len())?;
         self.regions = regions.to_vec();
         Ok(self)
     }

@@ -38,7 +38,9 @@ impl Draft {
         let mut hierarchy = Hierarchy::refined(coarse, 1 + random.below(3)).unwrap();
         let contact = ContactEdge::of(hierarchy.finest()).unwrap();
         let point = contact.points()[random.below(contact.points().len())];
-        hierarchy.refine_toward_point(point, random.below(4)).unwrap();
+        for _ in 0..random.below(4) {
+            hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&point)).unwrap();
+        }
         let form = if random.below(2) == 0 {
             Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
         } else {

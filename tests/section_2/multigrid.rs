@@ -233,7 +233,9 @@ fn sets_are_few_on_every_level_from_nothing_known() {
     let sixty = Parameters { angle: 60.0, ..Parameters::default() };
     let graded = || {
         let mut hierarchy = Hierarchy::refined(TestProblem::Block.mesh(8).unwrap(), 3).unwrap();
-        hierarchy.refine_toward_point([0.5, 0.0], 10).unwrap();
+        for _ in 0..10 {
+            hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&[0.5, 0.0])).unwrap();
+        }
         let problem = TestProblem::Block.on(hierarchy.finest().clone()).unwrap();
         ("bisected 10 times".to_owned(), problem, Some(hierarchy))
     };

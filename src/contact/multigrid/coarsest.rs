@@ -1,7 +1,7 @@
 //! The coarsest level: condensed to its contact edge once, solved exactly for every contact set.
 
 use super::super::problem::ContactProblem;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::Condensation;
 use faer::linalg::solvers::{Llt, Solve};
 use faer::{Mat, Side};
@@ -42,7 +42,7 @@ impl Coarsest {
         }
         let part = Mat::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
         let what = "condensed stiffness matrix on the coarsest contact edge";
-        let failed = |pivot: usize| Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot });
+        let failed = |pivot: usize| Error::not_positive_definite(what, pivot);
         let factor = part.llt(Side::Lower).map_err(|_| failed(free.len()))?;
         let vanishes = |&k: &usize| factor.L()[(k, k)].powi(2) <= VANISHED * part[(k, k)];
         if let Some(pivot) = (0..free.len()).find(vanishes) {

@@ -1,13 +1,11 @@
 //! The contact edge of a level during the iteration: gaps, forces, violated constraints, and the next contact set.
 
+use super::super::active_set::{ROUNDING, changed};
 use super::super::edge_problem::HELD;
 use super::super::problem::ContactProblem;
 use super::level::Level;
 use crate::cone::{Cone, ContactSet, EdgeCone, Face, Weighted, project_weighted};
 use crate::error::Result;
-
-/// Signs of quantities below this multiple of the size of their terms are attributed to rounding (16 ε).
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The data of the edge.
 pub(super) struct Edge {
@@ -169,11 +167,4 @@ fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
             (before, after) => before || after,
         }
     })
-}
-
-/// The set with the given constraints exchanged.
-pub(super) fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
-    let mut active = set.as_slice().to_vec();
-    constraints.iter().for_each(|&i| active[i] = !active[i]);
-    ContactSet::new(&active)
 }

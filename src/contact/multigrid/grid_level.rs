@@ -7,7 +7,7 @@
 use super::grid_rows::{Beside, RowStencils};
 use super::level::{Level, Sweep};
 use super::real::Real;
-use crate::fem::Stencils;
+use crate::fem::{Stencils, kind};
 use crate::mesh::Grid;
 use rayon::prelude::*;
 
@@ -45,10 +45,6 @@ impl<const C: usize> GridLevel<C> {
         (GRAIN / self.width()).max(1)
     }
 
-    fn row_kind(&self, j: usize) -> usize {
-        if j == 0 { 0 } else { 1 + usize::from(j == self.grid.ny) }
-    }
-
     /// out ← out + factor · K x.
     fn add_product<T: Real>(&self, stencils: &RowStencils<T, C>, x: &[T], out: &mut [T]) {
         let width = self.width();
@@ -56,7 +52,7 @@ impl<const C: usize> GridLevel<C> {
         let rows = out.par_chunks_mut(width).enumerate().with_min_len(self.rows_a_task());
         rows.for_each(|(j, out)| {
             let beside = Beside { below: row(j.wrapping_sub(1).min(self.grid.ny + 1)), above: row(j + 1) };
-            stencils.add_product(self.row_kind(j), row(j), beside, out);
+            stencils.add_product(kind(j, self.grid.ny), row(j), beside, out);
         });
     }
 }
@@ -103,7 +99,14 @@ impl<const C: usize> Level for GridLevel<C> {
                     let above = if parity == 0 { beside(k) } else { beside(k + 1) };
                     let first = if forward { 0 } else { 1 };
                     let data = (&b[here.clone()], &fixed[here]);
-                    self.negated.relax(self.row_kind(j), first, row, Beside { below, above }, data, sums);
+                    self.negated.relax(
+                        kind(j, self.grid.ny),
+                        first,
+                        row,
+                        Beside { below, above },
+                        data,
+                        sums,
+                    );
                 },
             );
         }

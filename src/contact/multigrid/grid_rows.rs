@@ -4,7 +4,7 @@
 //! treats the inner nodes of an inner row; nodes at the boundary are treated one by one, with their own stencils.
 
 use super::real::{Real, add_two};
-use crate::fem::{Block, NEIGHBOURS};
+use crate::fem::{Block, NEIGHBOURS, kind};
 
 /// The neighbours by their place among [`NEIGHBOURS`].
 const SOUTH_WEST: usize = 0;
@@ -48,15 +48,15 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         }
     }
 
-    /// out ← out + (factor · K x) in row `kind` (0 bottom, 1 inside, 2 top).
-    pub(super) fn add_product(&self, kind: usize, row: &[T], beside: Beside<'_, T>, out: &mut [T]) {
+    /// out ← out + (factor · K x) in row `row_kind` (0 bottom, 1 inside, 2 top).
+    pub(super) fn add_product(&self, row_kind: usize, row: &[T], beside: Beside<'_, T>, out: &mut [T]) {
         let m = out.len() / C;
-        if kind == 1 {
+        if row_kind == 1 {
             self.add_others(beside, out);
             self.add_own_row(row, out);
         }
-        for i in (0..m).filter(|&i| kind != 1 || i == 0 || i + 1 == m) {
-            let stencil = &self.stencils[3 * kind + column_kind(i, m)];
+        for i in (0..m).filter(|&i| row_kind != 1 || i == 0 || i + 1 == m) {
+            let stencil = &self.stencils[3 * row_kind + kind(i, m - 1)];
             let sum = node_sum::<T, C>(stencil, (i, m), [beside.below, row, beside.above], true);
             for a in 0..C {
                 out[a * m + i] += sum[a];
@@ -96,7 +96,7 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
     /// to the value for which its residual vanishes. `sums` is a work array of the length of the row.
     pub(super) fn relax(
         &self,
-        kind: usize,
+        row_kind: usize,
         first: usize,
         row: &mut [T],
         beside: Beside<'_, T>,
@@ -104,16 +104,16 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         sums: &mut [T],
     ) {
         let m = row.len() / C;
-        if kind == 1 {
+        if row_kind == 1 {
             sums.copy_from_slice(b);
             self.add_others(beside, sums);
         }
         for parity in [first, 1 - first] {
-            if kind == 1 {
+            if row_kind == 1 {
                 self.relax_inside(parity, row, sums);
             }
-            for i in (parity..m).step_by(2).filter(|&i| kind != 1 || i == 0 || i + 1 == m) {
-                self.relax_node(3 * kind + column_kind(i, m), (i, m), row, beside, (b, fixed));
+            for i in (parity..m).step_by(2).filter(|&i| row_kind != 1 || i == 0 || i + 1 == m) {
+                self.relax_node(3 * row_kind + kind(i, m - 1), (i, m), row, beside, (b, fixed));
             }
         }
     }
@@ -196,13 +196,8 @@ fn node_sum<T: Real, const C: usize>(
     sum
 }
 
-/// 0 left, 1 inside, 2 right.
-fn column_kind(i: usize, m: usize) -> usize {
-    if i == 0 { 0 } else { 1 + usize::from(i + 1 == m) }
-}
-
 /// The inverse of the leading C x C part.
-fn inverse_of<const C: usize>(block: &Block) -> [[f64; C]; C] {
+pub(super) fn inverse_of<const C: usize>(block: &Block) -> [[f64; C]; C] {
     let [[p, q], [r, s]] = *block;
     let inverse = if C == 1 {
         [[1.0 / p, 0.0], [0.0, 0.0]]

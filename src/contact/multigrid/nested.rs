@@ -15,7 +15,7 @@ use super::level::Level;
 use super::newton::{Goal, Guess, Outcome, STEPS, Stage};
 use super::sparse_level::SparseLevel;
 use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::Stencils;
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use rayon::prelude::*;
@@ -139,11 +139,7 @@ impl<'a> Job<'a> {
             outcome = Some(here);
         }
         let Some(outcome) = outcome else {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "levels",
-                value: levels.len(),
-                range: "[2, inf)",
-            }));
+            return Err(Error::count("levels", levels.len(), "[2, inf)"));
         };
         let unknowns = node_major(&levels[last], &x);
         self.conclude(

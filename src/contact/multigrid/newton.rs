@@ -9,9 +9,10 @@
 //! the conjugate gradients continue to the requested accuracy. If a set recurs, the error is reduced further, then
 //! constraints are exchanged one at a time.
 
+use super::super::active_set::changed;
 use super::super::problem::ContactProblem;
 use super::cycle::Cycle;
-use super::edge::{Contact, Edge, changed};
+use super::edge::{Contact, Edge};
 use super::face::FreePart;
 use super::gradients::Gradients;
 use super::level::Level;

@@ -4,6 +4,7 @@
 //! colour after another, and the nodes of a colour in parallel. The cycle uses a copy of the matrix in
 //! f32, divided by its largest diagonal entry. Cost of a sweep: two operations per entry.
 
+use super::grid_rows::inverse_of;
 use super::level::{Level, Sweep};
 use super::real::Real;
 use crate::fem::BlockMatrix;
@@ -51,7 +52,9 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
                 level.columns.push(column);
                 level.values.push(std::array::from_fn(|a| std::array::from_fn(|b| scaled(a, b) as f32)));
                 if column as usize == node {
-                    level.inverses[node] = inverse(scaled);
+                    let own =
+                        std::array::from_fn(|a| std::array::from_fn(|b| scaled(a.min(C - 1), b.min(C - 1))));
+                    level.inverses[node] = inverse_of::<C>(&own).map(|row| row.map(|value| value as f32));
                 }
             }
             level.offsets.push(level.columns.len() as u32);
@@ -96,18 +99,6 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
         }
         value
     }
-}
-
-/// The inverse of the leading C x C part.
-fn inverse<const C: usize>(entry: impl Fn(usize, usize) -> f64) -> [[f32; C]; C] {
-    let inverse = if C == 1 {
-        [[1.0 / entry(0, 0), 0.0], [0.0, 0.0]]
-    } else {
-        let (p, q, r, s) = (entry(0, 0), entry(0, 1), entry(1, 0), entry(1, 1));
-        let determinant = p * s - q * r;
-        [[s / determinant, -q / determinant], [-r / determinant, p / determinant]]
-    };
-    std::array::from_fn(|a| std::array::from_fn(|b| inverse[a][b] as f32))
 }
 
 /// The nodes by colour: each node has the first colour that no preceding neighbour has.
