@@ -70,7 +70,6 @@ fn by_edge(
             status: outcome.status,
             history: outcome.history,
             work: Work { iterations, factorizations: 1, ..Work::default() },
-            seconds: Seconds::default(),
             accepted: ACCEPTED,
         },
     )?;

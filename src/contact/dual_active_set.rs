@@ -15,14 +15,19 @@
 //! (c'w − g)/(c'S⁻¹c)^{1/2}. The condition number of L⁻¹C' is only the square root of that of B S⁻¹B', n^{3/2} in the
 //! midpoint cone.
 //!
-//! No initial guess is needed: constraints with oscillating multipliers, which slow down an exchange method,
-//! are dropped one by one. Cost: one factorization of S, and O(n²) per constraint added or dropped, whose
-//! number is about that of the active constraints. Rounding errors are
-//! corrected by [`super::solve_on_edge`], which starts with [`EdgeProblem::solve_with`] from the set found.
+//! No initial guess is needed: constraints with oscillating multipliers, which slow down an exchange method, are
+//! dropped one by one. Measured for contact beside a clamped end in the midpoint cone, S about the square root of a
+//! second difference on 513 nodes: the active set method takes 4 steps and less than a second with this method; with
+//! single exchanges alone 516 steps and 6 s for one load, and for another there is no solution after 10 340 steps and
+//! 83 s.
+//!
+//! Cost: one factorization of S, and O(n²) per constraint added or dropped, whose number is about that of the active
+//! constraints. Rounding errors are corrected by [`super::solve_on_edge`], which starts with
+//! [`EdgeProblem::solve_with`] from the set found.
 
 use super::edge_problem::EdgeProblem;
 use crate::cone::{ContactSet, EdgeCone};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use faer::linalg::solvers::Solve;
 use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
 use faer::{Mat, Par, Side};
@@ -97,9 +102,7 @@ impl<'a> Iterate<'a> {
         if n > 0 {
             let part = Mat::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
             let what = "condensed stiffness matrix on the contact edge";
-            let factor = part
-                .llt(Side::Lower)
-                .map_err(|_| Error::Toolkit(ToolkitError::NotPositiveDefinite { what, pivot: n }))?;
+            let factor = part.llt(Side::Lower).map_err(|_| Error::not_positive_definite(what, n))?;
             let mut w = Mat::from_fn(n, 1, |i, _| problem.load[free[i]]);
             factor.solve_in_place(&mut w);
             free.iter().enumerate().for_each(|(i, &node)| displacement[node] = w[(i, 0)]);
@@ -255,41 +258,25 @@ mod tests {
     use crate::cone::{Cone, Ends};
     use crate::contact::active_set::solve_on_edge;
 
-    /// SplitMix64 (Steele, Lea & Flood, OOPSLA 2014): the same numbers on every machine.
-    struct SplitMix(u64);
-
-    impl SplitMix {
-        /// Uniform in [low, high).
-        fn between(&mut self, low: f64, high: f64) -> f64 {
-            self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-            let mut z = self.0;
-            z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64)
-        }
-
-        /// One of 0, ..., `count` − 1.
-        fn below(&mut self, count: usize) -> usize {
-            self.between(0.0, count as f64) as usize
-        }
-    }
-
     /// S = A A' + a random diagonal, bounds of either sign, ends fixed or not; every condition is checked.
     #[test]
     fn sets_are_those_of_the_solution() {
-        let mut random = SplitMix(7);
+        let mut state = 7_u64;
+        let mut between = |low: f64, high: f64| {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            low + (high - low) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
+        };
         for trial in 0..400 {
-            let nodes = 3 + random.below(12);
-            let a = Mat::from_fn(nodes, nodes, |_, _| random.between(-1.0, 1.0));
-            let shift = 10f64.powf(random.between(-3.0, 1.0));
+            let nodes = 3 + between(0.0, 12.0) as usize;
+            let a = Mat::from_fn(nodes, nodes, |_, _| between(-1.0, 1.0));
+            let shift = 10f64.powf(between(-3.0, 1.0));
             let stiffness =
                 &a * a.transpose() + Mat::from_fn(nodes, nodes, |i, j| if i == j { shift } else { 0.0 });
-            let load: Vec<f64> = (0..nodes).map(|_| random.between(-1.0, 1.0)).collect();
+            let load: Vec<f64> = (0..nodes).map(|_| between(-1.0, 1.0)).collect();
             let fixed: Vec<bool> =
                 (0..nodes).map(|i| i == 0 && trial % 2 == 1 || i + 1 == nodes && trial % 4 > 1).collect();
             for cone in Cone::ALL {
-                let bound: Vec<f64> =
-                    (0..cone.constraints(nodes)).map(|_| random.between(0.0, 0.3)).collect();
+                let bound: Vec<f64> = (0..cone.constraints(nodes)).map(|_| between(0.0, 0.3)).collect();
                 let (load, fixed, bound) = (&load[..], &fixed[..], &bound[..]);
                 let ends = Ends::Open;
                 let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };

@@ -93,7 +93,6 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
                 factorizations: answer.iterations,
                 ..Work::default()
             },
-            seconds: Seconds::default(),
             accepted: ACCEPTED,
         },
     )?;

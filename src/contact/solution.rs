@@ -156,7 +156,6 @@ pub(super) struct Candidate {
     pub(super) status: Status,
     pub(super) history: Vec<ContactSet>,
     pub(super) work: Work,
-    pub(super) seconds: Seconds,
     /// Largest KKT residual of a converged solution; infinite for solvers with an error estimate.
     pub(super) accepted: f64,
 }
@@ -236,7 +235,7 @@ pub(super) fn conclude(
         balance,
         history: candidate.history,
         work: candidate.work,
-        seconds: candidate.seconds,
+        seconds: Seconds::default(),
         multigrid: None,
     })
 }

@@ -72,22 +72,3 @@ pub fn radial_intervals(radii: &[f64], set: &ContactSet) -> Result<Vec<RadialInt
     }
     Ok(found)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn stretches_follow_each_other_and_bad_radii_are_refused() {
-        let radii: Vec<f64> = (0..90).rev().map(|k| 10f64.powi(-k)).collect();
-        let set = ContactSet::new(&(0..90).map(|i| i / 30 != 1).collect::<Vec<_>>());
-        let found = radial_intervals(&radii, &set).unwrap();
-        assert_eq!(found.iter().map(|part| part.in_contact).collect::<Vec<_>>(), [true, false, true]);
-        assert!(found.windows(2).all(|pair| pair[0].to == pair[1].from));
-        assert!((found[1].decades() - 30.0).abs() < 1e-12);
-        assert!(radial_intervals(&radii[1..], &set).is_err());
-        let backwards: Vec<f64> = radii.into_iter().rev().collect();
-        assert!(radial_intervals(&backwards, &set).is_err());
-        assert!(radial_intervals(&[f64::NAN], &ContactSet::empty(1)).is_err());
-    }
-}

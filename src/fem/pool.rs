@@ -48,18 +48,3 @@ impl Pool {
         }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn buffers_come_back_zeroed() {
-        let pool = Pool::default();
-        pool.keep(vec![7.0; 3 * WORTH_KEEPING]);
-        let buffer = pool.zeros(2 * WORTH_KEEPING);
-        assert!(buffer.capacity() == 3 * WORTH_KEEPING && buffer.iter().all(|&x| x == 0.0));
-        assert_eq!(buffer.len(), 2 * WORTH_KEEPING);
-        assert_eq!(pool.zeros(5).len(), 5);
-    }
-}

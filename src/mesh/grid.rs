@@ -79,15 +79,13 @@ impl Grid {
     /// triangle is inverted.
     pub(crate) fn coarse_mesh(self, mesh: &Triangulation) -> Option<(Self, Triangulation)> {
         let coarse = self.coarser()?;
-        let nodes: Vec<Point> = (0..coarse.nodes())
-            .map(|k| mesh.nodes()[self.node(2 * (k % (coarse.nx + 1)), 2 * (k / (coarse.nx + 1)))])
-            .collect();
+        let fine = |k: usize| self.node(2 * (k % (coarse.nx + 1)), 2 * (k / (coarse.nx + 1)));
+        let nodes: Vec<Point> = (0..coarse.nodes()).map(|k| mesh.nodes()[fine(k)]).collect();
         let template = rectangles(coarse.nx, coarse.ny, SideParts::HANGING).ok()?;
         let mut parts: HashMap<[usize; 2], Part> = HashMap::new();
         for &BoundaryEdge { nodes: [a, b], part } in mesh.boundary() {
             parts.insert([a.min(b), a.max(b)], part);
         }
-        let fine = |k: usize| self.node(2 * (k % (coarse.nx + 1)), 2 * (k / (coarse.nx + 1)));
         let boundary: Vec<BoundaryEdge> = template
             .boundary()
             .iter()

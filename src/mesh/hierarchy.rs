@@ -267,17 +267,4 @@ mod tests {
             assert!(hierarchy.refine_around([1.0, 0.0], wrong, 1).is_err());
         }
     }
-
-    #[test]
-    fn prolongation_keeps_affine_functions() {
-        let hierarchy = Hierarchy::refined(unit_square(3, SideParts::HANGING).unwrap(), 2).unwrap();
-        let affine = |mesh: &Triangulation| -> Vec<f64> {
-            mesh.nodes().iter().map(|&[x, y]| 1.0 + 2.0 * x - 3.0 * y).collect()
-        };
-        let fine = hierarchy.prolong(0, 2, 1, &affine(&hierarchy.levels()[0])).unwrap();
-        for (a, b) in fine.iter().zip(affine(hierarchy.finest())) {
-            assert!((a - b).abs() < 1e-14);
-        }
-        assert!(hierarchy.prolong(2, 1, 1, &fine).is_err());
-    }
 }

@@ -182,7 +182,6 @@ impl<'a> Job<'a> {
                 status: outcome.status,
                 history: outcome.history,
                 work,
-                seconds,
                 accepted,
             },
         )?;
