@@ -7,7 +7,7 @@
 //! | contact set {u_N = 0} | closed intervals between nodes where u_N = 0, single points included |
 
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_entry, require_finite, require_length};
+use crate::numeric::check::{require_entry, require_values};
 
 /// A closed interval [start, end] of the contact edge; a single point if the two coincide.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,11 +63,8 @@ impl EdgeTrace {
         if nodes.len() < 2 {
             return Err(Error::count("nodes of the contact edge", nodes.len(), "[2, inf)"));
         }
-        for (name, values) in [("displacement", displacement), ("force", force)] {
-            require_length(name, values.len(), nodes.len())?;
-        }
         for (name, values) in [("node", nodes), ("displacement", displacement), ("force", force)] {
-            require_finite(name, values)?;
+            require_values(name, values, nodes.len())?;
         }
         if let Some(k) = nodes.windows(2).position(|p| p[0] >= p[1]) {
             require_entry("node", k + 1, nodes[k + 1], "(previous node, inf)", false)?;

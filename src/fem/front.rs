@@ -225,13 +225,13 @@ fn axpy(a: f64, x: &[f64], y: &mut [f64]) {
 }
 
 /// The inner product in eight lanes, limited only by memory bandwidth.
-fn inner(x: &[f64], y: &[f64]) -> f64 {
+pub(crate) fn inner<T: Into<f64> + Copy>(x: &[f64], y: &[T]) -> f64 {
     let mut lanes = [0.0; 8];
     let (x, y) = (x.chunks_exact(8), y.chunks_exact(8));
-    let rest: f64 = x.remainder().iter().zip(y.remainder()).map(|(a, b)| a * b).sum();
+    let rest: f64 = x.remainder().iter().zip(y.remainder()).map(|(a, &b)| a * b.into()).sum();
     for (x, y) in x.zip(y) {
         for k in 0..8 {
-            lanes[k] += x[k] * y[k];
+            lanes[k] += x[k] * y[k].into();
         }
     }
     rest + lanes.iter().sum::<f64>()

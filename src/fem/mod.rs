@@ -25,6 +25,7 @@ pub use field::Field;
 pub use form::{Form, Lame};
 pub use frame::Frame;
 pub(crate) use frame::Frames;
+pub(crate) use front::inner;
 pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::BlockMatrix;
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils, kind};

@@ -1,8 +1,8 @@
-//! Local refinement by longest-edge bisection.
+//! Refinement: every triangle cut into four, or longest-edge bisection of some.
 //!
-//! All edges of a marked triangle are bisected; a triangle with a bisected edge has its longest edge bisected as
-//! well, until nothing changes. Then every triangle is cut at its longest edge, and the two pieces at their other
-//! bisected edges, so the result is conforming. Angles remain at least half the smallest initial angle (I. G.
+//! In the second all edges of a marked triangle are bisected; a triangle with a bisected edge has its longest edge
+//! bisected as well, until nothing changes. Then every triangle is cut at its longest edge, and the two pieces at their
+//! other bisected edges, so the result is conforming. Angles remain at least half the smallest initial angle (I. G.
 //! Rosenberg and F. Stenger, Math. Comp. 29 (1975); M. C. Rivara, Int. J. Numer. Meth. Engng 20 (1984)). Cost:
 //! O(triangles) per sweep.
 
@@ -11,16 +11,46 @@ use super::geometry::{BoundaryEdge, distance};
 use super::triangulation::Triangulation;
 use crate::error::Result;
 
-/// The refined triangulation and the parents of its new nodes.
+/// The triangulation with the marked triangles refined, and the parents of its new nodes.
 pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangulation, Vec<[usize; 2]>)> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
-    let pairs = edges.pairs();
     let turned = turned_to_longest(coarse, &edges)?;
-    let halved = closure(&turned, marked, pairs.len());
+    let halved = closure(&turned, marked, edges.pairs().len());
+    refined(coarse, (&edges, &turned), &halved, cut)
+}
+
+/// One red refinement, and the parents of the new nodes.
+///
+/// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
+pub(super) fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+    let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
+    let sides =
+        |&[a, b, c]: &[usize; 3]| Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]));
+    let triangles = coarse.triangles().iter().map(sides).collect::<Result<Vec<_>>>()?;
+    refined(
+        coarse,
+        (&edges, &triangles),
+        &vec![true; edges.pairs().len()],
+        |[a, b, c], middles, triangles| {
+            if let [Some(p), Some(q), Some(r)] = middles {
+                triangles.extend([[a, p, r], [p, b, q], [r, q, c], [p, q, r]]);
+            }
+        },
+    )
+}
+
+/// The triangulation with the given edges bisected and every triangle cut at its midpoints by `cut`, and the parents
+/// of its new nodes.
+fn refined(
+    coarse: &Triangulation,
+    (edges, turned): (&Edges, &[Turned]),
+    halved: &[bool],
+    cut: impl Fn([usize; 3], [Option<usize>; 3], &mut Vec<[usize; 3]>),
+) -> Result<(Triangulation, Vec<[usize; 2]>)> {
     let mut nodes = coarse.nodes().to_vec();
     let mut parents = Vec::new();
-    let mut middles = vec![None; pairs.len()];
-    for (edge, &[a, b]) in pairs.iter().enumerate().filter(|&(edge, _)| halved[edge]) {
+    let mut middles = vec![None; halved.len()];
+    for (edge, [a, b]) in edges.pairs().into_iter().enumerate().filter(|&(edge, _)| halved[edge]) {
         let (p, q) = (coarse.nodes()[a], coarse.nodes()[b]);
         middles[edge] = Some(nodes.len());
         nodes.push([0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]);

@@ -4,9 +4,8 @@
 //! nested and a function of level k is a function of level k + 1: its value at a new node is the mean over the ends
 //! of the bisected edge. Cost of a refinement: O(number of triangles).
 
-use super::bisection::bisect;
-use super::edges::Edges;
-use super::geometry::{BoundaryEdge, Point, distance, middle};
+use super::bisection::{bisect, red};
+use super::geometry::{Point, distance, middle};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
@@ -195,37 +194,6 @@ impl Hierarchy {
         }
         Ok(values)
     }
-}
-
-/// One red refinement and the parents of the new nodes.
-///
-/// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
-fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
-    let count = coarse.nodes().len();
-    let edges = Edges::new(count, coarse.triangles());
-    let parents = edges.pairs();
-    let mut nodes = coarse.nodes().to_vec();
-    nodes.extend(parents.iter().map(|&[a, b]| {
-        let (p, q) = (coarse.nodes()[a], coarse.nodes()[b]);
-        [0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]
-    }));
-    let middle = |a, b| edges.find(a, b).map(|edge| count + edge);
-    let mut triangles = Vec::with_capacity(4 * coarse.triangles().len());
-    for &[a, b, c] in coarse.triangles() {
-        let (ab, bc, ca) = (middle(a, b)?, middle(b, c)?, middle(c, a)?);
-        triangles.extend([[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]]);
-    }
-    let mut boundary = Vec::with_capacity(2 * coarse.boundary().len());
-    for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
-        let m = middle(a, b)?;
-        boundary.extend([[a, m], [m, b]].map(|nodes| BoundaryEdge { nodes, part }));
-    }
-    let mut fine = Triangulation::trusted(nodes, triangles, boundary);
-    if !coarse.regions().is_empty() {
-        let regions = coarse.regions().iter().flat_map(|&region| [region; 4]).collect::<Vec<_>>();
-        fine = fine.with_regions(&regions)?;
-    }
-    Ok((fine, parents))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@
 
 use super::cycle::Cycle;
 use super::level::Level;
-use super::vectors::{add_scaled, dot, dot_mixed, turn};
+use super::vectors::{add_scaled, dot, turn};
 
 /// Number of bisections for the smallest eigenvalue: three digits.
 const BISECTIONS: usize = 12;
@@ -50,7 +50,7 @@ impl Gradients {
         self.lengths.clear();
         self.turns.clear();
         let (z, factor) = cycle.apply(&self.residual);
-        self.rho = (factor * dot_mixed(&self.residual, z)).max(0.0);
+        self.rho = (factor * dot(&self.residual, z)).max(0.0);
         turn(&mut self.direction, 0.0, factor, z);
     }
 
@@ -71,8 +71,8 @@ impl Gradients {
         add_scaled(x, length, &self.direction);
         add_scaled(&mut self.residual, -length, &self.image);
         let (z, factor) = cycle.apply(&self.residual);
-        let next = (factor * dot_mixed(&self.residual, z)).max(0.0);
-        let turned = -factor * dot_mixed(&self.image, z) / curvature;
+        let next = (factor * dot(&self.residual, z)).max(0.0);
+        let turned = -factor * dot(&self.image, z) / curvature;
         turn(&mut self.direction, turned, factor, z);
         self.lengths.push(length);
         self.turns.push(next / self.rho);

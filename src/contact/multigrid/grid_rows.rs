@@ -167,7 +167,7 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
             // C = 2: the other one is held; its share is in the stencil times −1, and so is the divisor.
             let other = C - 1 - a;
             let own = &self.stencils[kind][OWN][a];
-            row[a * m + i] = (rest[a] + own[other] * row[other * m + i]).over_negated(own[a]);
+            row[a * m + i] = -(rest[a] + own[other] * row[other * m + i]) / own[a];
         }
     }
 }

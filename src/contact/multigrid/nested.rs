@@ -109,16 +109,16 @@ impl<'a> Job<'a> {
             let elimination = ELIMINATED.iter().find(|(most, _)| unknowns <= *most);
             let patience = elimination.filter(|_| self.cone == Cone::Midpoint).map(|(_, steps)| *steps);
             let mut stage =
-                Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed))
-                    .with(Guess::Signs(patience.unwrap_or(STEPS)));
+                Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed));
+            stage.guess = Guess::Signs(patience.unwrap_or(STEPS));
             let is_usual = |t: Tolerance| t.relative() >= Tolerance::reference().relative();
             if k == last && matches!(self.accuracy, Accuracy::Relative(t) if is_usual(t)) {
-                stage.above(rounding(self.problems[k], &node_major(&levels[k], &x)));
+                stage.floor = rounding(self.problems[k], &node_major(&levels[k], &x));
             }
             let mut here = stage.solve(&mut x, guess, goal, &mut report)?;
             if patience.is_some() && !here.status.is_converged() {
                 let direct = condensed::solve(self.problems[k], self.cone, here.set)?;
-                let mut stage = stage.with(Guess::Known);
+                stage.guess = Guess::Known;
                 let next = stage.solve(&mut x, direct.contact_set, goal, &mut report)?;
                 let gradient_steps = here.gradient_steps + next.gradient_steps;
                 let history = [here.history, next.history].concat();

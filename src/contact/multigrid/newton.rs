@@ -17,7 +17,7 @@ use super::face::FreePart;
 use super::gradients::Gradients;
 use super::level::Level;
 use super::patch;
-use super::vectors::{dot, dot_mixed, subtract_from};
+use super::vectors::{dot, subtract_from};
 use crate::cone::{Cone, ContactSet, Status};
 use crate::error::Result;
 use std::collections::HashSet;
@@ -56,9 +56,10 @@ pub(super) struct Stage<'s, 'c, L> {
     prescribed: Vec<usize>,
     /// The value of κ on coarser levels.
     least: f64,
-    guess: Guess,
+    /// The reliability of the guess; the signs are used by default.
+    pub(super) guess: Guess,
     /// The dual norm of the rounding errors in a residual: no smaller residual is requested.
-    floor: f64,
+    pub(super) floor: f64,
 }
 
 /// The reliability of a guess of the set.
@@ -131,17 +132,6 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
             guess: Guess::Signs(STEPS),
             floor: 0.0,
         }
-    }
-
-    /// Sets the dual norm below which no residual is requested.
-    pub(super) fn above(&mut self, floor: f64) {
-        self.floor = floor;
-    }
-
-    /// The stage with another reliability of the guess; the signs are used by default.
-    pub(super) fn with(mut self, guess: Guess) -> Self {
-        self.guess = guess;
-        self
     }
 
     /// The solution, starting from an iterate and a guess of the set; `report` is called with the step and the
@@ -294,7 +284,7 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         self.prescribed.iter().for_each(|&place| gradients.residual[place] = 0.0);
         self.cycle.hold(&vec![false; self.edge.fixed.len()], Vec::new())?;
         let (z, factor) = self.cycle.apply(&gradients.residual);
-        let rho = (factor * dot_mixed(&gradients.residual, z)).max(0.0);
+        let rho = (factor * dot(&gradients.residual, z)).max(0.0);
         let dual = (rho / relied(least)).sqrt();
         Ok(0.5 * dual + (0.25 * dual * dual + gaping).sqrt() + self.edge.penetration(contact))
     }

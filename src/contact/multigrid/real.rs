@@ -1,35 +1,32 @@
 //! The two precisions: f64 for stored quantities, f32 inside a cycle.
 
-use std::ops::{Add, AddAssign, Mul};
+use std::ops::{Add, AddAssign, Div, Mul, Neg};
 
 /// A floating-point number.
 pub(super) trait Real:
-    Copy + Default + Send + Sync + Add<Output = Self> + Mul<Output = Self> + AddAssign
+    Copy
+    + Default
+    + Send
+    + Sync
+    + Add<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + AddAssign
 {
     /// The nearest number of this precision.
     fn of(value: f64) -> Self;
-
-    /// −self / divisor.
-    fn over_negated(self, divisor: Self) -> Self;
 }
 
 impl Real for f64 {
     fn of(value: f64) -> Self {
         value
     }
-
-    fn over_negated(self, divisor: Self) -> Self {
-        -self / divisor
-    }
 }
 
 impl Real for f32 {
     fn of(value: f64) -> Self {
         value as f32
-    }
-
-    fn over_negated(self, divisor: Self) -> Self {
-        -self / divisor
     }
 }
 

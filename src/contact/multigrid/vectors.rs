@@ -1,22 +1,15 @@
 //! Operations on long vectors, in parallel: sums are formed in blocks of fixed length, so that results do not depend
 //! on the number of threads.
 
+use crate::fem::inner;
 use rayon::prelude::*;
 
 /// Number of entries of a block.
 const PIECE: usize = 1 << 13;
 
-/// Σ a_i b_i.
-pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let pieces: Vec<f64> =
-        a.par_chunks(PIECE).zip(b.par_chunks(PIECE)).map(|(a, b)| short_dot(a, b)).collect();
-    pieces.into_iter().sum()
-}
-
-/// Σ a_i b_i with b in f32.
-pub(super) fn dot_mixed(a: &[f64], b: &[f32]) -> f64 {
-    let pieces: Vec<f64> =
-        a.par_chunks(PIECE).zip(b.par_chunks(PIECE)).map(|(a, b)| short_dot_mixed(a, b)).collect();
+/// Σ a_i b_i, b in f64 or in f32.
+pub(super) fn dot<T: Into<f64> + Copy + Sync>(a: &[f64], b: &[T]) -> f64 {
+    let pieces: Vec<f64> = a.par_chunks(PIECE).zip(b.par_chunks(PIECE)).map(|(a, b)| inner(a, b)).collect();
     pieces.into_iter().sum()
 }
 
@@ -53,28 +46,4 @@ pub(super) fn subtract_from(a: &mut [f64], b: &[f64]) {
     a.par_chunks_mut(PIECE).zip(b.par_chunks(PIECE)).for_each(|(a, b)| {
         a.iter_mut().zip(b).for_each(|(a, b)| *a = b - *a);
     });
-}
-
-fn short_dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * b).sum();
-    for (a, b) in a.zip(b) {
-        for k in 0..8 {
-            sums[k] += a[k] * b[k];
-        }
-    }
-    sums.iter().sum::<f64>() + rest
-}
-
-fn short_dot_mixed(a: &[f64], b: &[f32]) -> f64 {
-    let mut sums = [0.0; 8];
-    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = a.remainder().iter().zip(b.remainder()).map(|(a, b)| a * f64::from(*b)).sum();
-    for (a, b) in a.zip(b) {
-        for k in 0..8 {
-            sums[k] += a[k] * f64::from(b[k]);
-        }
-    }
-    sums.iter().sum::<f64>() + rest
 }
