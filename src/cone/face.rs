@@ -73,12 +73,10 @@ impl Face {
         &self.blocks
     }
 
-    /// The contact intervals.
     pub(crate) fn runs(&self) -> impl Iterator<Item = Block> {
         self.blocks.iter().copied().filter(|block| block.is_run)
     }
 
-    /// The non-contact intervals.
     pub(crate) fn gaps(&self) -> impl Iterator<Item = Block> {
         self.blocks.iter().copied().filter(|block| !block.is_run)
     }

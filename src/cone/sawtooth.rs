@@ -18,7 +18,6 @@ pub(crate) struct Coordinates {
     pub(crate) offset: Vec<f64>,
     /// Index of the amplitude q, and its sign.
     pub(crate) amplitude: Vec<Option<(usize, f64)>>,
-    /// Number of amplitudes q.
     pub(crate) count: usize,
 }
 

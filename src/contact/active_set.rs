@@ -47,16 +47,11 @@ const FURTHEST_FIRST: usize = 64;
 /// The outcome of the iteration on the edge.
 #[derive(Debug, Clone)]
 pub(super) struct EdgeOutcome {
-    /// The last solution.
     pub(super) state: EdgeState,
-    /// The corresponding set.
     pub(super) set: ContactSet,
-    /// The termination status.
     pub(super) status: Status,
     /// The sets visited, in order, the last one included.
     pub(super) history: Vec<ContactSet>,
-    /// The number of steps.
-    pub(super) steps: usize,
 }
 
 /// The solution of the edge problem by the active set method from the given initial guess.
@@ -99,7 +94,7 @@ pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
             None => (steps == limit).then_some(Status::StepLimit { steps }),
         };
         if let Some(status) = status {
-            return Ok(EdgeOutcome { state, set, status, steps: history.len(), history });
+            return Ok(EdgeOutcome { state, set, status, history });
         }
         let is_stuck = one_at_a_time || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
         if is_stuck && !is_dual_tried {

@@ -58,7 +58,7 @@ fn by_edge(
     let (reduced, bound) = iterate.remainder()?;
     let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
     iterate.add(&reduced, &correction.displacement, &correction.multiplier);
-    let iterations = outcome.steps as u64;
+    let iterations = outcome.history.len() as u64;
     let mut solution = conclude(
         problem,
         cone,

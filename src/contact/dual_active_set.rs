@@ -68,9 +68,7 @@ pub(super) fn dual_active_set(problem: &EdgeProblem<'_>) -> Result<(ContactSet, 
 
 /// The outcome of a step toward a constraint.
 enum Approach {
-    /// The constraint holds.
     Held,
-    /// Another constraint was dropped.
     LetGo,
     /// The constraint is inconsistent with the working set.
     Barred,

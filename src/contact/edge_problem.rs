@@ -114,7 +114,6 @@ impl EdgeProblem<'_> {
         Ok(())
     }
 
-    /// The cone on the edge of this problem.
     pub(super) fn edge_cone(&self) -> EdgeCone {
         self.cone.on(self.load.len(), self.ends)
     }

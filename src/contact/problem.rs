@@ -181,7 +181,6 @@ impl ContactProblem {
         Err(Error::incompatible("cone", cone, "a contact edge in several pieces", "the nodal cone"))
     }
 
-    /// The cone on the contact edge.
     pub(super) fn edge_cone(&self, cone: Cone) -> EdgeCone {
         let ends = if self.edge.is_closed() { Ends::Joined } else { Ends::Open };
         cone.on(self.edge.nodes().len(), ends)

@@ -75,7 +75,6 @@ impl ContactSolution {
 }
 
 impl MultigridReport {
-    /// The errors in units of 1.
     fn scaled_by(mut self, unit: f64) -> Self {
         let scaled =
             |found: Estimate| Estimate { value: found.value * unit, error: found.error * unit, ..found };

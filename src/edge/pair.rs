@@ -184,7 +184,6 @@ impl ContactPair {
         Self::of_data(&edge_data, Traces::Linears)
     }
 
-    /// The kind of traces.
     pub(super) fn traces(&self) -> Traces {
         self.traces
     }

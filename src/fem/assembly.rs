@@ -10,7 +10,6 @@ use super::matrix::BlockMatrix;
 use crate::mesh::Triangulation;
 use rayon::prelude::*;
 
-/// The triangles around every node.
 struct Incidence {
     offsets: Vec<usize>,
     triangles: Vec<u32>,

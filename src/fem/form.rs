@@ -188,7 +188,6 @@ impl Element {
         [a * g[0] + b * h[0], a * g[1] + b * h[1]]
     }
 
-    /// Barycentric coordinates of a point.
     pub(crate) fn barycentric(&self, corners: [Point; 3], point: Point) -> [f64; 3] {
         let [_, g, h] = self.gradients;
         let d = [point[0] - corners[0][0], point[1] - corners[0][1]];

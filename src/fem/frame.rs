@@ -66,7 +66,6 @@ pub(crate) struct Frames {
 }
 
 impl Frames {
-    /// One frame for all nodes.
     pub(crate) fn all(common: Frame) -> Self {
         Self { common, own: Vec::new() }
     }
@@ -82,7 +81,6 @@ impl Frames {
         if self.own.is_empty() { Some(&self.common) } else { None }
     }
 
-    /// The frame of a node.
     pub(crate) fn at(&self, node: usize) -> &Frame {
         match self.own.binary_search_by_key(&node, |&(node, _)| node) {
             Ok(found) => &self.own[found].1,

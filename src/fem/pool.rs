@@ -41,7 +41,6 @@ impl Pool {
         Some(waiting.swap_remove(best))
     }
 
-    /// Returns a buffer to the pool.
     pub(super) fn keep(&self, buffer: Vec<f64>) {
         if buffer.capacity() >= WORTH_KEEPING {
             self.waiting.lock().unwrap_or_else(PoisonError::into_inner).push(buffer);

@@ -10,7 +10,6 @@ use super::frame::Frame;
 use crate::mesh::{Grid, Triangulation};
 use rayon::prelude::*;
 
-/// Offsets of the neighbours.
 pub(crate) const NEIGHBOURS: [(isize, isize); 7] =
     [(-1, -1), (0, -1), (-1, 0), (0, 0), (1, 0), (0, 1), (1, 1)];
 
@@ -73,7 +72,6 @@ impl Stencils {
         Some(Self { grid, components: form.components(), blocks })
     }
 
-    /// The grid.
     pub(crate) fn grid(&self) -> Grid {
         self.grid
     }

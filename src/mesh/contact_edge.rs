@@ -26,7 +26,6 @@ pub struct ContactEdge {
     nodes: Vec<usize>,
     points: Vec<Point>,
     arc: Vec<f64>,
-    /// Start of each piece.
     starts: Vec<usize>,
     closed: bool,
     /// The largest coordinate of the body.

@@ -5,7 +5,6 @@
 
 use crate::error::{Error, Result, ToolkitError};
 
-/// Numbered edges.
 pub(super) struct Edges {
     offsets: Vec<usize>,
     partners: Vec<usize>,

@@ -37,7 +37,6 @@ pub(crate) fn doubled_area([a, b, c]: [Point; 3]) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
 }
 
-/// The centroid of a triangle.
 pub(crate) fn middle([a, b, c]: [Point; 3]) -> Point {
     [0, 1].map(|k| (a[k] + b[k] + c[k]) / 3.0)
 }

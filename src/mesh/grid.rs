@@ -37,7 +37,6 @@ impl Grid {
         fits.then_some(grid)
     }
 
-    /// The number of nodes.
     pub(crate) fn nodes(self) -> usize {
         (self.nx + 1) * (self.ny + 1)
     }

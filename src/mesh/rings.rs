@@ -17,7 +17,6 @@ use std::f64::consts::PI;
 
 /// Smallest radius for which areas have full precision in binary64.
 const SMALLEST: f64 = 1e-140;
-/// Largest number of nodes.
 const MOST: usize = 4_000_000;
 
 /// The outline of the body.

@@ -98,7 +98,6 @@ pub enum Fallback {
     NotReached,
 }
 
-/// Largest λ/μ for which multigrid is used.
 pub(super) const MOST_INCOMPRESSIBLE: f64 = 100.0;
 
 impl fmt::Display for Fallback {

@@ -7,7 +7,6 @@ use super::level::Level;
 use crate::cone::{Cone, ContactSet, EdgeCone, Face, Weighted, project_weighted};
 use crate::error::Result;
 
-/// The data of the edge.
 pub(super) struct Edge {
     pub(super) cone: EdgeCone,
     /// B g.
@@ -15,7 +14,6 @@ pub(super) struct Edge {
     /// Prescribed u_N.
     pub(super) fixed: Vec<bool>,
     places: Vec<usize>,
-    /// The diagonal entries K_ii.
     diagonals: Vec<f64>,
     /// An estimate of the ratio of the diagonals of the condensed matrix and of K.
     condensed: f64,
@@ -31,7 +29,6 @@ pub(super) struct Contact {
     /// B u − g; zero on the set, except on a contact interval between two fixed nodes whose constraints are
     /// inconsistent.
     pub(super) gap: Vec<f64>,
-    /// The violated constraints, ascending.
     pub(super) wrong: Vec<usize>,
 }
 

@@ -16,7 +16,6 @@ use super::vectors::{add_scaled, dot, turn};
 /// Number of bisections for the smallest eigenvalue: three digits.
 const BISECTIONS: usize = 12;
 
-/// The state of an iteration.
 pub(super) struct Gradients {
     pub(super) residual: Vec<f64>,
     direction: Vec<f64>,
@@ -44,7 +43,6 @@ impl Gradients {
         }
     }
 
-    /// Starts from the stored residual.
     pub(super) fn start<L: Level>(&mut self, cycle: &mut Cycle<'_, L>) {
         self.least = self.least.min(self.least_eigenvalue());
         self.lengths.clear();

@@ -40,7 +40,6 @@ impl<const C: usize> GridLevel<C> {
         C * (self.grid.nx + 1)
     }
 
-    /// Smallest number of rows per task.
     fn rows_a_task(&self) -> usize {
         (GRAIN / self.width()).max(1)
     }

@@ -59,7 +59,6 @@ pub(super) fn solve(
     }
 }
 
-/// The problem to be solved.
 struct Job<'a> {
     problems: &'a [&'a ContactProblem],
     chain: &'a Chain,

@@ -44,7 +44,6 @@ const GRADIENT_STEPS: usize = 300;
 const KAPPA: f64 = 0.15;
 const RELIED: f64 = 0.7;
 
-/// The data of one level.
 pub(super) struct Stage<'s, 'c, L> {
     problem: &'s ContactProblem,
     level: &'s L,
@@ -88,24 +87,19 @@ pub(super) struct Outcome {
     pub(super) multiplier: Vec<f64>,
     pub(super) status: Status,
     pub(super) history: Vec<ContactSet>,
-    /// Number of conjugate gradient steps.
     pub(super) gradient_steps: usize,
     /// The smallest eigenvalue of cycle times K found so far.
     pub(super) least: f64,
     /// |u|_a.
     pub(super) norm: f64,
-    /// The estimated error in the energy norm.
     pub(super) error: f64,
-    /// The energy J.
     pub(super) energy: f64,
 }
 
 /// Norm and energy of an iterate.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sizes {
-    /// |x|_a.
     norm: f64,
-    /// J.
     energy: f64,
 }
 

@@ -44,7 +44,6 @@ pub(super) fn mend<L: Level>(
     Ok(())
 }
 
-/// The nodes and functions of a patch.
 struct Patch {
     /// Nodes of the edge; the first and the last one represent the part outside, if there is one.
     edge: Range<usize>,

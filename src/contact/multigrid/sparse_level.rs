@@ -22,7 +22,6 @@ pub(super) struct SparseLevel<'a, const C: usize> {
     columns: Vec<u32>,
     /// K divided by the unit.
     values: Vec<[[f32; C]; C]>,
-    /// Inverses of the diagonal blocks.
     inverses: Vec<[[f32; C]; C]>,
     colours: Vec<Vec<u32>>,
     /// The two coarse nodes whose midpoint is a given node.

@@ -4,10 +4,8 @@ use crate::error::{Error, Result};
 use crate::text::quoted;
 use std::str::FromStr;
 
-/// Name of the format in error messages.
 const FORMAT: &str = "msh";
 
-/// Lines with their numbers.
 pub(super) struct Lines<'a> {
     numbered: std::iter::Enumerate<std::str::Lines<'a>>,
     line: usize,
@@ -48,7 +46,6 @@ impl<'a> Lines<'a> {
         self.next().ok_or_else(|| self.fault("unexpected end of file"))
     }
 
-    /// The numbers of the next line.
     pub(super) fn numbers<T: FromStr>(&mut self) -> Result<Vec<T>> {
         self.next_line()?.split_whitespace().map(|word| self.number_of(word)).collect()
     }
@@ -57,7 +54,6 @@ impl<'a> Lines<'a> {
         word.parse().map_err(|_| self.fault(&format!("{} is not an admissible number", quoted(word))))
     }
 
-    /// The `N` numbers of the next line.
     pub(super) fn exactly<T: FromStr + Copy + Default, const N: usize>(&mut self) -> Result<[T; N]> {
         let numbers = self.numbers()?;
         numbers[..]
@@ -77,7 +73,6 @@ impl<'a> Lines<'a> {
         u64::try_from(given).map_err(|_| self.fault(&format!("{given} is not a count")))
     }
 
-    /// Skips a section that is not read.
     pub(super) fn skip_section(&mut self, header: &str) -> Result<()> {
         let (line, end) = (self.line, header.replacen('$', "$End", 1));
         while let Some(next) = self.next() {

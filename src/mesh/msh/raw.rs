@@ -15,11 +15,9 @@ pub(super) struct Surface {
 
 /// A line or a triangle of the file.
 pub(super) struct Element<T, const N: usize> {
-    /// Line in the file.
     pub(super) line: usize,
     /// The entity it belongs to.
     pub(super) of: T,
-    /// Tags of its nodes.
     pub(super) nodes: [u64; N],
 }
 
