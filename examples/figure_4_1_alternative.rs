@@ -8,7 +8,7 @@
 //! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0, −cos πx)
 //! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
 //! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
-use example_report::{figures::edge_trace, prelude::*};
+use example_report::prelude::*;
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
 
@@ -54,7 +54,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { n => theta, first, second, both, integral, carried_by });
         out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
         out.check("segments with nonzero term (4.9)").at_most(carried_by, u.transitions(), "transitions");
-        out.chart(format!("figure_4_1_alternative_h_{n}"), edge_trace(&u, shown));
+        out.edge_trace(&format!("figure_4_1_alternative_h_{n}"), &u, shown);
     }
     Ok(())
 }

@@ -26,7 +26,6 @@
 // `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
 // otherwise it fails, or is undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the
 // statement is false as printed. `observe` decides nothing.
-use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, Zones, gamma};
 
@@ -175,11 +174,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
     out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");
-    let axes = (Axis::logarithmic("θ, measure of the zone"), Axis::linear("constant over that of (0, θ)"));
-    let mut chart = Chart::new("Random zones of one to five intervals", axes.0, axes.1);
+    let axes = Axes::LogLinear("θ, measure of the zone", "constant over that of (0, θ)");
+    let plot = out.plot("remark_7_unions", "Random zones of one to five intervals", axes);
     for (k, unions) in found.into_iter().enumerate() {
-        chart = chart.with(Series::points(format!("intervals: {}", k + 1), unions));
+        plot.given_points(&format!("intervals: {}", k + 1), unions);
     }
-    out.chart("remark_7_unions", chart);
     Ok(())
 }

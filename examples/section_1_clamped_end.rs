@@ -23,7 +23,6 @@
 
 // `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
 // undecided within ±. Of several calls the worst counts.
-use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
@@ -130,12 +129,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     out.proof("contact on (0, ℓ), no transition near the end", "section_1_clamped_end");
-    out.chart("section_1_clamped_end", chart(&drawn));
+    plot(out, &drawn);
     Ok(())
 }
 
 /// One row per body and load: what every half decade is.
-fn chart(drawn: &[(String, Vec<RadialInterval>)]) -> Chart {
+fn plot(out: &mut Report, drawn: &[(String, Vec<RadialInterval>)]) {
     let dots = |wanted: bool| {
         let row = |(k, (_, parts)): (usize, &(String, Vec<RadialInterval>))| {
             let places = (0..240).map(|j| -0.25 - 0.5 * f64::from(j));
@@ -147,11 +146,9 @@ fn chart(drawn: &[(String, Vec<RadialInterval>)]) -> Chart {
         };
         drawn.iter().enumerate().flat_map(row).collect()
     };
-    let (x, y) = (
-        Axis::linear("log10 of the distance from the end"),
-        Axis::rows(drawn.iter().map(|d| d.0.clone()).collect()),
-    );
-    let chart =
-        Chart::new("Contact and gap near a clamped end, by Poisson's ratio and direction of the load", x, y);
-    chart.with(Series::points("contact", dots(true))).with(Series::points("gap", dots(false)))
+    let title = "Contact and gap near a clamped end, by Poisson's ratio and direction of the load";
+    let axes = Axes::Linear("log10 of the distance from the end", "");
+    let plot = out.plot("section_1_clamped_end", title, axes);
+    plot.named_rows(drawn.iter().map(|d| d.0.clone()).collect());
+    plot.given_points("contact", dots(true)).given_points("gap", dots(false));
 }

@@ -154,7 +154,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let named: Vec<_> = those.map(|(.., n, problem, u)| (name(n), problem, u)).collect();
             out.bodies(title, &named)?;
             if let Some((_, problem, u)) = named.last() {
-                out.contact_edge(format!("section_2_{body}_edge_{cone}"), title, problem, u);
+                out.contact_edge(&format!("section_2_{body}_edge_{cone}"), title, problem, u);
             }
         }
     }

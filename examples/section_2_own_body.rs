@@ -149,7 +149,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     if out.draws() {
         let (title, cone) = (name.replace('_', " "), options.cone);
         out.bodies(&title, &[(format!("section_2_own_{name}_body_{cone}"), &problem, &u)])?;
-        out.contact_edge(format!("section_2_own_{name}_edge_{cone}"), &title, &problem, &u);
+        out.contact_edge(&format!("section_2_own_{name}_edge_{cone}"), &title, &problem, &u);
     }
     options.files.as_deref().map_or(Ok(()), |directory| write_files(directory, &problem, &u))
 }

@@ -37,7 +37,6 @@
 
 // `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
 // undecided within ±. Of several calls the worst counts.
-use example_report::figures::{Axis, Chart, Series};
 use example_report::prelude::*;
 use nalgebra::Complex;
 use signorini::cone::Cone;
@@ -207,16 +206,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("read", "λ read", "at the corner of the solution");
     out.column("border", "border", "distance to the end of contact or gap at that corner");
     if out.draws() {
-        out.chart("section_2_singular_exponents", chart()?);
+        plot(out)?;
     }
     Ok(())
 }
 
 /// The first exponent that is no polynomial against the opening.
-fn chart() -> Result<Chart> {
-    let x = Axis::linear("opening in degrees").range(0.0, 360.0);
-    let y = Axis::linear("first Re λ, polynomials left out").range(0.0, 3.0);
-    let mut chart = Chart::new("Singular exponents", x, y);
+fn plot(out: &mut Report) -> Result<()> {
+    let axes = Axes::Linear("opening in degrees", "first Re λ, polynomials left out");
+    let plot = out.plot("section_2_singular_exponents", "Singular exponents", axes);
+    plot.ranges((0.0, 360.0), (0.0, 3.0));
     for sides in SideConditions::ALL {
         let mut points = Vec::new();
         // Off the round angles, at some of which the first exponent belongs to a polynomial by accident (D-N at 60°).
@@ -225,7 +224,7 @@ fn chart() -> Result<Chart> {
                 Wedge::new(degrees.to_radians(), sides, Medium::PlaneStrain(0.25))?.first_singular()?;
             points.extend(first.map(|exponent| (degrees, exponent.re.value)));
         }
-        chart = chart.with(Series::line(sides.to_string(), points));
+        plot.line(&sides.to_string(), points);
     }
-    Ok(chart)
+    Ok(())
 }

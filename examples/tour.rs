@@ -48,15 +48,14 @@ fn at<const N: usize>(found: &Outcome, keys: [&str; N]) -> Result<[f64; N]> {
 
 /// One line, and the claims of its example.
 fn line(out: &mut Report, step: &str, says: impl Into<String>, computed: String, found: &Outcome) {
-    let repaired =
-        found.checks().iter().any(|c| c.role() == Role::NotSharp && c.decision() == Decision::Holds);
+    let repaired = found.checks().iter().any(|c| c.role == Role::NotSharp && c.decision() == Decision::Holds);
     let status = match found.status() {
         Verdict::FalseAsPrinted if repaired => "not sharp [a]".to_owned(),
         Verdict::FalseAsPrinted => "loose [b]".to_owned(),
-        other => other.word().to_owned(),
+        other => other.to_string(),
     };
     out.row(cells! { step, says: says.into() => computed, so_it_is: status });
-    for check in found.checks().iter().filter(|check| check.role() == Role::Claim) {
+    for check in found.checks().iter().filter(|check| check.role == Role::Claim) {
         out.check("claims that fail or are undecided")
             .holds(check.decision() <= Decision::Holds, "checks of the examples");
     }

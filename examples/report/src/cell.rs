@@ -3,7 +3,6 @@
 use crate::Measured;
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use serde_json::{Value, json};
-use signorini::rates::ConvergenceOrder;
 
 /// Significant digits of a number with an error, of one without, and of columns of errors, all below 1e-3.
 const TEN: usize = 10;
@@ -34,23 +33,22 @@ impl Cell {
     /// The number with its error; [`Measured::NONE`] for text or a missing entry.
     pub fn number(&self) -> Measured {
         match self {
-            Cell::Number(value) => (*value).into(),
+            Cell::Number(value) | Cell::Named(_, value) => (*value).into(),
             Cell::Measured(measured) => *measured,
-            Cell::Named(_, value) => (*value).into(),
             Cell::Integer(count) => (*count as f64).into(),
             Cell::Text(_) | Cell::Missing => Measured::NONE,
         }
     }
 
     pub(crate) fn json(&self) -> Value {
-        let number = |v: f64| if v.is_finite() { json!(v) } else { json!(v.to_string()) };
         match self {
-            Cell::Number(value) => number(*value),
-            Cell::Measured(measured) => number(measured.value),
             Cell::Integer(count) => json!(count),
             Cell::Text(words) => json!(words),
-            Cell::Named(_, value) => number(*value),
             Cell::Missing => Value::Null,
+            _ => {
+                let value = self.number().value;
+                if value.is_finite() { json!(value) } else { json!(value.to_string()) }
+            }
         }
     }
 
@@ -64,21 +62,10 @@ impl Cell {
     }
 }
 
-macro_rules! cell_from {
-    ($($kind:ty => $make:expr),* $(,)?) => {
-        $(impl From<$kind> for Cell {
-            fn from(value: $kind) -> Self {
-                $make(value)
-            }
-        })*
-    };
-}
-
-cell_from! {
+conversions! { Cell:
     f64 => Cell::Number,
     Measured => Cell::Measured,
     Estimate => |estimate: Estimate| Cell::Measured(estimate.into()),
-    ConvergenceOrder => |found: ConvergenceOrder| Cell::Measured(found.into()),
     usize => |count: usize| i64::try_from(count).map_or(Cell::Number(count as f64), Cell::Integer),
     u32 => |count: u32| Cell::Integer(count.into()),
     i32 => |count: i32| Cell::Integer(count.into()),
@@ -146,8 +133,11 @@ pub(crate) fn shortest(value: f64) -> String {
 
 /// The given number of significant digits, in plain notation where that is short.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
-    if !value.is_finite() {
-        return if value.is_nan() { "–".to_owned() } else { shortest(value) };
+    if value.is_nan() {
+        return "–".to_owned();
+    }
+    if value.is_infinite() {
+        return shortest(value);
     }
     if value == 0.0 {
         return "0".to_owned();
@@ -177,26 +167,19 @@ pub(crate) fn measured_text(measured: Measured) -> String {
     if value.is_infinite() || error == 0.0 || error < 1e-7 * value.abs() {
         return bound_text(value);
     }
-    if !error.is_finite() {
-        return format!("{} ± ∞", significant(value, FIVE));
-    }
     format!("{} ± {}", significant(value, digits(measured, FIVE)), significant(error, 2))
 }
 
 /// A bound: in full if that is short, else to five digits, without trailing zeros.
 pub(crate) fn bound_text(value: f64) -> String {
     let short = shortest(value);
-    if value.is_finite() && short.chars().count() > SHORT {
+    if value.is_nan() || short.chars().count() > SHORT {
         let text = significant(value, FIVE);
-        let (mantissa, exponent) = text.split_once('e').map_or((&*text, None), |(m, e)| (m, Some(e)));
-        let trimmed = if mantissa.contains('.') {
-            mantissa.trim_end_matches('0').trim_end_matches('.')
-        } else {
-            mantissa
-        };
-        return exponent.map_or_else(|| trimmed.to_owned(), |e| format!("{trimmed}e{e}"));
+        let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
+        let trimmed = if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
+        return trimmed.trim_end_matches('.').to_owned() + exponent;
     }
-    if value.is_nan() { significant(value, FIVE) } else { short }
+    short
 }
 
 /// The texts of one column; of numbers with errors two columns.
@@ -206,13 +189,7 @@ pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
     let digits_of_numbers = if numbers().all(|value| value.abs() < 1e-3) { TWO } else { FIVE };
     let is_short = numbers().all(|value| shortest(value).chars().count() <= SHORT);
     let text = |cell: &&Cell| match cell {
-        Cell::Number(value) if is_short => {
-            if value.is_nan() {
-                "–".to_owned()
-            } else {
-                shortest(*value)
-            }
-        }
+        Cell::Number(value) if is_short && !value.is_nan() => shortest(*value),
         Cell::Number(value) => significant(*value, digits_of_numbers),
         Cell::Measured(measured) => significant(measured.value, digits(*measured, TEN)),
         Cell::Integer(count) => count.to_string(),

@@ -19,23 +19,13 @@ pub enum Decision {
 }
 
 impl Decision {
-    /// The mark at the beginning of the printed line.
-    pub fn mark(self) -> char {
+    /// The mark at the beginning of the printed line, and the name in the JSON output.
+    pub(crate) fn mark_and_word(self) -> (char, &'static str) {
         match self {
-            Decision::ByProof => '∎',
-            Decision::Holds => '✓',
-            Decision::Undecided => '?',
-            Decision::Fails => '✗',
-        }
-    }
-
-    /// The name of the decision in the JSON output.
-    pub fn word(self) -> &'static str {
-        match self {
-            Decision::ByProof => "by proof",
-            Decision::Holds => "holds",
-            Decision::Undecided => "undecided",
-            Decision::Fails => "fails",
+            Decision::ByProof => ('∎', "by proof"),
+            Decision::Holds => ('✓', "holds"),
+            Decision::Undecided => ('?', "undecided"),
+            Decision::Fails => ('✗', "fails"),
         }
     }
 }
@@ -71,18 +61,23 @@ enum Relation {
     AtMost,
     AtLeast,
     Near(f64),
+    /// None: the claim is proved on that page of the book.
+    Proof(&'static str),
 }
 
 /// A claim with the comparison that decides it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Checked {
-    pub(crate) claim: String,
-    pub(crate) role: Role,
-    value: Measured,
+    /// The claim.
+    pub claim: String,
+    /// The effect of the check on the status of the statement.
+    pub role: Role,
+    /// The number that is compared, with its error.
+    pub value: Measured,
     relation: Relation,
     bound: Measured,
-    pub(crate) source: String,
-    proof: Option<String>,
+    /// The source of the bound.
+    pub source: String,
     /// The number of times it was reported.
     pub(crate) cases: usize,
 }
@@ -93,29 +88,9 @@ impl Checked {
         slug(&self.claim)
     }
 
-    /// The claim.
-    pub fn claim(&self) -> &str {
-        &self.claim
-    }
-
-    /// The effect of the check on the status of the statement.
-    pub fn role(&self) -> Role {
-        self.role
-    }
-
-    /// The source of the bound.
-    pub fn source(&self) -> &str {
-        &self.source
-    }
-
-    /// The number that is compared, with its error.
-    pub fn value(&self) -> Measured {
-        self.value
-    }
-
     /// The result of the comparison.
     pub fn decision(&self) -> Decision {
-        if self.proof.is_some() {
+        if let Relation::Proof(_) = self.relation {
             return Decision::ByProof;
         }
         let slack = self.value.error + self.bound.error;
@@ -132,14 +107,11 @@ impl Checked {
 
     /// The amount by which the relation is violated.
     fn excess(&self) -> f64 {
-        let distance = self.value.value - self.bound.value;
+        // Equal infinities are no difference.
+        let is_equal = self.value.value == self.bound.value;
+        let distance = if is_equal { 0.0 } else { self.value.value - self.bound.value };
         match self.relation {
-            // Equal infinities are no difference.
-            _ if self.value.value == self.bound.value => match self.relation {
-                Relation::Near(tolerance) => -tolerance,
-                _ => 0.0,
-            },
-            Relation::AtMost => distance,
+            Relation::AtMost | Relation::Proof(_) => distance,
             Relation::AtLeast => -distance,
             Relation::Near(tolerance) => distance.abs() - tolerance,
         }
@@ -173,21 +145,16 @@ impl Checked {
 
     /// The number, and relation with bound; or the page of a proof.
     pub(crate) fn parts(&self) -> [String; 2] {
-        if let Some(page) = &self.proof {
-            return ["proof".to_owned(), format!("page {page}")];
-        }
-        let sign = match (self.relation, self.decision()) {
-            (_, Decision::Undecided) => match self.relation {
-                Relation::AtMost => "≤?",
-                Relation::AtLeast => "≥?",
-                Relation::Near(_) => "=?",
-            },
-            (Relation::AtMost, Decision::Fails) => ">",
-            (Relation::AtMost, _) => "≤",
-            (Relation::AtLeast, Decision::Fails) => "<",
-            (Relation::AtLeast, _) => "≥",
-            (Relation::Near(_), Decision::Fails) => "≠",
-            (Relation::Near(_), _) => "=",
+        let signs = match self.relation {
+            Relation::AtMost => ["≤", "≤?", ">"],
+            Relation::AtLeast => ["≥", "≥?", "<"],
+            Relation::Near(_) => ["=", "=?", "≠"],
+            Relation::Proof(page) => return ["proof".to_owned(), format!("page {page}")],
+        };
+        let sign = match self.decision() {
+            Decision::ByProof | Decision::Holds => signs[0],
+            Decision::Undecided => signs[1],
+            Decision::Fails => signs[2],
         };
         let tolerance = match self.relation {
             Relation::Near(tolerance) if tolerance > 0.0 => format!(" ± {}", bound_text(tolerance)),
@@ -198,42 +165,42 @@ impl Checked {
 
     /// The claim, followed by its comparison in parentheses unless it is true by proof.
     pub fn words(&self) -> String {
-        if self.proof.is_some() {
-            self.claim.clone()
-        } else {
-            format!("{} ({})", self.claim, self.comparison())
+        match self.relation {
+            Relation::Proof(_) => self.claim.clone(),
+            _ => format!("{} ({})", self.claim, self.comparison()),
         }
     }
 
     /// The check as a JSON object, with all digits of its numbers.
-    pub fn json(&self) -> Value {
+    pub(crate) fn json(&self) -> Value {
+        let mut comparison = self.comparison();
+        if !self.source.is_empty() {
+            comparison = format!("{comparison}, {}", self.source);
+        }
         let mut object = json!({
             "finding": self.key(),
-            "outcome": self.decision().word(),
+            "outcome": self.decision().mark_and_word().1,
             "role": self.role.word(),
             "words": self.words(),
-            "comparison": if self.source.is_empty() { self.comparison() } else { format!("{}, {}", self.comparison(), self.source) },
+            "comparison": comparison,
             "cases": self.cases,
         });
-        match &self.proof {
-            Some(page) => object["proof"] = page.as_str().into(),
-            None => {
-                let (relation, tolerance) = match self.relation {
-                    Relation::AtMost => ("at most", None),
-                    Relation::AtLeast => ("at least", None),
-                    Relation::Near(tolerance) => ("within", Some(tolerance)),
-                };
-                let numbers = [
-                    ("value", Some(self.value.value)),
-                    ("uncertainty", Some(self.value.error)),
-                    ("bound", Some(self.bound.value)),
-                    ("tolerance", tolerance),
-                ];
-                object["relation"] = relation.into();
-                for (key, number) in numbers.into_iter().filter_map(|(key, n)| Some((key, n?))) {
-                    object[key] = if number.is_finite() { number.into() } else { number.to_string().into() };
-                }
+        let relation = match self.relation {
+            Relation::AtMost => "at most",
+            Relation::AtLeast => "at least",
+            Relation::Near(_) => "within",
+            Relation::Proof(page) => {
+                object["proof"] = page.into();
+                return object;
             }
+        };
+        object["relation"] = relation.into();
+        let number = |value: f64| if value.is_finite() { value.into() } else { value.to_string().into() };
+        object["value"] = number(self.value.value);
+        object["uncertainty"] = number(self.value.error);
+        object["bound"] = number(self.bound.value);
+        if let Relation::Near(tolerance) = self.relation {
+            object["tolerance"] = number(tolerance);
         }
         object
     }
@@ -261,12 +228,12 @@ impl<'a> Claim<'a> {
 
     /// Records the claim value ≤ bound; `source` is the source of the bound.
     pub fn at_most(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
-        self.compared(value.into(), Relation::AtMost, bound.into(), source);
+        self.record(value.into(), Relation::AtMost, bound.into(), source);
     }
 
     /// Records the claim value ≥ bound.
     pub fn at_least(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
-        self.compared(value.into(), Relation::AtLeast, bound.into(), source);
+        self.record(value.into(), Relation::AtLeast, bound.into(), source);
     }
 
     /// Records the claim |value − expected| ≤ tolerance.
@@ -277,49 +244,31 @@ impl<'a> Claim<'a> {
         tolerance: f64,
         source: &str,
     ) {
-        self.compared(value.into(), Relation::Near(tolerance), expected.into(), source);
+        self.record(value.into(), Relation::Near(tolerance), expected.into(), source);
     }
 
     /// Records a condition without a number, as number of violations ≤ 0.
     pub fn holds(self, is_true: bool, source: &str) {
-        self.compared(f64::from(u8::from(!is_true)).into(), Relation::AtMost, 0.0.into(), source);
+        self.at_most(if is_true { 0.0 } else { 1.0 }, 0.0, source);
     }
 
     /// True by the proof on that page of the book.
-    pub(crate) fn by_proof(self, page: &str) {
-        let check = Checked {
-            claim: self.claim,
-            role: self.role,
-            value: Measured::NONE,
-            relation: Relation::AtMost,
-            bound: Measured::NONE,
-            source: String::new(),
-            proof: Some(page.to_owned()),
-            cases: 1,
-        };
-        self.checks.push(check);
+    pub(crate) fn by_proof(self, page: &'static str) {
+        self.record(Measured::NONE, Relation::Proof(page), Measured::NONE, "");
     }
 
-    fn compared(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
-        let mut check = Checked {
-            claim: self.claim,
-            role: self.role,
-            value,
-            relation,
-            bound,
-            source: source.to_owned(),
-            proof: None,
-            cases: 1,
-        };
-        match self.checks.iter_mut().find(|known| known.claim == check.claim) {
+    fn record(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
+        let Self { checks, claim, role } = self;
+        let mut check = Checked { claim, role, value, relation, bound, source: source.to_owned(), cases: 1 };
+        match checks.iter_mut().find(|known| known.claim == check.claim) {
             Some(known) => {
-                let cases = known.cases + 1;
+                check.cases = known.cases + 1;
+                known.cases = check.cases;
                 if check.is_worse_than(known) {
-                    std::mem::swap(known, &mut check);
+                    *known = check;
                 }
-                known.cases = cases;
             }
-            None => self.checks.push(check),
+            None => checks.push(check),
         }
     }
 }
@@ -358,26 +307,5 @@ mod tests {
         Claim::new(&mut checks, "small".to_owned(), Role::Claim).at_most(1.5, 1.0, "");
         Claim::new(&mut checks, "small".to_owned(), Role::Claim).at_most(0.1, 1.0, "");
         assert_eq!(checks[0].decision(), Decision::Fails);
-    }
-
-    #[test]
-    fn every_relation_can_be_turned() {
-        let all = [
-            decided(|c| c.at_most(0.5, (1.0, 0.1), "")),
-            decided(|c| c.at_least(2.0, 1.0, "")),
-            decided(|c| c.near(1.0, 1.0, 1e-3, "")),
-            decided(|c| c.holds(true, "")),
-        ];
-        for check in all {
-            for wanted in [Decision::Holds, Decision::Undecided, Decision::Fails] {
-                assert_eq!(check.moved(wanted).decision(), wanted, "{check:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn keys_are_letters_digits_and_hyphens() {
-        assert_eq!(decided(|c| c.at_most(0.0, 1.0, "")).key(), "gamma-1-at-nu-1-2");
-        assert_eq!(slug("ν = 0.25: slope"), "nu-0.25-slope");
     }
 }

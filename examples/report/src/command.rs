@@ -4,11 +4,11 @@
 use crate::files::{require_writable, write_whole};
 use crate::options::{command, describe};
 use crate::{Declarations, Error, Outcome, Report, Result};
+use clap::ArgMatches;
 use std::io::{IsTerminal, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::ExitCode;
-use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
-use std::thread::JoinHandle;
+use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 /// Parses the command line, runs the example, prints its outcome and returns the exit code.
@@ -21,17 +21,7 @@ pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode
         let _ = writeln!(std::io::stdout(), "{}", describe::<P>());
         return ExitCode::SUCCESS;
     }
-    let text = |name: &str| match matches.try_get_one::<bool>(name) {
-        Ok(flag) => flag.map_or(String::new(), ToString::to_string),
-        Err(_) => matches.get_one::<String>(name).cloned().unwrap_or_default(),
-    };
-    let asked = Asked {
-        json: matches.get_flag("json"),
-        out: matches.get_one::<String>("out").map(PathBuf::from),
-        values: matches.get_one::<String>("values").map(PathBuf::from),
-        fault: matches.get_one::<String>("fault").cloned(),
-    };
-    match asked.answer::<P>(&text, run) {
+    match answer(&matches, run) {
         Ok(outcome) => ExitCode::from(outcome.exit_code()),
         Err(error) => {
             eprintln!("error: {error}");
@@ -40,64 +30,48 @@ pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode
     }
 }
 
-/// The destinations of the outcome.
-struct Asked {
-    json: bool,
-    out: Option<PathBuf>,
-    values: Option<PathBuf>,
-    fault: Option<String>,
-}
-
-impl Asked {
-    fn answer<P: Declarations>(
-        &self,
-        text: &dyn Fn(&str) -> String,
-        run: fn(&P, &mut Report) -> Result<()>,
-    ) -> Result<Outcome> {
-        for option in P::declared() {
-            option.check(&text(option.name))?;
-        }
-        let options = P::read(text)?;
-        self.values.as_deref().map_or(Ok(()), require_writable)?;
-        let directory = self.out.as_deref().map(writable_directory).transpose()?;
-        let mut report = Report::of::<P>();
-        report.draws = directory.is_some();
-        let clock = Clock::start();
-        let ended = run(&options, &mut report);
-        drop(clock);
-        ended?;
-        let mut outcome = report.close();
-        match self.fault.as_deref() {
-            Some("every") => outcome.turns()?,
-            Some(check) => outcome.plant(check)?,
-            None => {}
-        }
-        if let Some(directory) = directory {
-            outcome.save_pictures(directory)?;
-        }
-        if let Some(file) = &self.values {
-            write_whole(file, &outcome.json())?;
-        }
-        let text = match self.json {
-            true => outcome.json_lines(),
-            false => outcome.text(std::io::stdout().is_terminal()),
-        };
-        // A closed pipe (`| head`) is the reader's choice, not a failure.
-        let _ = std::io::stdout().write_all(text.as_bytes());
-        Ok(outcome)
+fn answer<P: Declarations>(matches: &ArgMatches, run: fn(&P, &mut Report) -> Result<()>) -> Result<Outcome> {
+    let given = |name: &str| matches.get_one::<String>(name);
+    let options = P::read(&|name, _| match matches.try_get_one::<bool>(name) {
+        Ok(flag) => flag.map_or(String::new(), ToString::to_string),
+        Err(_) => given(name).cloned().unwrap_or_default(),
+    })?;
+    let values = given("values").map(Path::new);
+    values.map_or(Ok(()), require_writable)?;
+    let directory = given("out").map(Path::new);
+    directory.map_or(Ok(()), require_writable_directory)?;
+    let mut report = Report::of::<P>();
+    report.draws = directory.is_some();
+    with_clock(|| run(&options, &mut report))?;
+    let mut outcome = report.close();
+    match given("fault").map(String::as_str) {
+        Some("every") => outcome.turns()?,
+        Some(check) => outcome.plant(check)?,
+        None => {}
     }
+    if let Some(directory) = directory {
+        outcome.save_pictures(directory)?;
+    }
+    if let Some(file) = values {
+        write_whole(file, &outcome.json())?;
+    }
+    let text = match matches.get_flag("json") {
+        true => outcome.json_lines(),
+        false => outcome.text(std::io::stdout().is_terminal()),
+    };
+    // A closed pipe (`| head`) is the reader's choice, not a failure.
+    let _ = std::io::stdout().write_all(text.as_bytes());
+    Ok(outcome)
 }
 
-/// Displays the elapsed seconds on a terminal, from the third second until it is dropped.
-struct Clock(Option<Sender<()>>, Option<JoinHandle<()>>);
-
-impl Clock {
-    fn start() -> Self {
-        if !std::io::stderr().is_terminal() {
-            return Self(None, None);
-        }
-        let (end, ended) = channel();
-        let count = move || {
+/// Displays the elapsed seconds on a terminal, from the third second of the work to its end.
+fn with_clock<T>(work: impl FnOnce() -> T) -> T {
+    if !std::io::stderr().is_terminal() {
+        return work();
+    }
+    let (end, ended) = channel::<()>();
+    std::thread::scope(|scope| {
+        scope.spawn(move || {
             let mut seconds = 0;
             while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
                 seconds += 1;
@@ -108,27 +82,19 @@ impl Clock {
             if seconds > 2 {
                 eprint!("\r\u{1b}[K");
             }
-        };
-        Self(Some(end), Some(std::thread::spawn(count)))
-    }
-}
-
-impl Drop for Clock {
-    fn drop(&mut self) {
-        drop(self.0.take());
-        // A clock that failed has nothing left to show.
-        self.1.take().map(JoinHandle::join).transpose().ok();
-    }
+        });
+        let _end = end;
+        work()
+    })
 }
 
 /// Creates a directory if it does not exist and checks that it is writable, before the computation.
-fn writable_directory(directory: &Path) -> Result<&Path> {
+fn require_writable_directory(directory: &Path) -> Result<()> {
     std::fs::create_dir_all(directory).map_err(|error| Error::file(directory, error))?;
     require_writable(&directory.join(".write-probe")).map_err(|error| match error {
         Error::File { reason, .. } => Error::file(directory, reason),
         other => other,
-    })?;
-    Ok(directory)
+    })
 }
 
 /// `--help` goes to stdout; anything else is one line on stderr.

@@ -9,12 +9,6 @@ pub enum Error {
     /// An error of the library.
     #[error(transparent)]
     Library(#[from] signorini::Error),
-    /// A picture could not be drawn.
-    #[error("picture: {reason}")]
-    Figure {
-        /// Description of the error.
-        reason: String,
-    },
     /// An option that is invalid or incompatible with another one.
     #[error("{0}")]
     Option(String),

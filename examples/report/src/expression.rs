@@ -196,13 +196,11 @@ impl Reader<'_> {
             "e" => return Ok(Expression::number(std::f64::consts::E)),
             _ => {}
         }
-        let has_arguments = self.peek() == Some('(');
-        let bare = || Err(format!("'{word}' needs its argument in parentheses: {word}(..)"));
         if let Some(&(_, f)) = ONE.iter().find(|(name, _)| *name == word) {
-            let [a] = if has_arguments { self.arguments(&word)? } else { return bare() };
+            let [a] = self.arguments(&word)?;
             Ok(Expression(Arc::new(move |point| f(a.at(point)))))
         } else if let Some(&(_, f)) = TWO.iter().find(|(name, _)| *name == word) {
-            let [a, b] = if has_arguments { self.arguments(&word)? } else { return bare() };
+            let [a, b] = self.arguments(&word)?;
             Ok(Expression::two(f, a, b))
         } else {
             let known: Vec<&str> = ONE.iter().map(|f| f.0).chain(TWO.map(|f| f.0)).collect();
@@ -212,21 +210,19 @@ impl Reader<'_> {
 
     /// ( sum {, sum} ), with the given number of arguments.
     fn arguments<const N: usize>(&mut self, of: &str) -> Checked<[Expression; N]> {
-        self.takes('(');
+        if !self.takes('(') {
+            return Err(format!("'{of}' needs its argument in parentheses: {of}(..)"));
+        }
         let mut arguments = vec![self.sum()?];
         while self.takes(',') {
             arguments.push(self.sum()?);
         }
-        match self.peek() {
-            Some(')') => {
-                self.takes(')');
-                let wrong =
-                    |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
-                arguments.try_into().map_err(wrong)
-            }
-            None => Err("a parenthesis is not closed".to_owned()),
-            Some(_) => Err(self.two_in_a_row()),
+        if !self.takes(')') {
+            let is_open = self.rest.is_empty();
+            return Err(if is_open { "a parenthesis is not closed".to_owned() } else { self.two_in_a_row() });
         }
+        let wrong = |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
+        arguments.try_into().map_err(wrong)
     }
 }
 

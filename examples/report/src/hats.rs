@@ -81,38 +81,3 @@ pub fn largest_eigenvalue(m: &DMatrix<f64>, a: &DMatrix<f64>) -> Result<f64> {
     let whole: DMatrix<f64> = root.solve_lower_triangular(&half.transpose()).ok_or_else(failed)?;
     Ok(whole.symmetric_eigenvalues().max())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn hat_functions_have_their_integrals() {
-        let mesh = Mesh::from_nodes(&[0.0, 0.25, 0.5, 1.0]).unwrap();
-        let x = DVector::from(mesh.nodes()); // ∫ x² = 1/3
-        assert!((x.dot(&(mass_matrix(&mesh) * &x)) - 1.0 / 3.0).abs() < 1e-15);
-        let basis = mean_zero_basis(&mesh, 0.0..0.5);
-        let means = DVector::from(vec![0.125, 0.25, 0.125, 0.0]).transpose() * &basis;
-        assert!(basis.shape() == (4, 3) && means.amax() < 1e-15);
-    }
-
-    #[test]
-    fn a_constant_has_the_energy_of_its_slope_and_an_obstacle_stops_it() {
-        let a = harmonic_energy(8);
-        let one = DVector::from_element(9, 1.0);
-        assert!((one.dot(&(&a * &one)) - 1.0).abs() < 1e-14);
-        let v = constrained_minimiser(&a, &(&a * &one), &DMatrix::identity(9, 9)).unwrap();
-        assert!(v.amax() < 1e-12);
-        let v = constrained_minimiser(&a, &(&a * -&one), &DMatrix::identity(9, 9)).unwrap();
-        assert!((v + one).amax() < 1e-12);
-    }
-
-    #[test]
-    fn a_pencil_of_two_by_two() {
-        let m = DMatrix::from_row_slice(2, 2, &[2.0, 1.0, 1.0, 2.0]);
-        let a = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 4.0]);
-        // det(M − λ A) = (2 − λ)(2 − 4λ) − 1 = 4 λ² − 10 λ + 3
-        assert!((largest_eigenvalue(&m, &a).unwrap() - (10.0 + 52f64.sqrt()) / 8.0).abs() < 1e-14);
-        assert!(largest_eigenvalue(&m, &-a).is_err());
-    }
-}

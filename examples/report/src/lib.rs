@@ -14,8 +14,8 @@
 //! | `out.observe("pre-asymptotic order")` | compared and shown; no effect on the status |
 //! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
 //! | `out.note("sharpness", value)` | a number to be quoted |
-//! | `out.order("h", "error")` | order of convergence over the last rows that differ only in `h` |
-//! | `out.plot(..)`, `out.chart(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
+//! | `out.exponent("h", "error")` | slope of logarithms between the last two rows that differ only in `h` |
+//! | `out.plot(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
 //!
 //! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
 //! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if
@@ -27,18 +27,28 @@
 //! *open* if there is none with a number (exit code 1); else *false as printed*, *not sharp*, *loose*,
 //! *true*.
 
+/// Implements `From` for a type, by a function of each of these types.
+macro_rules! conversions {
+    ($target:ty: $($kind:ty => $make:expr),* $(,)?) => {
+        $(impl From<$kind> for $target {
+            fn from(value: $kind) -> Self {
+                $make(value)
+            }
+        })*
+    };
+}
+
 mod cell;
 mod check;
 mod command;
 mod error;
 mod expression;
-pub mod figures;
+mod figures;
 mod files;
 mod hats;
 mod measured;
 mod options;
 mod outcome;
-mod plot;
 mod report;
 mod shown;
 mod words;
@@ -48,11 +58,11 @@ pub use check::{Checked, Claim, Decision, Role};
 pub use command::main;
 pub use error::{Error, Result};
 pub use expression::Expression;
+pub use figures::{Axes, Plot};
 pub use hats::{constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis};
 pub use measured::{Measured, largest, order_of_squares, smallest};
-pub use options::{Declarations, Declared, OptionValue};
+pub use options::{Declarations, Declared, OptionValue, read_option};
 pub use outcome::{Outcome, Verdict};
-pub use plot::{Axes, Plot};
 pub use report::Report;
 
 /// The items that examples use.
@@ -82,7 +92,7 @@ pub mod prelude {
 ///     }
 ///     Ok(())
 /// }
-/// assert_eq!(outcome(&Options::default()).unwrap().status().word(), "true");
+/// assert_eq!(outcome(&Options::default()).unwrap().status().to_string(), "true");
 /// ```
 #[macro_export]
 macro_rules! example {
@@ -101,19 +111,17 @@ macro_rules! example {
             const COST: &'static str = stringify!($cost);
 
             fn declared() -> Vec<$crate::Declared> {
-                vec![$({
-                    #[allow(unused_mut, unused_assignments, reason = "not every option is bounded")]
-                    let (mut range, mut slider) = ("", "");
-                    $(range = $range;)?
-                    $(slider = $slider;)?
-                    $crate::Declared::of::<$kind>(stringify!($field), concat!($($help),+), $default, range, slider)
-                }),*]
+                vec![$($crate::Declared::of::<$kind>([
+                    stringify!($field), concat!($($help),+), $default, concat!($($range)?), concat!($($slider)?)
+                ])),*]
             }
 
-            fn read(given: &dyn Fn(&str) -> String) -> $crate::Result<Self> {
+            fn read(given: &dyn Fn(&str, &str) -> String) -> $crate::Result<Self> {
                 let _ = given;
-                Ok(Self { $($field: $crate::OptionValue::read(&given(stringify!($field)))
-                    .map_err(|what| $crate::Error::option(stringify!($field), &what))?,)* })
+                Ok(Self { $($field: {
+                    let name = stringify!($field);
+                    $crate::read_option(name, &given(name, $default), $default, concat!($($range)?))?
+                },)* })
             }
         }
 

@@ -64,34 +64,12 @@ impl Measured {
     }
 }
 
-impl From<f64> for Measured {
-    fn from(value: f64) -> Self {
-        Self { value, error: 0.0 }
-    }
-}
-
-impl From<usize> for Measured {
-    fn from(value: usize) -> Self {
-        (value as f64).into()
-    }
-}
-
-impl From<(f64, f64)> for Measured {
-    fn from((value, error): (f64, f64)) -> Self {
-        Self::new(value, error)
-    }
-}
-
-impl From<Estimate> for Measured {
-    fn from(estimate: Estimate) -> Self {
-        Self::new(estimate.value, estimate.error)
-    }
-}
-
-impl From<ConvergenceOrder> for Measured {
-    fn from(found: ConvergenceOrder) -> Self {
-        Self::new(found.order, found.uncertainty)
-    }
+conversions! { Measured:
+    f64 => |value: f64| Measured { value, error: 0.0 },
+    usize => |count: usize| Measured::from(count as f64),
+    (f64, f64) => |(value, error): (f64, f64)| Measured::new(value, error),
+    Estimate => |estimate: Estimate| Measured::new(estimate.value, estimate.error),
+    ConvergenceOrder => |found: ConvergenceOrder| Measured::new(found.order, found.uncertainty),
 }
 
 impl<T: Into<Measured>> From<Option<T>> for Measured {

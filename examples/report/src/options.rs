@@ -1,13 +1,14 @@
 //! Options of an example: declaration, parsing by clap, and description for the pages of the book.
 
 use crate::{Error, Result};
-use clap::{Arg, ArgAction, Command};
+use clap::{Arg, ArgAction, Command, arg};
 use fractional_sobolev::{Order, Tolerance};
 use serde_json::{Value, json};
 use signorini::cone::Cone;
 use signorini::problems::{NamedProblem, StripData, TestProblem};
 use signorini::singular::SideConditions;
 use signorini::strip::StripKind;
+use std::path::{Path, PathBuf};
 
 /// Options of an example; implemented by [`crate::example!`].
 pub trait Declarations: Sized {
@@ -21,91 +22,58 @@ pub trait Declarations: Sized {
     /// All options.
     fn declared() -> Vec<Declared>;
 
-    /// Parses all options.
+    /// Parses all options; `given` returns the text of an option, from its name and default.
     ///
     /// # Errors
-    /// The first option that cannot be parsed.
-    fn read(given: &dyn Fn(&str) -> String) -> Result<Self>;
+    /// The first option that cannot be parsed or is out of its range.
+    fn read(given: &dyn Fn(&str, &str) -> String) -> Result<Self>;
 
     /// The options of an empty command line.
     ///
     /// # Panics
     /// A default that cannot be parsed: an error of the declaration.
     fn of_defaults() -> Self {
-        let declared = Self::declared();
-        let default = |name: &str| {
-            declared
-                .iter()
-                .find(|option| option.name == name)
-                .map_or(String::new(), |option| option.default.to_owned())
-        };
-        Self::read(&default).unwrap_or_else(|error| panic!("{}: {error}", Self::LABEL))
+        let options = Self::read(&|_, default| default.to_owned());
+        options.unwrap_or_else(|error| panic!("{}: {error}", Self::LABEL))
     }
 }
 
 /// The declaration of one option.
 #[derive(Debug, Clone)]
 pub struct Declared {
-    pub(crate) name: &'static str,
+    name: &'static str,
     help: &'static str,
-    pub(crate) default: &'static str,
+    default: &'static str,
     range: &'static str,
     slider: &'static str,
-    pub(crate) kind: &'static str,
+    kind: &'static str,
     list: bool,
     choices: Vec<String>,
-    check: fn(&str, &str) -> std::result::Result<(), String>,
 }
 
 impl Declared {
     /// An option of type `T`; `range` such as "(0, 1]", `slider` such as "0.1 to 10" or "0.1 to 10 by
     /// factors"; each may be empty.
-    pub fn of<T: OptionValue>(
-        name: &'static str,
-        help: &'static str,
-        default: &'static str,
-        range: &'static str,
-        slider: &'static str,
-    ) -> Self {
-        let check = |text: &str, range: &str| {
-            let value = T::read(text)?;
-            value.places().into_iter().try_for_each(|place| within(place, range))
-        };
-        Self {
-            name,
-            help: help.trim(),
-            default,
-            range,
-            slider,
-            kind: T::KIND,
-            list: T::LIST,
-            choices: T::choices(),
-            check,
-        }
+    pub fn of<T: OptionValue>([name, help, default, range, slider]: [&'static str; 5]) -> Self {
+        let help = help.trim();
+        Self { name, help, default, range, slider, kind: T::KIND, list: T::LIST, choices: T::choices() }
     }
 
-    /// Checks that a text is a value of this option.
-    pub(crate) fn check(&self, text: &str) -> Result<()> {
-        if self.list && text.trim().is_empty() && !self.default.is_empty() {
-            return Err(Error::option(self.name, "a value is missing"));
+    fn argument(&self) -> Arg {
+        let mut help = self.help.to_owned();
+        if !self.range.is_empty() {
+            help += &format!(", in {}", self.range);
         }
-        (self.check)(text, self.range).map_err(|what| Error::option(self.name, &what))
-    }
-
-    pub(crate) fn argument(&self) -> Arg {
-        let long = self.name.replace('_', "-");
-        let range = if self.range.is_empty() { String::new() } else { format!(", in {}", self.range) };
-        let choices =
-            if self.choices.is_empty() { String::new() } else { format!(": {}", self.choices.join(", ")) };
-        let argument = Arg::new(self.name).long(long).help(format!("{}{range}{choices}", self.help));
+        if !self.choices.is_empty() {
+            help += &format!(": {}", self.choices.join(", "));
+        }
+        let argument = Arg::new(self.name).long(self.name.replace('_', "-")).help(help);
         if self.kind == "flag" {
             return argument.action(ArgAction::SetTrue);
         }
-        // A value may be a negative number, so that `--nu -0.1` is answered by what it means.
-        let argument = match self.kind {
-            // Also a list of numbers, since `-0.5,0` is none.
-            "text" => argument.allow_hyphen_values(true),
-            "number" if self.list => argument.allow_hyphen_values(true),
+        // A value may be a negative number, so that `--nu -0.1` is answered by what it means; `-0.5,0` is no number.
+        let argument = match (self.kind, self.list) {
+            ("text", _) | ("number", true) => argument.allow_hyphen_values(true),
             _ => argument.allow_negative_numbers(true),
         };
         if self.default.is_empty() { argument } else { argument.default_value(self.default) }
@@ -113,7 +81,9 @@ impl Declared {
 
     /// The description for the pages of the book; `None` for an option that they do not offer.
     fn json(&self) -> Option<Value> {
-        let offered = !matches!(self.kind, "file" | "text");
+        if matches!(self.kind, "file" | "text") {
+            return None;
+        }
         let mut option = json!({
             "name": self.name.replace('_', "-"),
             "help": self.help,
@@ -127,17 +97,14 @@ impl Declared {
         if let Some((low, high)) = ends(self.range) {
             option["range"] = json!([low, high]);
         }
-        let (by_factors, slider) = match self.slider.strip_suffix(" by factors") {
-            Some(slider) => (true, slider),
-            None => (false, self.slider),
-        };
-        if let Some((Ok(low), Ok(high))) =
-            slider.split_once(" to ").map(|(a, b)| (a.parse::<f64>(), b.parse::<f64>()))
+        let steps = self.slider.strip_suffix(" by factors");
+        if let Some((low, high)) = steps.unwrap_or(self.slider).split_once(" to ")
+            && let (Ok(low), Ok(high)) = (low.parse::<f64>(), high.parse::<f64>())
         {
             option["slider"] = json!([low, high]);
-            option["scale"] = json!(if by_factors { "factors" } else { "steps" });
+            option["scale"] = json!(if steps.is_some() { "factors" } else { "steps" });
         }
-        offered.then_some(option)
+        Some(option)
     }
 }
 
@@ -149,29 +116,33 @@ pub(crate) fn describe<P: Declarations>() -> Value {
 
 /// The command line of an example.
 pub(crate) fn command<P: Declarations>() -> Command {
-    let name = std::env::args().next().unwrap_or_default();
-    let name = std::path::Path::new(&name)
-        .file_stem()
-        .map_or("example".to_owned(), |n| n.to_string_lossy().into_owned());
-    let flag = |name: &'static str, help: &'static str| {
-        Arg::new(name).long(name).help(help).action(ArgAction::SetTrue)
-    };
-    let file =
-        |name: &'static str, help: &'static str| Arg::new(name).long(name).help(help).value_name("PATH");
-    Command::new(name)
+    let path = std::env::args().next().unwrap_or_default();
+    let name = Path::new(&path).file_stem().map_or("example".into(), |stem| stem.to_string_lossy());
+    Command::new(name.into_owned())
         .about(format!("{}: {}", P::LABEL, P::STATEMENT))
         .args(P::declared().iter().map(Declared::argument))
-        .arg(flag("json", "one JSON object per row and check, with all digits"))
-        .arg(file("out", "directory for pictures (SVG)"))
-        .arg(file("values", "file for the whole outcome as one JSON object, read by the book").hide(true))
-        .arg(flag("describe", "print the options as JSON, without a computation").hide(true))
+        .arg(arg!(--json "one JSON object per row and check, with all digits"))
+        .arg(arg!(--out <PATH> "directory for pictures (SVG)"))
         .arg(
-            Arg::new("fault")
-                .long("fault")
-                .value_name("CHECK")
-                .help("move the value of a check across its bound; with `every`, each check in turn, outcome unchanged")
+            arg!(--values <PATH> "file for the whole outcome as one JSON object, read by the book")
                 .hide(true),
         )
+        .arg(arg!(--describe "print the options as JSON, without a computation").hide(true))
+        .arg(
+            arg!(--fault <CHECK> "move the value of a check across its bound; `every`: each in turn")
+                .hide(true),
+        )
+}
+
+/// The value of an option; a number has to lie in the range.
+///
+/// # Errors
+/// [`Error::Option`] with the reason.
+pub fn read_option<T: OptionValue>(name: &str, text: &str, default: &str, range: &str) -> Result<T> {
+    if T::LIST && text.trim().is_empty() && !default.is_empty() {
+        return Err(Error::option(name, "a value is missing"));
+    }
+    T::read(text, range).map_err(|what| Error::option(name, &what))
 }
 
 /// Whether a number lies in an interval such as "(0, 1]".
@@ -197,19 +168,14 @@ pub trait OptionValue: Sized {
     /// True if a comma-separated list is expected.
     const LIST: bool = false;
 
-    /// Parses the text of the command line.
+    /// Parses the text of the command line; a number has to lie in the range, unless that is empty.
     ///
     /// # Errors
     /// The reason, as text.
-    fn read(text: &str) -> std::result::Result<Self, String>;
+    fn read(text: &str, range: &str) -> std::result::Result<Self, String>;
 
     /// The admissible names; empty for a number.
     fn choices() -> Vec<String> {
-        Vec::new()
-    }
-
-    /// The numbers that have to lie in the interval of the option.
-    fn places(&self) -> Vec<f64> {
         Vec::new()
     }
 }
@@ -219,14 +185,14 @@ macro_rules! option_value {
     ($($kind:ty, $word:literal $(, at $place:expr)? $(, of $words:expr)?;)*) => {
         $(impl OptionValue for $kind {
             const KIND: &'static str = $word;
-            fn read(text: &str) -> std::result::Result<Self, String> {
-                text.trim().parse::<$kind>().map_err(|error| error.to_string())
+            fn read(text: &str, _range: &str) -> std::result::Result<Self, String> {
+                let value = text.trim().parse::<$kind>().map_err(|error| error.to_string())?;
+                $(
+                let place: fn(&$kind) -> f64 = $place;
+                within(place(&value), _range)?;
+                )?
+                Ok(value)
             }
-            $(
-            #[allow(clippy::redundant_closure_call, reason = "one expression per type")]
-            fn places(&self) -> Vec<f64> {
-                vec![($place)(self)]
-            })?
             $(fn choices() -> Vec<String> {
                 $words
             })?
@@ -235,13 +201,13 @@ macro_rules! option_value {
 }
 
 option_value! {
-    f64, "number", at |x: &f64| *x;
-    usize, "integer", at |x: &usize| *x as f64;
-    u32, "integer", at |x: &u32| f64::from(*x);
-    Order, "order", at |x: &Order| x.value();
+    f64, "number", at |x| *x;
+    usize, "integer", at |x| *x as f64;
+    u32, "integer", at |x| f64::from(*x);
+    Order, "order", at |x| x.value();
     Tolerance, "tolerance";
     String, "text";
-    std::path::PathBuf, "file";
+    PathBuf, "file";
     Cone, "choice", of Cone::ALL.iter().map(ToString::to_string).collect();
     StripKind, "choice", of vec!["scalar".to_owned(), "elastic".to_owned()];
     SideConditions, "choice", of SideConditions::ALL.iter().map(ToString::to_string).collect();
@@ -252,49 +218,39 @@ option_value! {
 
 impl OptionValue for bool {
     const KIND: &'static str = "flag";
-    fn read(text: &str) -> std::result::Result<Self, String> {
-        match text {
-            "true" => Ok(true),
-            "" | "false" => Ok(false),
-            _ => Err("true or false".to_owned()),
-        }
+    fn read(text: &str, _range: &str) -> std::result::Result<Self, String> {
+        Ok(text == "true")
     }
 }
 
 impl<T: OptionValue> OptionValue for Vec<T> {
     const KIND: &'static str = T::KIND;
     const LIST: bool = true;
-    fn read(text: &str) -> std::result::Result<Self, String> {
+    fn read(text: &str, range: &str) -> std::result::Result<Self, String> {
         if text.trim().is_empty() {
             return Ok(Vec::new());
         }
-        text.split(',').map(T::read).collect()
+        text.split(',').map(|part| T::read(part, range)).collect()
     }
     fn choices() -> Vec<String> {
         T::choices()
-    }
-    fn places(&self) -> Vec<f64> {
-        self.iter().flat_map(T::places).collect()
     }
 }
 
 impl<T: OptionValue> OptionValue for Option<T> {
     const KIND: &'static str = T::KIND;
-    fn read(text: &str) -> std::result::Result<Self, String> {
-        if text.trim().is_empty() { Ok(None) } else { T::read(text).map(Some) }
+    fn read(text: &str, range: &str) -> std::result::Result<Self, String> {
+        if text.trim().is_empty() { Ok(None) } else { T::read(text, range).map(Some) }
     }
     fn choices() -> Vec<String> {
         T::choices()
-    }
-    fn places(&self) -> Vec<f64> {
-        self.iter().flat_map(T::places).collect()
     }
 }
 
 /// Problems on strips that need no file.
 fn strips() -> Vec<String> {
-    let named = StripData::all().iter().map(|data| data.name().to_owned()).collect::<Vec<_>>();
-    named.into_iter().filter(|name| name.parse::<StripData>().is_ok()).collect()
+    let names = StripData::all().into_iter().map(|data| data.name().to_owned());
+    names.filter(|name| name.parse::<StripData>().is_ok()).collect()
 }
 
 fn bodies() -> Vec<String> {
@@ -306,37 +262,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn values_are_read_and_bounded() {
-        let option = Declared::of::<Vec<Order>>("nu", " orders", "1/4,1/2", "(0, 1)", "0.02 to 0.98");
-        for good in ["0.25,1/2", "1/2+1e-12"] {
-            assert_eq!(option.check(good), Ok(()), "{good}");
-        }
-        for bad in ["0", "1", "x", "0.5,nan"] {
-            assert!(option.check(bad).is_err(), "{bad}");
-        }
-        let number = Declared::of::<f64>("tau", "", "1.75", "(1.5, 2]", "");
-        assert!(number.check("2").is_ok() && number.check("1.5").is_err() && number.check("inf").is_err());
-        assert_eq!(Option::<f64>::read(""), Ok(None));
-    }
-
-    #[test]
-    fn pages_learn_kind_range_and_slider() {
-        let said = Declared::of::<f64>("load_scale", "scale", "1", "(0, 1e9]", "0.1 to 10 by factors")
-            .json()
-            .unwrap();
-        assert_eq!(said["name"], "load-scale");
-        assert_eq!((&said["slider"], &said["scale"]), (&json!([0.1, 10.0]), &json!("factors")));
-        assert_eq!(Declared::of::<String>("load", "", "", "", "").json(), None);
-        let said = Declared::of::<Cone>("cone", "", "nodal", "", "").json().unwrap();
-        assert_eq!(said["choices"], json!(Cone::ALL.map(|cone| cone.to_string())));
-    }
-
-    #[test]
     fn every_choice_is_read() {
         fn are_read<T: OptionValue>(tails: &[&str]) {
             for word in T::choices() {
                 let mut all = tails.iter().map(|tail| format!("{word}{tail}"));
-                assert!(all.any(|text| T::read(&text).is_ok()), "{word}");
+                assert!(all.any(|text| T::read(&text, "").is_ok()), "{word}");
             }
         }
         are_read::<Cone>(&[""]);

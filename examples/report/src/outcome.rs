@@ -1,9 +1,10 @@
 //! Results of an example: rows, checks, status; as JSON for the book.
 
-use crate::cell::{Cells, column};
+use crate::cell::{Cell, Cells, column};
 use crate::check::{Checked, Decision, Role};
-use crate::plot::Picture;
-use crate::words::GREEK;
+use crate::figures::Plot;
+use crate::files::write_whole;
+use crate::words::greek;
 use crate::{Error, Result};
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
@@ -29,9 +30,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
-    /// The name of the status.
-    pub fn word(self) -> &'static str {
-        match self {
+    /// True if every claim holds and at least one was decided by a number.
+    pub fn is_confirmed(self) -> bool {
+        !matches!(self, Verdict::Fails | Verdict::Undecided | Verdict::Open)
+    }
+}
+
+impl std::fmt::Display for Verdict {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
             Verdict::True => "true",
             Verdict::Loose => "loose",
             Verdict::NotSharp => "not sharp",
@@ -39,13 +46,37 @@ impl Verdict {
             Verdict::Open => "open",
             Verdict::Undecided => "undecided",
             Verdict::Fails => "fails",
-        }
+        })
+    }
+}
+
+/// The results of an example: rows, checks, quoted numbers and pictures.
+#[derive(Debug, Clone, Default)]
+pub struct Outcome {
+    pub(crate) label: &'static str,
+    pub(crate) statement: &'static str,
+    pub(crate) rows: Vec<Cells>,
+    pub(crate) checks: Vec<Checked>,
+    pub(crate) notes: Vec<(String, f64)>,
+    /// Name, title and meaning of columns.
+    pub(crate) columns: Vec<(&'static str, &'static str, &'static str)>,
+    pub(crate) bodies: Vec<(String, String)>,
+    pub(crate) plots: Vec<Plot>,
+    pub(crate) saved: Vec<PathBuf>,
+    pub(crate) remark: String,
+    pub(crate) seconds: f64,
+}
+
+impl Outcome {
+    /// The paper's label.
+    pub fn label(&self) -> &str {
+        self.label
     }
 
-    /// The status that follows from these checks.
-    pub fn of(checks: &[Checked]) -> Self {
+    /// The status that follows from the checks.
+    pub fn status(&self) -> Verdict {
         let has = |role: Role, decision: Decision| {
-            checks.iter().any(|c| c.role() == role && c.decision() == decision)
+            self.checks.iter().any(|c| c.role == role && c.decision() == decision)
         };
         if has(Role::Claim, Decision::Fails) {
             Verdict::Fails
@@ -64,38 +95,6 @@ impl Verdict {
         }
     }
 
-    /// True if every claim holds and at least one was decided by a number.
-    pub fn is_confirmed(self) -> bool {
-        !matches!(self, Verdict::Fails | Verdict::Undecided | Verdict::Open)
-    }
-}
-
-/// The results of an example: rows, checks, quoted numbers and pictures.
-#[derive(Debug, Clone)]
-pub struct Outcome {
-    pub(crate) label: String,
-    pub(crate) statement: String,
-    pub(crate) rows: Vec<Cells>,
-    pub(crate) checks: Vec<Checked>,
-    pub(crate) notes: Vec<(String, f64)>,
-    pub(crate) columns: Vec<(&'static str, &'static str, &'static str)>,
-    pub(crate) pictures: Vec<Picture>,
-    pub(crate) saved: Vec<PathBuf>,
-    pub(crate) remark: String,
-    pub(crate) seconds: f64,
-}
-
-impl Outcome {
-    /// The paper's label.
-    pub fn label(&self) -> &str {
-        &self.label
-    }
-
-    /// The status that follows from the checks.
-    pub fn status(&self) -> Verdict {
-        Verdict::of(&self.checks)
-    }
-
     /// All checks, in the order in which they were first reported.
     pub fn checks(&self) -> &[Checked] {
         &self.checks
@@ -104,14 +103,6 @@ impl Outcome {
     /// The check with this key; `None` if there is none.
     pub fn check(&self, key: &str) -> Option<&Checked> {
         self.checks.iter().find(|check| check.key() == key)
-    }
-
-    /// The outcome with one check replaced, for fault injection in tests.
-    #[must_use]
-    pub fn with_check(&self, at: usize, check: Checked) -> Self {
-        let mut changed = self.clone();
-        changed.checks[at] = check;
-        changed
     }
 
     /// Fault injection: moves the number of each check across its bound and back, and verifies that its mark,
@@ -124,21 +115,22 @@ impl Outcome {
         let fault = |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
         let keys: BTreeSet<String> = self.checks.iter().map(Checked::key).collect();
         if keys.len() < self.checks.len() {
-            return fault(&self.label, "two checks have the same key");
+            return fault(self.label, "two checks have the same key");
         }
         let by_number = |(_, check): &(usize, &Checked)| check.decision() != Decision::ByProof;
         for (at, check) in self.checks.iter().enumerate().filter(by_number) {
             let label = format!("{}: {}", check.key(), check.comparison());
-            if check.source().is_empty() {
+            if check.source.is_empty() {
                 return fault(&label, "a bound without a source");
             }
             let mut lines = BTreeSet::new();
             for wanted in [Decision::Holds, Decision::Fails, Decision::Undecided] {
-                let moved = check.moved(wanted);
-                lines.insert(format!("{} {}", wanted.mark(), moved.comparison()));
-                let (is_moved, changed) = (moved.decision() == wanted, self.with_check(at, moved));
-                if !is_moved || !changed.follows(check.role(), wanted) {
-                    return fault(&label, &format!("{wanted:?} gives {}", changed.status().word()));
+                let mut changed = self.clone();
+                changed.checks[at] = check.moved(wanted);
+                let moved = &changed.checks[at];
+                lines.insert(format!("{} {}", wanted.mark_and_word().0, moved.comparison()));
+                if moved.decision() != wanted || !changed.follows(check.role, wanted) {
+                    return fault(&label, &format!("{wanted:?} gives {}", changed.status()));
                 }
             }
             if lines.len() < 3 {
@@ -148,33 +140,28 @@ impl Outcome {
         Ok(())
     }
 
-    /// True if status and exit code agree with one check of this role and decision when all others hold.
+    /// True if the status is one that follows from a check of this role and decision when all others hold.
     fn follows(&self, role: Role, decision: Decision) -> bool {
-        let (status, code) = (self.status(), self.exit_code());
-        match (role, decision) {
-            (Role::Claim, Decision::Fails) => code == 1 && status == Verdict::Fails,
-            (Role::Claim, Decision::Undecided) => code == 1 && status == Verdict::Undecided,
-            (Role::AsPrinted, Decision::Fails) => code == 0 && status == Verdict::FalseAsPrinted,
-            (Role::NotSharp, Decision::Holds) => {
-                code == 0 && matches!(status, Verdict::NotSharp | Verdict::FalseAsPrinted)
-            }
-            (Role::Stronger, Decision::Holds) => {
-                code == 0 && !matches!(status, Verdict::True | Verdict::Open)
-            }
-            _ => code == 0,
-        }
+        use Verdict::{Fails, FalseAsPrinted, Loose, NotSharp, True, Undecided};
+        let expected: &[Verdict] = match (role, decision) {
+            (Role::Claim, Decision::Fails) => &[Fails],
+            (Role::Claim, Decision::Undecided) => &[Undecided],
+            (Role::AsPrinted, Decision::Fails) => &[FalseAsPrinted],
+            (Role::NotSharp, Decision::Holds) => &[NotSharp, FalseAsPrinted],
+            (Role::Stronger, Decision::Holds) => &[Loose, NotSharp, FalseAsPrinted],
+            _ => &[True, Loose, NotSharp, FalseAsPrinted],
+        };
+        let fails = role == Role::Claim && matches!(decision, Decision::Fails | Decision::Undecided);
+        expected.contains(&self.status()) && self.exit_code() == u8::from(fails)
     }
 
-    /// Moves the number of a check across its bound.
-    ///
-    /// # Errors
-    /// [`Error::Option`] where no check has this key.
+    /// Moves the number of a check across its bound; an error where no check has this key.
     pub(crate) fn plant(&mut self, key: &str) -> Result<()> {
-        let known: Vec<String> = self.checks.iter().map(Checked::key).collect();
-        let check = self.checks.iter_mut().find(|check| check.key() == key);
-        let check =
-            check.ok_or_else(|| Error::option("fault", &format!("expected one of {}", known.join(", "))))?;
-        *check = check.moved(Decision::Fails);
+        let keys: Vec<String> = self.checks.iter().map(Checked::key).collect();
+        let Some(at) = keys.iter().position(|known| known == key) else {
+            return Err(Error::option("fault", &format!("expected one of {}", keys.join(", "))));
+        };
+        self.checks[at] = self.checks[at].moved(Decision::Fails);
         Ok(())
     }
 
@@ -204,7 +191,7 @@ impl Outcome {
             }
         }
         values.extend(self.notes.iter().cloned());
-        values.extend(self.checks.iter().map(|check| (check.key(), check.value().value)));
+        values.extend(self.checks.iter().map(|check| (check.key(), check.value.value)));
         // What is not finite cannot be quoted: a page that does so fails by its key.
         values.retain(|(_, value)| value.is_finite());
         values
@@ -216,19 +203,14 @@ impl Outcome {
     }
 
     /// The title of a column.
-    pub(crate) fn title(&self, name: &str) -> String {
-        let given =
-            self.columns.iter().find(|(known, ..)| *known == name).map(|(_, title, _)| (*title).to_owned());
-        given.unwrap_or_else(|| {
-            let greek = |word: &str| {
-                GREEK
-                    .iter()
-                    .find(|(_, known)| *known == word)
-                    .map_or(word.to_owned(), |(letter, _)| letter.to_string())
-            };
-            let words: Vec<String> = name.replace("_over_", "_/_").split('_').map(greek).collect();
-            words.join(" ").replace(" / ", "/").replace("over ", "/ ").replace(" 0", "₀").replace(" 1", "₁")
-        })
+    fn title(&self, name: &str) -> String {
+        if let Some((_, title, _)) = self.columns.iter().find(|(known, ..)| *known == name) {
+            return (*title).to_owned();
+        }
+        let name = name.replace("_over_", "_/_");
+        let letter = |word| greek().find(|(_, known)| *known == word).map_or(word, |(letter, _)| letter);
+        let words: Vec<&str> = name.split('_').map(letter).collect();
+        words.join(" ").replace(" / ", "/").replace("over ", "/ ").replace(" 0", "₀").replace(" 1", "₁")
     }
 
     /// Titles with meanings and names, and the cells of every row as texts.
@@ -239,12 +221,11 @@ impl Outcome {
                 names.push(name);
             }
         }
-        let missing = crate::Cell::Missing;
         let mut titles = Vec::new();
         let mut rows = vec![Vec::new(); self.rows.len()];
         for name in names {
-            let cells: Vec<&crate::Cell> =
-                self.rows.iter().map(|row| row.get(name).unwrap_or(&missing)).collect();
+            let cells: Vec<&Cell> =
+                self.rows.iter().map(|row| row.get(name).unwrap_or(&Cell::Missing)).collect();
             let meaning =
                 self.columns.iter().find(|(known, ..)| *known == name).map_or("", |(.., meaning)| meaning);
             for (k, texts) in column(&cells).into_iter().enumerate() {
@@ -259,26 +240,27 @@ impl Outcome {
         (titles, rows)
     }
 
-    /// Draws every picture and writes it to the directory.
+    /// Draws every picture and writes it to the directory, a plot with its points as comma-separated values.
     ///
     /// # Errors
-    /// [`Error::Figure`] if a picture cannot be drawn, [`Error::File`] if a file cannot be written.
-    pub fn save_pictures(&mut self, directory: &Path) -> Result<()> {
-        for picture in &self.pictures {
-            let path = match picture {
-                Picture::Plot(plot) => {
-                    plot.chart(&self.rows, &|name| self.title(name)).save(directory, &plot.name)?
-                }
-                Picture::Chart(name, chart) => chart.save(directory, name)?,
-                Picture::Svg(name, svg) => crate::figures::save_svg(svg, directory, name)?,
-            };
-            self.saved.push(path);
+    /// [`Error::File`] if a file cannot be written.
+    pub(crate) fn save_pictures(&mut self, directory: &Path) -> Result<()> {
+        let place = |name: &str, ending: &str| directory.join(format!("{name}.{ending}"));
+        for (name, svg) in &self.bodies {
+            write_whole(&place(name, "svg"), svg)?;
+            self.saved.push(place(name, "svg"));
+        }
+        for plot in &self.plots {
+            let [svg, csv] = plot.files(&self.rows, &|name| self.title(name));
+            write_whole(&place(&plot.name, "csv"), &csv)?;
+            write_whole(&place(&plot.name, "svg"), &svg)?;
+            self.saved.push(place(&plot.name, "svg"));
         }
         Ok(())
     }
 
     /// One JSON object per row, then one per check, which has the key `finding`.
-    pub fn json_lines(&self) -> String {
+    pub(crate) fn json_lines(&self) -> String {
         let row = |row: &Cells| {
             let mut object = Map::new();
             for (name, cell) in row.all() {
@@ -296,34 +278,26 @@ impl Outcome {
 
     /// The outcome without its pictures as one JSON object: `label`, `claim`, `measured`, `verdict`,
     /// `confirmed`, `findings`, `values` by key, and the table as it is printed (`columns`, `rows`).
-    pub fn json(&self) -> String {
+    pub(crate) fn json(&self) -> String {
         let values: Map<String, Value> =
             self.values().into_iter().map(|(key, value)| (key, json!(value))).collect();
         let (titles, rows) = self.table();
-        let columns: Vec<Value> = titles
-            .iter()
-            .map(|[title, meaning, key]| json!({"key": key, "title": title, "meaning": meaning}))
-            .collect();
+        let column =
+            |[title, meaning, key]: &[String; 3]| json!({"key": key, "title": title, "meaning": meaning});
+        let is_told =
+            |check: &&Checked| check.decision() != Decision::ByProof && check.role != Role::Observed;
+        let told: Vec<String> = self.checks.iter().filter(is_told).map(Checked::words).collect();
         json!({
             "label": self.label,
             "claim": self.statement,
-            "measured": self.measured(),
-            "verdict": self.status().word(),
+            "measured": told.join("; "),
+            "verdict": self.status().to_string(),
             "confirmed": self.status().is_confirmed(),
             "findings": self.checks.iter().map(Checked::json).collect::<Vec<_>>(),
             "values": values,
-            "columns": columns,
+            "columns": titles.iter().map(column).collect::<Vec<_>>(),
             "rows": rows,
         })
         .to_string()
-    }
-
-    /// The checks that a number decided, as text.
-    fn measured(&self) -> String {
-        let told = self
-            .checks
-            .iter()
-            .filter(|check| check.decision() != Decision::ByProof && check.role() != Role::Observed);
-        told.map(Checked::words).collect::<Vec<_>>().join("; ")
     }
 }

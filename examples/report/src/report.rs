@@ -1,27 +1,19 @@
 //! The report of an example.
 
 use crate::cell::Cells;
-use crate::check::{Checked, Claim, Role};
-use crate::figures::Chart;
-use crate::figures::body::{body_svg, body_values, edge_chart};
+use crate::check::{Claim, Role};
+use crate::figures::body::{body_svg, body_values, edge_plot, trace_plot};
+use crate::figures::{Axes, Plot};
 use crate::outcome::Outcome;
-use crate::plot::{Axes, Picture, Plot};
 use crate::{Declarations, Measured, Result};
 use signorini::contact::{ContactProblem, ContactSolution};
-use signorini::rates::ConvergenceOrder;
+use signorini::edge::{EdgeTrace, Interval};
 use std::time::Instant;
 
 /// The report of an example while it runs: rows, checks and pictures.
 #[derive(Debug)]
 pub struct Report {
-    label: &'static str,
-    statement: &'static str,
-    rows: Vec<Cells>,
-    checks: Vec<Checked>,
-    notes: Vec<(String, f64)>,
-    columns: Vec<(&'static str, &'static str, &'static str)>,
-    pictures: Vec<Picture>,
-    remark: String,
+    found: Outcome,
     pub(crate) draws: bool,
     started: Instant,
 }
@@ -29,94 +21,78 @@ pub struct Report {
 impl Report {
     /// An empty report under the label of an example.
     pub fn of<P: Declarations>() -> Self {
-        Self {
-            label: P::LABEL,
-            statement: P::STATEMENT,
-            rows: Vec::new(),
-            checks: Vec::new(),
-            notes: Vec::new(),
-            columns: Vec::new(),
-            pictures: Vec::new(),
-            remark: String::new(),
-            draws: false,
-            started: Instant::now(),
-        }
+        let found = Outcome { label: P::LABEL, statement: P::STATEMENT, ..Outcome::default() };
+        Self { found, draws: false, started: Instant::now() }
     }
 
     /// Sets the title and the meaning of the column of that name; without it the title is the name, with
     /// Greek letters in place of their names and a slash in place of `_over_`. The meaning is printed below
     /// the table.
     pub fn column(&mut self, name: &'static str, title: &'static str, meaning: &'static str) {
-        if !self.columns.iter().any(|(known, ..)| *known == name) {
-            self.columns.push((name, title, meaning));
+        if !self.found.columns.iter().any(|(known, ..)| *known == name) {
+            self.found.columns.push((name, title, meaning));
         }
     }
 
     /// Adds a row; each number among its results can be quoted as `name.row`, for example
     /// `gamma.nu0.25.theta1e-3`.
     pub fn row(&mut self, cells: Cells) {
-        self.rows.push(cells);
+        self.found.rows.push(cells);
     }
 
     /// A claim that must hold.
     pub fn check(&mut self, claim: impl Into<String>) -> Claim<'_> {
-        Claim::new(&mut self.checks, claim.into(), Role::Claim)
+        Claim::new(&mut self.found.checks, claim.into(), Role::Claim)
     }
 
     /// A claim in the paper's own form, which may fail; the source of its comparison is the range in which it
     /// is true, such as "for θ ≤ 1/2".
     pub fn as_printed(&mut self, claim: impl Into<String>) -> Claim<'_> {
-        Claim::new(&mut self.checks, claim.into(), Role::AsPrinted)
+        Claim::new(&mut self.found.checks, claim.into(), Role::AsPrinted)
     }
 
     /// A statement stronger than the paper's: if it holds, the paper's is loose.
     pub fn stronger(&mut self, claim: impl Into<String>) -> Claim<'_> {
-        Claim::new(&mut self.checks, claim.into(), Role::Stronger)
+        Claim::new(&mut self.found.checks, claim.into(), Role::Stronger)
     }
 
     /// A rate of growth different from the paper's: if it holds, the paper's is not sharp.
     pub fn not_sharp(&mut self, claim: impl Into<String>) -> Claim<'_> {
-        Claim::new(&mut self.checks, claim.into(), Role::NotSharp)
+        Claim::new(&mut self.found.checks, claim.into(), Role::NotSharp)
     }
 
     /// A comparison that is shown but has no effect on the status.
     pub fn observe(&mut self, claim: impl Into<String>) -> Claim<'_> {
-        Claim::new(&mut self.checks, claim.into(), Role::Observed)
+        Claim::new(&mut self.found.checks, claim.into(), Role::Observed)
     }
 
     /// Records a claim that is true by the proof on a page of the book, given by its file name without
     /// extension.
-    pub fn proof(&mut self, claim: impl Into<String>, page: &str) {
-        Claim::new(&mut self.checks, claim.into(), Role::Claim).by_proof(page);
+    pub fn proof(&mut self, claim: impl Into<String>, page: &'static str) {
+        Claim::new(&mut self.found.checks, claim.into(), Role::Claim).by_proof(page);
     }
 
     /// Records a number to be quoted under this key.
     pub fn note(&mut self, key: impl Into<String>, value: impl Into<Measured>) {
-        self.notes.push((key.into(), value.into().value));
+        self.found.notes.push((key.into(), value.into().value));
     }
 
     /// Sets the remark that is printed last, to explain an unexpected number.
     pub fn remark(&mut self, words: impl Into<String>) {
-        self.remark = words.into();
+        self.found.remark = words.into();
     }
 
     /// The numbers of these two columns in the last consecutive rows whose parameters differ only in `x`.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
-        let Some(last) = self.rows.last() else { return Vec::new() };
+        let Some(last) = self.found.rows.last() else { return Vec::new() };
         let same = |row: &&Cells| {
             row.about.iter().zip(&last.about).all(|(a, b)| a.0 == b.0 && (a.0 == x || a.1 == b.1))
         };
-        let rows = self.rows.iter().rev().take_while(same);
+        let rows = self.found.rows.iter().rev().take_while(same);
         let number = |row: &Cells, name: &str| row.get(name).map_or(f64::NAN, |cell| cell.number().value);
         let mut points: Vec<(f64, f64)> = rows.map(|row| (number(row, x), number(row, y))).collect();
         points.reverse();
         points
-    }
-
-    /// Order of convergence p of y ≈ C xᵖ over the rows of [`Report::series`] ([`ConvergenceOrder::of`]);
-    /// [`Measured::NONE`] for fewer than five rows or a value that is not positive.
-    pub fn order(&self, x: &str, y: &str) -> Measured {
-        ConvergenceOrder::of(&self.series(x, y)).into()
     }
 
     /// Slope of ln y against ln x between the last two rows of [`Report::series`]; [`Measured::NONE`] for
@@ -134,27 +110,20 @@ impl Report {
         }
     }
 
-    /// The chart of that name, created if it does not exist; add curves to the chart returned.
+    /// The plot of that name, created if it does not exist; add curves to the plot returned.
     pub fn plot(&mut self, name: &str, title: &str, axes: Axes) -> &mut Plot {
-        let is_known = |picture: &Picture| matches!(picture, Picture::Plot(plot) if plot.name == name);
-        let at = self.pictures.iter().position(is_known).unwrap_or(self.pictures.len());
-        if at == self.pictures.len() {
-            self.pictures.push(Picture::Plot(Plot::new(name, title, axes)));
+        let plots = &mut self.found.plots;
+        let known = plots.iter().position(|plot| plot.name == name);
+        let at = known.unwrap_or(plots.len());
+        if at == plots.len() {
+            plots.push(Plot::new(name, title, axes));
         }
-        match &mut self.pictures[at] {
-            Picture::Plot(plot) => plot,
-            _ => unreachable!("a plot stands there"),
-        }
+        &mut plots[at]
     }
 
     /// True if pictures were requested, so that data used by pictures only must be computed.
     pub fn draws(&self) -> bool {
         self.draws
-    }
-
-    /// Adds a chart whose data are not rows.
-    pub fn chart(&mut self, name: impl Into<String>, chart: Chart) {
-        self.pictures.push(Picture::Chart(name.into(), chart));
     }
 
     /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the colour scale
@@ -172,36 +141,31 @@ impl Report {
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
         let range = values.iter().fold(ends, |(low, high), &v| (low.min(v), high.max(v)));
         for (name, problem, solution) in solved {
-            self.pictures.push(Picture::Svg(name.clone(), body_svg(problem, solution, title, range)?));
+            self.found.bodies.push((name.clone(), body_svg(problem, solution, title, range)?));
         }
         Ok(())
     }
 
-    /// Adds a chart of u_N and −σ_N of a contact solution along its contact edges, each divided by the
+    /// Adds a plot of u_N and −σ_N of a contact solution along its contact edges, each divided by the
     /// maximum of its absolute value.
     pub fn contact_edge(
         &mut self,
-        name: impl Into<String>,
+        name: &str,
         title: &str,
         problem: &ContactProblem,
         solution: &ContactSolution,
     ) {
-        self.chart(name, edge_chart(problem, solution, title));
+        self.found.plots.push(edge_plot(name, title, problem, solution));
+    }
+
+    /// Adds a plot of u_N and −σ_N along an edge, each divided by the maximum of its absolute value; the
+    /// segments in the first case of Figure 3.2 or 4.1, in the second case, and in both are shaded.
+    pub fn edge_trace(&mut self, name: &str, edge: &EdgeTrace, cases: [Vec<Interval>; 3]) {
+        self.found.plots.push(trace_plot(name, edge, cases));
     }
 
     /// The outcome of the example: everything recorded, and the elapsed time.
     pub fn close(self) -> Outcome {
-        Outcome {
-            label: self.label.to_owned(),
-            statement: self.statement.to_owned(),
-            rows: self.rows,
-            checks: self.checks,
-            notes: self.notes,
-            columns: self.columns,
-            pictures: self.pictures,
-            saved: Vec::new(),
-            remark: self.remark,
-            seconds: self.started.elapsed().as_secs_f64(),
-        }
+        Outcome { seconds: self.started.elapsed().as_secs_f64(), ..self.found }
     }
 }

@@ -34,18 +34,15 @@ impl Outcome {
         text.push_str(&self.checks_text(width, in_colour));
         let status = self.status();
         let colour = if status.is_confirmed() { GREEN } else { RED };
-        let mut last = format!("  status: {}", painted(status.word(), colour, in_colour));
+        let mut last = format!("  status: {}", painted(&status.to_string(), colour, in_colour));
         let failing =
-            self.checks.iter().find(|c| c.role() == Role::AsPrinted && c.decision() == Decision::Fails);
+            self.checks.iter().find(|c| c.role == Role::AsPrinted && c.decision() == Decision::Fails);
         if let Some(check) = failing.filter(|_| status == Verdict::FalseAsPrinted) {
-            let _ = write!(last, ", true {}", check.source());
+            let _ = write!(last, ", true {}", check.source);
         }
         if let [.., path] = self.saved.as_slice() {
-            let more = if self.saved.len() > 1 {
-                format!(" and {} more", self.saved.len() - 1)
-            } else {
-                String::new()
-            };
+            let others = self.saved.len() - 1;
+            let more = if others > 0 { format!(" and {others} more") } else { String::new() };
             let _ = write!(last, "     picture: {}{more}", path.display());
         }
         let _ = writeln!(text, "{last}     {:.1} s", self.seconds);
@@ -72,14 +69,10 @@ impl Outcome {
                 table.add_row([format!("… {} more", rows.len() - 2 * ENDS)]);
             }
         }
-        for k in 0..titles.len() {
-            if 2 * rows.iter().filter(|row| is_number(&row[k])).count() > rows.len()
-                && let Some(column) = table.column_mut(k)
-            {
+        for (k, column) in table.column_iter_mut().enumerate() {
+            column.set_padding((0, 2));
+            if 2 * rows.iter().filter(|row| is_number(&row[k])).count() > rows.len() {
                 column.set_cell_alignment(CellAlignment::Right);
-            }
-            if let Some(column) = table.column_mut(k) {
-                column.set_padding((0, 2));
             }
         }
         let mut text = String::new();
@@ -96,21 +89,13 @@ impl Outcome {
     }
 
     fn checks_text(&self, width: usize, in_colour: bool) -> String {
-        let is_plain =
-            |check: &Checked| check.decision() <= Decision::Holds && check.role() != Role::AsPrinted;
-        let few = self.checks.len() <= CHECKS;
-        let mut shown = 0;
-        let mut hidden = 0;
-        let checks: Vec<&Checked> = self
-            .checks
-            .iter()
-            .filter(|check| {
-                shown += 1;
-                let keep = few || !is_plain(check) || shown < CHECKS;
-                hidden += usize::from(!keep);
-                keep
-            })
-            .collect();
+        let is_shown = |(k, check): &(usize, &Checked)| {
+            let is_plain = check.decision() <= Decision::Holds && check.role != Role::AsPrinted;
+            self.checks.len() <= CHECKS || *k + 1 < CHECKS || !is_plain
+        };
+        let checks: Vec<&Checked> =
+            self.checks.iter().enumerate().filter(is_shown).map(|(_, check)| check).collect();
+        let hidden = self.checks.len() - checks.len();
         let widest = |k: usize, proved: bool| {
             let of_kind = checks.iter().filter(|check| (check.decision() == Decision::ByProof) == proved);
             of_kind.map(|check| check.parts()[k].chars().count()).max().unwrap_or(0)
@@ -133,9 +118,10 @@ impl Outcome {
         let mut text = String::new();
         for check in checks {
             let [number, relation] = check.parts();
-            let claim = wrapped(&claim(check), words);
-            let mark = painted(&check.decision().mark().to_string(), mark_colour(check), in_colour);
-            let first = claim.first().map_or("", String::as_str);
+            let mut claim = wrapped(&claim(check), words).into_iter();
+            let mark =
+                painted(&check.decision().mark_and_word().0.to_string(), mark_colour(check), in_colour);
+            let first = claim.next().unwrap_or_default();
             let mut line = format!("  {mark} {first:<words$}  {number:>value$} {relation:<bound$}");
             let source = source(check);
             let beside = is_beside(check, words);
@@ -143,7 +129,7 @@ impl Outcome {
                 let _ = write!(line, "  {source}");
             }
             let _ = writeln!(text, "{}", line.trim_end());
-            for rest in claim.iter().skip(1) {
+            for rest in claim {
                 let _ = writeln!(text, "    {rest}");
             }
             if !beside {
@@ -159,17 +145,14 @@ impl Outcome {
     }
 }
 
-/// The claim.
 fn claim(check: &Checked) -> String {
-    let failed = check.role() == Role::AsPrinted && check.decision() == Decision::Fails;
-    format!("{}{}", if failed { "as printed: " } else { "" }, check.claim())
+    let failed = check.role == Role::AsPrinted && check.decision() == Decision::Fails;
+    format!("{}{}", if failed { "as printed: " } else { "" }, check.claim)
 }
 
 /// The source of the bound, and the number of cases of which the worst is shown.
 fn source(check: &Checked) -> String {
-    let cases = if check.cases > 1 { format!("worst of {}", check.cases) } else { String::new() };
-    let parts = [check.source().to_owned(), cases];
-    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+    if check.cases > 1 { format!("{}, worst of {}", check.source, check.cases) } else { check.source.clone() }
 }
 
 const GREEN: u8 = 32;
@@ -177,7 +160,7 @@ const RED: u8 = 31;
 const YELLOW: u8 = 33;
 
 fn mark_colour(check: &Checked) -> u8 {
-    match (check.decision(), check.role()) {
+    match (check.decision(), check.role) {
         (Decision::ByProof | Decision::Holds, _) => GREEN,
         (Decision::Fails, Role::Claim) => RED,
         _ => YELLOW,
@@ -203,10 +186,4 @@ fn wrapped(words: &str, width: usize) -> Vec<String> {
         }
     }
     lines
-}
-
-impl std::fmt::Display for Verdict {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(self.word())
-    }
 }

@@ -1,13 +1,15 @@
 //! The deformed body of a contact solution: an elastic body on its floors, coloured by its largest shear stress, or a
-//! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. Charts of the
+//! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. Plots of the
 //! contact edge.
 //!
 //! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
 
-use super::canvas::{STYLE, escape};
-use super::scale::power_of_ten;
-use super::{Axis, Chart, PALETTE, Series};
+use super::PALETTE;
+use super::plot::{Axes, Mark, Plot};
+use super::svg::{Canvas, INK};
 use crate::Result;
+use crate::cell::shortest;
+use nalgebra::{Vector2, Vector3};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::fem::stresses;
@@ -19,6 +21,8 @@ const MARGIN: f64 = 30.0;
 const TOP: f64 = 40.0;
 const TALLEST: f64 = 420.0;
 const BELOW: f64 = 70.0;
+const BAR: f64 = 190.0;
+const FONT_SIZE: f64 = 15.0;
 /// Hatching of a floor: its room, the distance of its strokes, and how far these reach along the line and off it.
 const HATCH: f64 = 12.0;
 const STEP: f64 = 9.0;
@@ -32,7 +36,7 @@ const FLOOR: f64 = 0.08;
 /// How far a step into the page moves a membrane to the right and upwards.
 const ASIDE: [f64; 2] = [0.4, 0.45];
 
-type Point = [f64; 2];
+type Point = Vector2<f64>;
 
 /// One value per triangle: what colours the body.
 pub(crate) fn body_values(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec<f64>> {
@@ -52,33 +56,31 @@ pub(crate) fn body_svg(
 ) -> Result<String> {
     let (mesh, u, edge) = (problem.mesh(), &solution.displacement, problem.edge());
     let is_elastic = problem.form().components() == 2;
-    let [width, height] = spans(mesh.nodes().iter()).map(|(low, high)| high - low);
+    let [width, height] = spans(mesh.nodes().iter().map(|&p| Point::from(p))).map(|(low, high)| high - low);
     let extent = width.max(height).max(f64::MIN_POSITIVE);
     let largest = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     let magnification = if largest > 0.0 { one_two_five(DRAWN * extent / largest) } else { 1.0 };
-    let moved = |(node, &[x, y]): (usize, &Point)| match is_elastic {
-        true => [x + magnification * u[2 * node], y + magnification * u[2 * node + 1]],
-        false => [x + ASIDE[0] * y, ASIDE[1] * y + magnification * u[node]],
+    let moved = |(node, &[x, y]): (usize, &[f64; 2])| match is_elastic {
+        true => Point::new(x + magnification * u[2 * node], y + magnification * u[2 * node + 1]),
+        false => Point::new(x + ASIDE[0] * y, ASIDE[1] * y + magnification * u[node]),
     };
     let nodes: Vec<Point> = mesh.nodes().iter().enumerate().map(moved).collect();
     let strongest = solution.pressure.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
     // The floor presses against the normal; what keeps a membrane down presses from above.
     let outward = if is_elastic { edge.normals()? } else { vec![[0.0, 1.0]; edge.pieces().len()] };
     let (mut arrows, mut floors) = (Vec::new(), Vec::new());
-    for (piece, normal) in edge.pieces().into_iter().zip(outward) {
+    for (piece, normal) in edge.pieces().into_iter().zip(outward.into_iter().map(Point::from)) {
         for i in piece.clone().filter(|&i| solution.pressure[i] > 0.0) {
             let tip = nodes[edge.nodes()[i]];
-            let length = ARROW * extent * solution.pressure[i] / strongest;
-            arrows.push([[tip[0] + length * normal[0], tip[1] + length * normal[1]], tip]);
+            arrows.push([tip + normal * (ARROW * extent * solution.pressure[i] / strongest), tip]);
         }
         if is_elastic {
             // The line through the edge, under all of its nodes and beyond.
-            let (point, along) = (edge.points()[piece.start], [-normal[1], normal[0]]);
-            let place = |p: Point| (p[0] - point[0]) * along[0] + (p[1] - point[1]) * along[1];
-            let places = edge.nodes()[piece].iter().map(|&node| place(nodes[node]));
+            let (point, along) = (Point::from(edge.points()[piece.start]), Point::new(-normal.y, normal.x));
+            let places = edge.nodes()[piece].iter().map(|&node| (nodes[node] - point).dot(&along));
             let (start, end) = places.fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
-            let at = |s: f64| [point[0] + s * along[0], point[1] + s * along[1]];
-            floors.push(([at(start - FLOOR * extent), at(end + FLOOR * extent)], normal));
+            let ends = [start - FLOOR * extent, end + FLOOR * extent].map(|s| point + along * s);
+            floors.push((ends, normal));
         }
     }
     let (value_name, unit) = match is_elastic {
@@ -86,138 +88,94 @@ pub(crate) fn body_svg(
         false => ("displacement u", ""),
     };
     let drawn = nodes.iter().chain(arrows.iter().flatten()).chain(floors.iter().flat_map(|floor| &floor.0));
-    let view = View::of(spans(drawn));
-    let height = TOP + view.height + BELOW;
+    let [x, y] = spans(drawn.copied());
+    let (width, inner) = (x.1 - x.0, WIDTH - 2.0 * MARGIN);
+    let scale = (inner / width).min(TALLEST / (y.1 - y.0));
+    let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
+    let corner = Point::new(x.0 - 0.5 * (inner / scale - width), y.1);
+    let view = |p: Point| Point::new(MARGIN + (p.x - corner.x) * scale, TOP + (corner.y - p.y) * scale);
+    let height = (TOP + (y.1 - y.0) * scale + HATCH + BELOW).round();
     let title = format!("{title}, displacement × {}, {} cone", short(magnification), solution.cone);
-    let mut svg = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{0}\" width=\"{WIDTH}\" \
-         height=\"{height:.0}\" viewBox=\"0 0 {WIDTH} {height:.0}\">\n{STYLE}\n\
-         <g font-family=\"sans-serif\" font-size=\"15\" fill=\"currentColor\">\n\
-         <text x=\"{1}\" y=\"24\" font-size=\"16\" text-anchor=\"middle\">{0}</text>\n",
-        escape(&title),
-        WIDTH / 2.0,
-    );
-    let path: String = floors.into_iter().map(|(ends, normal)| view.floor(ends, normal)).collect();
-    if !path.is_empty() {
-        let ink = "stroke=\"currentColor\" stroke-opacity=\"0.7\"";
-        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" {ink}/>");
-    }
+    let mut canvas = Canvas::new([WIDTH, height], &title, FONT_SIZE);
+    canvas.text(&title, (WIDTH / 2.0, 20.0), "middle", " font-size=\"16\"");
+    let path: String = floors.into_iter().map(|(ends, normal)| floor(ends.map(view), normal)).collect();
+    canvas.path(&path, &format!("fill=\"none\" stroke=\"{INK}\" stroke-opacity=\"0.7\""));
     let share = |value: f64| if high > low { (value - low) / (high - low) } else { 0.0 };
     let mut paths = vec![String::new(); SHADES];
     for (triangle, value) in mesh.triangles().iter().zip(body_values(problem, solution)?) {
         let path = &mut paths[((share(value) * SHADES as f64) as usize).min(SHADES - 1)];
         for (letter, &node) in ['M', 'L', 'L'].into_iter().zip(triangle) {
-            let (x, y) = view.place(nodes[node]);
-            let _ = write!(path, "{letter}{x:.2} {y:.2}");
+            let place = view(nodes[node]);
+            let _ = write!(path, "{letter}{:.2} {:.2}", place.x, place.y);
         }
         path.push('Z');
     }
     // Large meshes show their values, small ones also their edges.
     let line = if mesh.triangles().len() <= 20_000 { 0.25 } else { 0.0 };
-    for (k, path) in paths.iter().enumerate().filter(|(_, path)| !path.is_empty()) {
-        let (fill, stroke) = (shade(k), "stroke=\"#333\"");
-        let _ = writeln!(
-            svg,
-            "<path d=\"{path}\" {fill} {stroke} stroke-width=\"{line}\" stroke-opacity=\"0.6\"/>"
-        );
+    for (k, path) in paths.iter().enumerate() {
+        let edges = format!("stroke=\"#333\" stroke-width=\"{line}\" stroke-opacity=\"0.6\"");
+        canvas.path(path, &format!("fill=\"{}\" {edges}", shade(k)));
     }
-    let path: String = arrows.into_iter().map(|ends| view.arrow(ends)).collect();
-    if !path.is_empty() {
-        let ink = "stroke=\"rgb(213,94,0)\" stroke-width=\"1.3\"";
-        let _ = writeln!(svg, "<path d=\"{path}\" fill=\"none\" {ink}/>");
-    }
-    let (bar, y, step) = (190.0, height - 40.0, 190.0 / SHADES as f64);
+    let path: String = arrows.into_iter().map(|ends| arrow(ends.map(view))).collect();
+    canvas.path(&path, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", PALETTE[1]));
+    let (top, step) = (height - 40.0, BAR / SHADES as f64);
     for k in 0..SHADES {
-        let (x, size) = (MARGIN + k as f64 * step, format!("width=\"{step:.2}\" height=\"12\""));
-        let _ = writeln!(svg, "<rect x=\"{x:.2}\" y=\"{y:.1}\" {size} {}/>", shade(k));
+        let x = MARGIN + k as f64 * step;
+        canvas.path(&format!("M{x:.2} {top}h{step:.2}v12h-{step:.2}Z"), &format!("fill=\"{}\"", shade(k)));
     }
-    let (below, right) = (y + 29.0, MARGIN + bar);
-    let (beside, above) = (right + 14.0, y + 7.0);
-    let _ = write!(
-        svg,
-        "<text x=\"{MARGIN}\" y=\"{below:.1}\">{}</text>\n\
-         <text x=\"{right:.1}\" y=\"{below:.1}\" text-anchor=\"end\">{}</text>\n\
-         <text x=\"{beside:.1}\" y=\"{above:.1}\">{value_name}</text>\n\
-         <text x=\"{beside:.1}\" y=\"{below:.1}\"><tspan fill=\"rgb(213,94,0)\">→</tspan> contact pressure, largest \
-         {}{unit}</text>\n</g>\n</svg>\n",
-        short(low),
-        short(high),
-        short(strongest),
-    );
-    Ok(svg)
+    let (above, below, right) = (top + 3.0, top + 25.0, MARGIN + BAR);
+    canvas.text(&short(low), (MARGIN, below), "start", "");
+    canvas.text(&short(high), (right, below), "end", "");
+    canvas.text(value_name, (right + 14.0, above), "start", "");
+    canvas.text("→", (right + 14.0, below), "start", &format!(" fill=\"{}\"", PALETTE[1]));
+    let pressure = format!("contact pressure, largest {}{unit}", short(strongest));
+    canvas.text(&pressure, (right + 33.0, below), "start", "");
+    Ok(canvas.finish())
 }
 
 /// The least interval of each coordinate that holds all points.
-fn spans<'a>(points: impl Iterator<Item = &'a Point>) -> [(f64, f64); 2] {
+fn spans(points: impl Iterator<Item = Point>) -> [(f64, f64); 2] {
     let none = [(f64::INFINITY, f64::NEG_INFINITY); 2];
-    points.fold(none, |[x, y], p| [(x.0.min(p[0]), x.1.max(p[0])), (y.0.min(p[1]), y.1.max(p[1]))])
+    points.fold(none, |[x, y], p| [(x.0.min(p.x), x.1.max(p.x)), (y.0.min(p.y), y.1.max(p.y))])
 }
 
-/// The map from points of the plane to user units of a picture.
-struct View {
-    left: f64,
-    top: f64,
-    scale: f64,
-    height: f64,
+/// A step of a path to a place, or by a distance.
+fn step(letter: char, to: Point) -> String {
+    format!("{letter}{:.1} {:.1}", to.x, to.y)
 }
 
-impl View {
-    fn of([x, y]: [(f64, f64); 2]) -> Self {
-        let (span, inner) = ([x.1 - x.0, y.1 - y.0], WIDTH - 2.0 * MARGIN);
-        let scale = (inner / span[0]).min(TALLEST / span[1]);
-        let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
-        let left = x.0 - 0.5 * (inner / scale - span[0]);
-        Self { left, top: y.1, scale, height: span[1] * scale + HATCH }
-    }
+/// A line in the picture, hatched on the side of the normal, whose second component points up.
+fn floor([from, to]: [Point; 2], normal: Point) -> String {
+    let (length, along) = ((to - from).norm(), (to - from).normalize());
+    let stroke = step('l', Point::new(normal.x, -normal.y) * STROKE[1] - along * STROKE[0]);
+    let strokes =
+        (0..=(length / STEP) as usize).map(|k| step('M', from + along * (k as f64 * STEP)) + &stroke);
+    step('M', from) + &step('L', to) + &strokes.collect::<String>()
+}
 
-    fn place(&self, [x, y]: Point) -> (f64, f64) {
-        (MARGIN + (x - self.left) * self.scale, TOP + (self.top - y) * self.scale)
+/// An arrow from the first place to the second; nothing where it is too short to be seen.
+fn arrow([from, to]: [Point; 2]) -> String {
+    let length = (to - from).norm();
+    if length < 0.5 {
+        return String::new();
     }
-
-    /// Both ends, the unit vector from the first to the second, and the distance.
-    fn stroke(&self, ends: [Point; 2]) -> ([(f64, f64); 2], (f64, f64), f64) {
-        let [(x0, y0), (x1, y1)] = ends.map(|end| self.place(end));
-        let length = (x1 - x0).hypot(y1 - y0);
-        ([(x0, y0), (x1, y1)], ((x1 - x0) / length, (y1 - y0) / length), length)
-    }
-
-    /// A line, hatched on the side of the normal.
-    fn floor(&self, ends: [Point; 2], normal: Point) -> String {
-        let ([(x0, y0), (x1, y1)], (dx, dy), length) = self.stroke(ends);
-        let hatch = [normal[0] * STROKE[1] - dx * STROKE[0], -normal[1] * STROKE[1] - dy * STROKE[0]];
-        let mut path = format!("M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}");
-        for at in (0..=(length / STEP) as usize).map(|k| k as f64 * STEP) {
-            let (x, y) = (x0 + at * dx, y0 + at * dy);
-            let _ = write!(path, "M{x:.1} {y:.1}l{:.1} {:.1}", hatch[0], hatch[1]);
-        }
-        path
-    }
-
-    /// An arrow from the first place to the second; nothing where it is too short to be seen.
-    fn arrow(&self, ends: [Point; 2]) -> String {
-        let ([(x0, y0), (x1, y1)], (dx, dy), length) = self.stroke(ends);
-        if length < 0.5 {
-            return String::new();
-        }
-        let head = 4.0f64.min(length);
-        let (dx, dy) = (dx * head, dy * head);
-        format!(
-            "M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}M{:.1} {:.1}L{x1:.1} {y1:.1}L{:.1} {:.1}",
-            x1 - dx - 0.5 * dy,
-            y1 - dy + 0.5 * dx,
-            x1 - dx + 0.5 * dy,
-            y1 - dy - 0.5 * dx,
-        )
-    }
+    let back = (from - to) * (4.0f64.min(length) / length);
+    let aside = Point::new(back.y, -back.x) * 0.5;
+    let head = [step('M', to + back + aside), step('L', to), step('L', to + back - aside)];
+    step('M', from) + &step('L', to) + &head.concat()
 }
 
 /// u_N and −σ_N along the contact edges, each divided by its maximum.
-pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, title: &str) -> Chart {
+pub(crate) fn edge_plot(
+    name: &str,
+    title: &str,
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+) -> Plot {
     let edge = problem.edge();
     let title = format!("{title}: displacement and pressure on the contact edge, {} cone", solution.cone);
-    let axes = ["distance along the contact edge", "share of the largest value"].map(Axis::linear);
-    let [x, y] = axes;
-    let mut chart = Chart::new(title, x, y);
+    let axes = Axes::Linear("distance along the contact edge", "share of the largest value");
+    let mut plot = Plot::new(name, &title, axes);
     let pieces = edge.pieces();
     for (number, piece) in pieces.iter().enumerate() {
         let scaled = |values: &[f64]| -> Vec<(f64, f64)> {
@@ -226,33 +184,28 @@ pub(crate) fn edge_chart(problem: &ContactProblem, solution: &ContactSolution, t
             piece.clone().map(|i| (edge.arc()[i], values[i] / unit)).collect()
         };
         let which = if pieces.len() > 1 { format!(", edge {}", number + 1) } else { String::new() };
-        chart = chart
-            .with(Series::line(format!("u_N, displacement{which}"), scaled(&solution.normal_displacement)))
-            .with(Series::line_and_points(
-                format!("−σ_N, contact pressure{which}"),
-                scaled(&solution.pressure),
-            ));
+        plot.line(&format!("u_N, displacement{which}"), scaled(&solution.normal_displacement));
+        let pressure = format!("−σ_N, contact pressure{which}");
+        plot.given(Mark::LineAndPoints, &pressure, scaled(&solution.pressure));
     }
-    chart
+    plot
 }
 
-/// The chart of u_N and −σ_N along an edge, each divided by the maximum of its absolute value; the segments
-/// in the first case of Figure 3.2 or 4.1, in the second case, and in both are shaded.
-pub fn edge_trace(edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Chart {
+/// u_N and −σ_N along an edge, each divided by its maximum; the segments of the three cases are shaded.
+pub(crate) fn trace_plot(name: &str, edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Plot {
     let title = format!("{} segments of a contact edge", cases.iter().map(Vec::len).sum::<usize>());
-    let mut chart = Chart::new(title, Axis::linear("x"), Axis::linear("share of the largest value"));
+    let mut plot = Plot::new(name, &title, Axes::Linear("x", "share of the largest value"));
     for (name, values) in [("u_N", edge.displacement()), ("−σ_N", &edge.pressure())] {
         let largest = values.iter().fold(f64::MIN_POSITIVE, |m: f64, v| m.max(v.abs()));
         let points = edge.nodes().iter().zip(values).map(|(&x, v)| (x, v / largest));
-        chart = chart.with(Series::line(name, points.step_by(values.len().div_ceil(2000)).collect()));
+        plot.line(name, points.step_by(values.len().div_ceil(2000)).collect());
     }
-    for (segments, (name, colour)) in
-        cases.iter().zip([("first case", 4), ("second case", 5), ("both cases", 2)])
-    {
+    let names = [("first case", 4), ("second case", 5), ("both cases", 2)];
+    for (segments, (name, colour)) in cases.iter().zip(names) {
         let ends = segments.iter().map(|segment| (segment.start, segment.end));
-        chart = chart.with_bands(name, ends.collect(), PALETTE[colour]);
+        plot.bands.push((name, ends.collect(), PALETTE[colour]));
     }
-    chart
+    plot
 }
 
 /// The largest 1, 2 or 5 times a power of ten not above `value` > 0.
@@ -263,32 +216,21 @@ fn one_two_five(value: f64) -> f64 {
 
 /// Colour k of the scale: from dark blue through green to yellow, of rising lightness (stops of the viridis map).
 fn shade(k: usize) -> String {
-    const STOPS: [[f64; 3]; 5] = [
-        [68.0, 1.0, 84.0],
-        [59.0, 82.0, 139.0],
-        [33.0, 145.0, 140.0],
-        [94.0, 201.0, 98.0],
-        [253.0, 231.0, 37.0],
+    const STOPS: [Vector3<f64>; 5] = [
+        Vector3::new(68.0, 1.0, 84.0),
+        Vector3::new(59.0, 82.0, 139.0),
+        Vector3::new(33.0, 145.0, 140.0),
+        Vector3::new(94.0, 201.0, 98.0),
+        Vector3::new(253.0, 231.0, 37.0),
     ];
     let at = (k as f64 + 0.5) / SHADES as f64 * (STOPS.len() - 1) as f64;
-    let (stop, part) = (at as usize, at.fract());
-    let [r, g, b] =
-        [0, 1, 2].map(|c| (STOPS[stop][c] + part * (STOPS[stop + 1][c] - STOPS[stop][c])).round());
-    format!("fill=\"rgb({r},{g},{b})\"")
+    let colour = STOPS[at as usize].lerp(&STOPS[at as usize + 1], at.fract());
+    format!("rgb({:.0},{:.0},{:.0})", colour.x, colour.y, colour.z)
 }
 
-/// Three significant digits, with a raised exponent where that is shorter.
+/// Three significant digits.
 fn short(value: f64) -> String {
-    let rounded: f64 = format!("{value:.2e}").parse().unwrap_or(value);
-    if rounded == 0.0 || (1e-3..1e5).contains(&rounded.abs()) || !rounded.is_finite() {
-        return rounded.to_string();
-    }
-    let exponent = rounded.abs().log10().floor();
-    let mantissa: f64 = format!("{:.2}", rounded / 10f64.powf(exponent)).parse().unwrap_or(rounded);
-    if mantissa == 1.0 {
-        return power_of_ten(exponent as i64);
-    }
-    format!("{mantissa}·{}", power_of_ten(exponent as i64))
+    shortest(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
 #[cfg(test)]

@@ -11,22 +11,24 @@ pub(super) struct Scale {
     logarithmic: bool,
 }
 
-/// A tick: position in the unit interval, and label.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
-    pub(super) position: f64,
-    pub(super) label: String,
-}
-
 impl Scale {
-    /// An axis that shows all of `values`, with a little room on both sides. Values a logarithmic axis cannot
-    /// show, and values that are not finite, do not count.
-    pub(super) fn fit(values: impl Iterator<Item = f64>, logarithmic: bool) -> Self {
-        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
-        for value in values.map(|v| transform(v, logarithmic)).filter(|v| v.is_finite()) {
-            low = low.min(value);
-            high = high.max(value);
+    /// An axis over this range, or one that shows all of `values`, with a little room on both sides. Values a
+    /// logarithmic axis cannot show, and values that are not finite, do not count.
+    pub(super) fn of(
+        range: Option<(f64, f64)>,
+        values: impl Iterator<Item = f64>,
+        logarithmic: bool,
+    ) -> Self {
+        if let Some((low, high)) = range {
+            return Self {
+                low: transform(low, logarithmic),
+                high: transform(high, logarithmic),
+                logarithmic,
+            };
         }
+        let finite = values.map(|v| transform(v, logarithmic)).filter(|v| v.is_finite());
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (mut low, mut high) = finite.fold(ends, |(low, high), v| (low.min(v), high.max(v)));
         if low > high {
             (low, high) = (0.0, 1.0);
         }
@@ -37,40 +39,28 @@ impl Scale {
         Self { low: low - room, high: high + room, logarithmic }
     }
 
-    /// An axis over exactly [low, high] in data units.
-    pub(super) fn exact(low: f64, high: f64, logarithmic: bool) -> Self {
-        Self { low: transform(low, logarithmic), high: transform(high, logarithmic), logarithmic }
-    }
-
     /// The position of a value: 0 at the low end, 1 at the high end; `None` when it cannot be shown.
     pub(super) fn position(&self, value: f64) -> Option<f64> {
         let position = (transform(value, self.logarithmic) - self.low) / (self.high - self.low);
         position.is_finite().then_some(position)
     }
 
-    /// About [`MOST`] ticks at round numbers.
-    pub(super) fn ticks(&self) -> Vec<Tick> {
+    /// About [`MOST`] ticks at round numbers: positions in the unit interval, and labels.
+    pub(super) fn ticks(&self) -> Vec<(f64, String)> {
         let span = self.high - self.low;
-        if self.logarithmic && span >= 3.0 {
-            self.decades((span / MOST).ceil().max(1.0))
-        } else if self.logarithmic {
+        let ticks = if !self.logarithmic {
+            self.linear()
+        } else if span < 3.0 {
             self.few_decades()
         } else {
-            self.linear()
-        }
+            let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 25.0, 50.0];
+            let step = steps.into_iter().find(|&step| step >= span / MOST).unwrap_or(100.0);
+            multiples(self.low, self.high, step).map(|k| (k, power_of_ten(k as i64))).collect()
+        };
+        ticks.into_iter().map(|(at, label)| ((at - self.low) / span, label)).collect()
     }
 
-    fn tick(&self, at: f64, label: String) -> Tick {
-        Tick { position: (at - self.low) / (self.high - self.low), label }
-    }
-
-    fn decades(&self, least_step: f64) -> Vec<Tick> {
-        let steps = [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0];
-        let step = steps.into_iter().find(|&s| s >= least_step).unwrap_or(100.0);
-        multiples(self.low, self.high, step).map(|k| self.tick(k, power_of_ten(k as i64))).collect()
-    }
-
-    fn few_decades(&self) -> Vec<Tick> {
+    fn few_decades(&self) -> Vec<(f64, String)> {
         let (first, last) = (self.low.floor() as i64, self.high.ceil() as i64);
         let mantissas = match self.high - self.low {
             span if span > 2.2 => vec![1.0, 3.0],
@@ -89,10 +79,10 @@ impl Scale {
                 format!("{}·{}", trimmed(m, 1), power_of_ten(k))
             }
         };
-        candidates.iter().step_by(every).map(|&(at, k, m)| self.tick(at, label(k, m))).collect()
+        candidates.iter().step_by(every).map(|&(at, k, m)| (at, label(k, m))).collect()
     }
 
-    fn linear(&self) -> Vec<Tick> {
+    fn linear(&self) -> Vec<(f64, String)> {
         let raw = (self.high - self.low) / MOST;
         let decade = 10f64.powf(raw.log10().floor());
         let step = [1.0, 2.0, 2.5, 5.0, 10.0]
@@ -101,7 +91,7 @@ impl Scale {
             .find(|&s| s >= raw * 0.999)
             .unwrap_or(10.0 * decade);
         let largest = self.low.abs().max(self.high.abs());
-        multiples(self.low, self.high, step).map(|at| self.tick(at, plain(at, step, largest))).collect()
+        multiples(self.low, self.high, step).map(|at| (at, plain(at, step, largest))).collect()
     }
 }
 
@@ -137,48 +127,43 @@ fn trimmed(value: f64, decimals: usize) -> String {
     if text == "-0" { "0".to_owned() } else { text.replace('-', "−") }
 }
 
-/// 10^k with raised digits.
-pub(super) fn power_of_ten(k: i64) -> String {
-    if k == 0 {
-        return "1".to_owned();
+/// A power of ten.
+fn power_of_ten(k: i64) -> String {
+    match k {
+        0 => "1".to_owned(),
+        1 => "10".to_owned(),
+        _ => format!("10^{k}"),
     }
-    if k == 1 {
-        return "10".to_owned();
-    }
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => c.to_digit(10).and_then(|d| char::from_u32(0x2070 + d)).unwrap_or(c),
-    };
-    format!("10{}", k.to_string().chars().map(raised).collect::<String>())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn exact(low: f64, high: f64, logarithmic: bool) -> Scale {
+        Scale::of(Some((low, high)), std::iter::empty(), logarithmic)
+    }
+
     fn labels(scale: Scale) -> Vec<String> {
-        scale.ticks().into_iter().map(|t| t.label).collect()
+        scale.ticks().into_iter().map(|(_, label)| label).collect()
     }
 
     #[test]
     fn wide_logarithmic_axes_have_few_decades() {
-        let labels = labels(Scale::exact(1e-300, 1.0, true));
-        assert_eq!(labels, ["10⁻³⁰⁰", "10⁻²⁵⁰", "10⁻²⁰⁰", "10⁻¹⁵⁰", "10⁻¹⁰⁰", "10⁻⁵⁰", "1"]);
+        let labels = labels(exact(1e-300, 1.0, true));
+        assert_eq!(labels, ["10^-300", "10^-250", "10^-200", "10^-150", "10^-100", "10^-50", "1"]);
     }
 
     #[test]
     fn narrow_axes_have_round_labels() {
-        assert_eq!(labels(Scale::exact(0.0, 1.0, false)), ["0", "0.2", "0.4", "0.6", "0.8", "1"]);
-        assert_eq!(labels(Scale::exact(0.1, 1.0, true)), ["0.1", "0.2", "0.5", "1"]);
-        assert_eq!(labels(Scale::exact(0.0, 2e-3, false)), ["0", "0.5·10⁻³", "1·10⁻³", "1.5·10⁻³", "2·10⁻³"]);
+        assert_eq!(labels(exact(0.0, 1.0, false)), ["0", "0.2", "0.4", "0.6", "0.8", "1"]);
+        assert_eq!(labels(exact(0.1, 1.0, true)), ["0.1", "0.2", "0.5", "1"]);
+        assert_eq!(labels(exact(0.0, 2e-3, false)), ["0", "0.5·10^-3", "1·10^-3", "1.5·10^-3", "2·10^-3"]);
     }
 
     #[test]
     fn what_cannot_be_shown_has_no_position() {
-        let scale = Scale::fit([1.0, 10.0, f64::NAN, 0.0].into_iter(), true);
+        let scale = Scale::of(None, [1.0, 10.0, f64::NAN, 0.0].into_iter(), true);
         assert_eq!(scale.position(0.0), None);
         assert_eq!(scale.position(f64::NAN), None);
         assert!(scale.position(1.0).is_some_and(|p| p > 0.0 && p < 0.1));

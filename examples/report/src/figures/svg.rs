@@ -1,17 +1,79 @@
-//! Typesetting of the texts of a figure: `u_N` with a subscript, `x^0.6` with a superscript, `1e-4` as a
-//! power of ten.
+//! SVG text, in user units, and the typesetting of its words: `u_N` with a subscript, `x^0.6` with a
+//! superscript, `1e-4` as a power of ten.
 
+use std::fmt::Write as _;
+
+/// The colour of the text of the page.
+pub(super) const INK: &str = "currentColor";
+/// Opened alone a picture has its own light and dark colours.
+const STYLE: &str = "<style>svg:root{color:#222;background:#fff}\
+    @media(prefers-color-scheme:dark){svg:root{color:#ddd;background:#1b1b1b}}</style>";
 /// How far an index is lowered and an exponent raised, in units of its own letters, and how large these are.
 const SHIFT: (f64, f64) = (0.3, 0.45);
 const SIZE: f64 = 0.75;
 
-/// Sets the texts of an SVG; the backend writes each on a line of its own.
-pub(super) fn typeset(svg: &str) -> String {
-    let set = |line: &str| match line.strip_suffix('\n') {
-        Some(text) if !text.starts_with('<') => shifted(&powers(text)) + "\n",
-        _ => line.to_owned(),
-    };
-    svg.split_inclusive('\n').map(set).collect()
+/// A picture while it is drawn. A paint is a colour with its opacity.
+pub(super) struct Canvas(String);
+
+impl Canvas {
+    /// An empty picture with letters of that size; `title` is its accessible name.
+    pub(super) fn new([width, height]: [f64; 2], title: &str, font_size: f64) -> Self {
+        Self(format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{width}\" \
+             height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n{STYLE}\n\
+             <g font-family=\"sans-serif\" font-size=\"{font_size}\" fill=\"{INK}\">\n",
+            escape(title)
+        ))
+    }
+
+    /// The text of the picture.
+    pub(super) fn finish(self) -> String {
+        self.0 + "</g>\n</svg>\n"
+    }
+
+    /// A line through the points; `dashes` is empty or an attribute.
+    pub(super) fn line(&mut self, points: &[(f64, f64)], paint: (&str, f64), width: f64, dashes: &str) {
+        let (points, (colour, opacity)) = (list(points), paint);
+        let ink = format!("stroke=\"{colour}\" opacity=\"{opacity}\" stroke-width=\"{width}\"{dashes}");
+        let _ = writeln!(self.0, "<polyline fill=\"none\" {ink} points=\"{points}\"/>");
+    }
+
+    pub(super) fn polygon(&mut self, corners: &[(f64, f64)], (colour, opacity): (&str, f64)) {
+        let corners = list(corners);
+        let _ = writeln!(self.0, "<polygon fill=\"{colour}\" opacity=\"{opacity}\" points=\"{corners}\"/>");
+    }
+
+    pub(super) fn disc(&mut self, (x, y): (f64, f64), radius: f64, colour: &str) {
+        let (x, y) = (tenths(x), tenths(y));
+        let _ = writeln!(self.0, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{colour}\"/>");
+    }
+
+    /// A path; nothing if it is empty.
+    pub(super) fn path(&mut self, path: &str, attributes: &str) {
+        if !path.is_empty() {
+            let _ = writeln!(self.0, "<path d=\"{path}\" {attributes}/>");
+        }
+    }
+
+    /// Words centred vertically on a point; `anchor` is `start`, `middle` or `end`.
+    pub(super) fn text(&mut self, words: &str, at: (f64, f64), anchor: &str, attributes: &str) {
+        let (x, y, words) = (tenths(at.0), tenths(at.1), shifted(&powers(&escape(words))));
+        let place = format!("x=\"{x}\" y=\"{y}\" dy=\"0.5ex\" text-anchor=\"{anchor}\"");
+        let _ = writeln!(self.0, "<text {place}{attributes}>{words}</text>");
+    }
+}
+
+fn tenths(length: f64) -> f64 {
+    (10.0 * length).round() / 10.0
+}
+
+fn list(points: &[(f64, f64)]) -> String {
+    points.iter().map(|&(x, y)| format!("{},{} ", tenths(x), tenths(y))).collect()
+}
+
+/// A text for an attribute or an element.
+fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
 /// `1e-4` as a power of ten, to be raised.
@@ -75,14 +137,11 @@ fn index_end(text: &str) -> usize {
 mod tests {
     use super::*;
 
-    fn lowered(index: &str, rest: &str) -> String {
-        format!("<tspan dy=\"0.3em\" font-size=\"75%\">{index}</tspan><tspan dy=\"-0.2250em\">{rest}</tspan>")
-    }
-
     #[test]
     fn indices_are_lowered_exponents_raised_and_the_rest_returns() {
-        let svg = "<text a_b=\"1\">\nu_N, shown\n</text>\n";
-        assert_eq!(typeset(svg), format!("<text a_b=\"1\">\nu{}\n</text>\n", lowered("N", ", shown")));
+        let lowered =
+            "u<tspan dy=\"0.3em\" font-size=\"75%\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
+        assert_eq!(shifted("u_N, shown"), lowered);
         assert!(shifted("|u|_(3/2)").starts_with("|u|<tspan dy=\"0.3em\""));
         assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"75%\">0.6</tspan>");
         assert!(shifted("h^(tau-1), H^1/2.").contains(">tau−1</tspan>"));
