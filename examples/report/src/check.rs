@@ -119,7 +119,7 @@ impl Checked {
 
     /// The same check with its value moved so that the decision is `wanted`, for fault injection.
     #[must_use]
-    pub fn moved(&self, wanted: Decision) -> Self {
+    pub(crate) fn moved(&self, wanted: Decision) -> Self {
         let scale = self.bound.value.abs().max(f64::MIN_POSITIVE);
         let (step, tolerance) = match self.relation {
             Relation::Near(tolerance) => {
@@ -138,7 +138,7 @@ impl Checked {
     }
 
     /// Value, relation and bound: "0.9968 ≤ 1".
-    pub fn comparison(&self) -> String {
+    pub(crate) fn comparison(&self) -> String {
         let [value, relation] = self.parts();
         format!("{value} {relation}")
     }

@@ -68,11 +68,6 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// The paper's label.
-    pub fn label(&self) -> &str {
-        self.label
-    }
-
     /// The status that follows from the checks.
     pub fn status(&self) -> Verdict {
         let has = |role: Role, decision: Decision| {
