@@ -14,6 +14,23 @@ pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) 
     }
 }
 
+/// Fails unless `admissible` is true for a count.
+///
+/// # Errors
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) under `name`.
+pub(crate) fn require_count(
+    name: &'static str,
+    value: usize,
+    range: &'static str,
+    admissible: bool,
+) -> Result<()> {
+    if admissible {
+        Ok(())
+    } else {
+        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range }))
+    }
+}
+
 /// Fails unless every value is finite.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! Numerical utilities of the contact library: sums, scales, searches, checks of input, conjugate gradients.
+//! Numerical utilities of the contact library: sums, scales, searches, checks of input, conjugate gradients, double-double.
 //!
 //! Functions that are private in the toolkit are compiled from its source files.
 
@@ -9,6 +9,7 @@ pub(crate) mod conjugate_gradients;
 #[path = "../../toolkit/src/numeric/legendre.rs"]
 pub(crate) mod legendre;
 pub(crate) mod memory;
+pub(crate) mod real;
 pub(crate) mod scale;
 #[path = "../../toolkit/src/numeric/search.rs"]
 pub(crate) mod search;

@@ -61,11 +61,6 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
     gaps
 }
 
-/// The number 2^depth − 1 of gaps in `depth` generations.
-pub(crate) fn generated_gaps(depth: usize) -> u64 {
-    1u64.checked_shl(depth.try_into().unwrap_or(u32::MAX)).unwrap_or(0).wrapping_sub(1)
-}
-
 /// Fails with [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the number of
 /// generations is admissible.
 pub(crate) fn check_depth(depth: usize) -> Result<()> {

@@ -7,13 +7,11 @@
 //! | [`TestProblem`] | bodies, loads, boundary parts | `test_problem` |
 //! | [`TestProblem::regularity`], [`solution_regularity`] | sup τ from corners and contact set | `regularity`, `corners` |
 //! | [`StripData`] | pairs (u_N, λ) on a fine edge that determine the load | `strip_data`, `contact_sets`, `gap_data` |
-//! | names and parameters | one block per test problem; grammar, parsing, formatting | `registry` |
 //! | [`TransitionPowers`] | one transition with given powers and logarithms | `transition_powers` |
 //! | [`DirichletEnd`] | a body whose Dirichlet and contact boundary meet, on polar rings | `dirichlet_end` |
 //! | [`KnownSolution`] | problems on the square with known solution of given regularity, and errors | `known` |
 //!
-//! A new test problem is one block in `strip_data` or `test_problem`: variant, name, parameters with defaults, data.
-//! The list of names, help texts, parsing, formatting and error messages are generated from it.
+//! A new test problem is a variant in `strip_data` or `test_problem`, with its name, its parameters and its data.
 
 mod contact_sets;
 mod corners;
@@ -21,11 +19,8 @@ mod dirichlet_end;
 mod gap_data;
 mod known;
 mod named;
-mod pressure;
-mod registry;
 mod regularity;
 mod strip_data;
-mod tau_range;
 mod test_problem;
 mod transition_powers;
 

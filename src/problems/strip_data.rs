@@ -14,130 +14,95 @@
 //!
 //! "Of regularity τ" refers to the supremum of admissible orders, as usual for powers.
 
-use super::contact_sets::{cantor, check_depth, fat_cantor, generated_gaps, many_gaps};
-use super::gap_data::{Gaps, Grid};
-use super::registry::registry;
-use super::tau_range::TauRange;
+use super::contact_sets::{Gap, cantor, check_depth, fat_cantor, many_gaps};
+use super::gap_data::Gaps;
+use super::named::unknown;
 use crate::error::{Error, Result, ToolkitError};
 use crate::strip::{EdgeData, LateralCondition};
 use crate::text::read_text;
 use std::f64::consts::LN_2;
+use std::fmt;
 use std::path::PathBuf;
+use std::str::{FromStr, Split};
 
 /// Default position of a single transition: not close to a short binary fraction.
 const POSITION: f64 = 0.381966;
 /// Measure of a fat Cantor set on the edge of length 1.
 const FAT_MEASURE: f64 = 0.5;
 
-registry! {
-    /// A test problem on the strip. Each variant is defined in one block of the source: parameters with defaults,
-    /// data, admissible regularities.
-    ///
-    /// ```
-    /// use signorini::{problems::StripData, strip::LateralCondition};
-    /// let data = StripData::Transitions { gaps: 2 }.data(2.0, 64, LateralCondition::Natural)?;
-    /// // complementarity at every node, and the requested number of non-contact intervals
-    /// assert!(data.values().iter().zip(data.forces()).all(|(u, l)| *u <= 0.0 && *l >= 0.0 && u * l == 0.0));
-    /// assert_eq!(data.gaps(), 2);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    #[derive(Debug, Clone, PartialEq)]
-    pub enum StripData: Form {
-        /// Contact for x < position, no contact beyond; with periodic sides the non-contact interval ends half a
-        /// period later.
-        Transition("transition") {
-            /// Position of the transition, in (0, 1).
-            position: f64 = POSITION,
-        } => Form {
-            words: format!("one transition at {position}"),
-            gaps: Some(1),
-            tau: |sides| if sides == LateralCondition::Periodic { TauRange::TRANSITION } else { TauRange::SLOPE },
-            data: Data::powers(move |grid| Gaps::after_transition(position, grid)),
-        };
-
-        /// Non-contact intervals of equal length, separated by contact intervals of the same length.
-        Transitions("transitions") {
-            /// Number of non-contact intervals.
-            gaps: usize = 16,
-        } => Form {
-            words: format!("{gaps} equal gaps"),
-            gaps: Some(gaps as u64),
-            tau: |_| TauRange::TRANSITION,
-            data: Data::powers(move |grid| {
-                Ok(Gaps::with_transitions(many_gaps(grid.cells, gaps)?, grid))
-            }),
-        };
-
-        /// The Cantor set that keeps two intervals of relative length `ratio` in each of `depth` generations.
-        Cantor("cantor") {
-            /// Relative length of these intervals, in (0, 1/2).
-            ratio: f64 = 0.3,
-            /// Number of generations.
-            depth: usize = 20,
-        } => Form {
-            words: format!("Cantor set of ratio {ratio}, depth {depth}"),
-            gaps: Some(generated_gaps(depth)),
-            tau: |_| TauRange::SLOPE,
-            data: Data::powers(move |grid| {
-                Error::require("ratio", ratio, "(0, 1/2)", ratio > 0.0 && ratio < 0.5)?;
-                check_depth(depth)?;
-                Ok(Gaps::fractal(cantor(grid.cells, ratio, depth), LN_2 / -ratio.ln()))
-            }),
-        };
-
-        /// A Cantor set of measure 1/2 whose boundary dimension 4 − 2τ gives both data the regularity τ.
-        FatCantor("fat-cantor") {
-            /// Number of generations.
-            depth: usize = 15,
-        } => Form {
-            words: format!("fat Cantor set of depth {depth}"),
-            gaps: Some(generated_gaps(depth)),
-            tau: |_| TauRange::FAT_CANTOR,
-            data: Data::powers(move |grid| {
-                check_depth(depth)?;
-                let dimension = 4.0 - 2.0 * grid.tau;
-                Ok(Gaps::fractal(fat_cantor(grid.cells, dimension, FAT_MEASURE, depth), dimension))
-            }),
-        };
-
-        /// Samples of u_N and λ from a file with two columns.
-        Samples("samples") {
-            /// Path of the file.
-            file: PathBuf = PathBuf::new(),
-        } => Form {
-            words: format!("samples in {}", file.display()),
-            gaps: None,
-            tau: |_| TauRange::TRANSITION,
-            data: Data::Samples(file),
-        };
-    }
-}
-
-/// The data that characterise a test problem.
-struct Form {
-    words: String,
-    /// Number of non-contact intervals of the construction; `None` for samples.
-    gaps: Option<u64>,
-    /// The admissible regularities.
-    tau: fn(LateralCondition) -> TauRange,
-    data: Data,
-}
-
-/// The source of u_N and λ.
-enum Data {
-    /// Powers of the distance to the ends of gaps.
-    Powers(Box<dyn Fn(Grid) -> Result<Gaps>>),
-    /// Samples from a file.
-    Samples(PathBuf),
-}
-
-impl Data {
-    fn powers(gaps: impl Fn(Grid) -> Result<Gaps> + 'static) -> Self {
-        Data::Powers(Box::new(gaps))
-    }
+/// A test problem on the strip.
+///
+/// A name is `NAME[:PARAMETER[:PARAMETER]]`, with parameters in the order of the fields. Omitted parameters have
+/// their default values; a file name cannot be omitted, and no parameter may be empty.
+///
+/// ```
+/// use signorini::{problems::StripData, strip::LateralCondition};
+/// let data = StripData::Transitions { gaps: 2 }.data(2.0, 64, LateralCondition::Natural)?;
+/// // complementarity at every node, and the requested number of non-contact intervals
+/// assert!(data.values().iter().zip(data.forces()).all(|(u, l)| *u <= 0.0 && *l >= 0.0 && u * l == 0.0));
+/// assert_eq!(data.gaps(), 2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum StripData {
+    /// Contact for x < position, no contact beyond; with periodic sides the non-contact interval ends half a
+    /// period later.
+    Transition {
+        /// Position of the transition, in (0, 1).
+        position: f64,
+    },
+    /// Non-contact intervals of equal length, separated by contact intervals of the same length.
+    Transitions {
+        /// Number of non-contact intervals.
+        gaps: usize,
+    },
+    /// The Cantor set that keeps two intervals of relative length `ratio` in each of `depth` generations.
+    Cantor {
+        /// Relative length of these intervals, in (0, 1/2).
+        ratio: f64,
+        /// Number of generations.
+        depth: usize,
+    },
+    /// A Cantor set of measure 1/2 whose boundary dimension 4 − 2τ gives both data the regularity τ.
+    FatCantor {
+        /// Number of generations.
+        depth: usize,
+    },
+    /// Samples of u_N and λ from a file with two columns.
+    Samples {
+        /// Path of the file.
+        file: PathBuf,
+    },
 }
 
 impl StripData {
+    /// One test problem of each kind, with default parameters.
+    pub fn all() -> Vec<Self> {
+        vec![
+            StripData::transition(),
+            StripData::Transitions { gaps: 16 },
+            StripData::Cantor { ratio: 0.3, depth: 20 },
+            StripData::FatCantor { depth: 15 },
+            StripData::Samples { file: PathBuf::new() },
+        ]
+    }
+
+    /// The name of the test problem without parameters.
+    pub fn name(&self) -> &'static str {
+        match self {
+            StripData::Transition { .. } => "transition",
+            StripData::Transitions { .. } => "transitions",
+            StripData::Cantor { .. } => "cantor",
+            StripData::FatCantor { .. } => "fat-cantor",
+            StripData::Samples { .. } => "samples",
+        }
+    }
+
+    /// The names and parameters of all test problems, for help texts and error messages.
+    pub fn names() -> &'static str {
+        "transition[:POSITION], transitions[:GAPS], cantor[:RATIO[:DEPTH]], fat-cantor[:DEPTH], samples:FILE"
+    }
+
     /// The test problem with one transition at a generic point.
     ///
     /// The position x = 0.381966 is close to (3 − √5)/2, so that its place within its cell varies from one
@@ -186,17 +151,11 @@ impl StripData {
     /// is in contact; [`Error::File`] for a file that cannot be read, or with the message of an error of
     /// [`EdgeData::from_samples`].
     pub fn data(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
-        let form = self.form();
-        match form.data {
-            Data::Samples(path) => {
-                EdgeData::from_samples(&read_text(&path)?, sides).map_err(|fault| Error::file(&path, fault))
+        match self {
+            StripData::Samples { file } => {
+                EdgeData::from_samples(&read_text(file)?, sides).map_err(|fault| Error::file(file, fault))
             }
-            Data::Powers(gaps) => {
-                sides.check_cells(cells)?;
-                (form.tau)(sides).check(tau)?;
-                let grid = Grid { tau, cells, sides };
-                gaps(grid)?.pair(grid)
-            }
+            _ => self.powers(tau, 0.0, cells, sides),
         }
     }
 
@@ -223,70 +182,122 @@ impl StripData {
     pub fn damped_data(&self, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let is_in = logarithm >= 0.0 && logarithm.is_finite();
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;
-        let form = self.form();
-        let Data::Powers(gaps) = form.data else {
-            let (what, with, expected) =
-                ("test problem", "a logarithmic factor", "a test problem whose data are powers");
-            return Err(Error::Toolkit(ToolkitError::Incompatible {
-                what,
-                given: self.to_string(),
-                with,
-                expected,
-            }));
-        };
+        self.powers(2.0, logarithm, cells, sides)
+    }
+
+    /// The pair of powers of the distance to the ends of gaps, multiplied by ℓ^{−α}, α = `logarithm`.
+    fn powers(&self, tau: f64, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         sides.check_cells(cells)?;
-        (form.tau)(sides).check(2.0)?;
-        let grid = Grid { tau: 2.0, cells, sides };
-        gaps(grid)?.damped(logarithm).pair(grid)
+        let (range, is_inside) = match self {
+            // d = 4 − 2τ > 0
+            StripData::FatCantor { .. } => ("(3/2, 2) for a fat Cantor set", tau < 2.0),
+            // λ or the slope of u_N jumps.
+            StripData::Cantor { .. } => ("(3/2, 2] for this problem", tau <= 2.0),
+            StripData::Transition { .. } if sides == LateralCondition::Natural => {
+                ("(3/2, 2] for this problem", tau <= 2.0)
+            }
+            // Up to the natural r^{3/2}.
+            _ => ("(3/2, 5/2]", tau <= 2.5),
+        };
+        // Up to τ = 3/2 σ_N has no trace in L² in general.
+        Error::require("tau", tau, range, tau > 1.5 && is_inside)?;
+        let transitions = |gaps| Gaps { gaps, dimension: 0.0, pressure: tau - 2.0, logarithm, advance: 0.0 };
+        let gaps = match *self {
+            StripData::Transition { position } => {
+                Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
+                let start = position * cells as f64;
+                let left = start as usize;
+                let right = match sides {
+                    LateralCondition::Natural => usize::MAX,
+                    LateralCondition::Periodic => left + cells / 2,
+                };
+                Gaps { advance: start.fract(), ..transitions(vec![Gap { left, right }]) }
+            }
+            StripData::Transitions { gaps } => transitions(many_gaps(cells, gaps)?),
+            StripData::Cantor { ratio, depth } => {
+                Error::require("ratio", ratio, "(0, 1/2)", ratio > 0.0 && ratio < 0.5)?;
+                check_depth(depth)?;
+                let dimension = LN_2 / -ratio.ln();
+                Gaps { dimension, pressure: 0.0, ..transitions(cantor(cells, ratio, depth)) }
+            }
+            StripData::FatCantor { depth } => {
+                check_depth(depth)?;
+                let dimension = 4.0 - 2.0 * tau;
+                let gaps = fat_cantor(cells, dimension, FAT_MEASURE, depth);
+                Gaps { dimension, pressure: 0.0, ..transitions(gaps) }
+            }
+            StripData::Samples { .. } => {
+                return Err(Error::Toolkit(ToolkitError::Incompatible {
+                    what: "test problem",
+                    given: self.to_string(),
+                    with: "a logarithmic factor",
+                    expected: "a test problem whose data are powers",
+                }));
+            }
+        };
+        gaps.pair(tau, cells, sides)
     }
+}
 
-    /// The number of non-contact intervals of the construction; `None` for samples. On a grid, intervals without a
-    /// free node or without adjacent contact are omitted together with their descendants.
-    ///
-    /// ```
-    /// // 2^depth − 1 gaps in a Cantor set of `depth` generations
-    /// assert_eq!(signorini::problems::StripData::Cantor { ratio: 0.3, depth: 5 }.gaps(), Some(31));
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    pub fn gaps(&self) -> Option<u64> {
-        self.form().gaps
+impl fmt::Display for StripData {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())?;
+        match self {
+            StripData::Transition { position } => write!(f, ":{position}"),
+            StripData::Transitions { gaps } => write!(f, ":{gaps}"),
+            StripData::Cantor { ratio, depth } => write!(f, ":{ratio}:{depth}"),
+            StripData::FatCantor { depth } => write!(f, ":{depth}"),
+            StripData::Samples { file } => write!(f, ":{}", file.display()),
+        }
     }
+}
 
-    /// A description of the test problem, such as `one transition at 0.4` or `fat Cantor set of depth 15`.
-    ///
-    /// ```
-    /// use signorini::problems::StripData;
-    /// assert_eq!(StripData::FatCantor { depth: 15 }.words(), "fat Cantor set of depth 15");
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    pub fn words(&self) -> String {
-        self.form().words
+impl FromStr for StripData {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        read(text).ok_or_else(|| unknown(text, Self::names()))
     }
+}
+
+/// The test problem with the given name; a file name may contain colons.
+fn read(text: &str) -> Option<StripData> {
+    if let Some(file) = text.strip_prefix("samples:") {
+        return (!file.is_empty()).then(|| StripData::Samples { file: file.into() });
+    }
+    let mut words = text.split(':');
+    let name = words.next()?;
+    let mut problem = StripData::all().into_iter().find(|problem| problem.name() == name)?;
+    match &mut problem {
+        StripData::Transition { position } => set(position, &mut words)?,
+        StripData::Transitions { gaps } => set(gaps, &mut words)?,
+        StripData::Cantor { ratio, depth } => {
+            set(ratio, &mut words)?;
+            set(depth, &mut words)?;
+        }
+        StripData::FatCantor { depth } => set(depth, &mut words)?,
+        StripData::Samples { .. } => return None,
+    }
+    let is_finite = match problem {
+        StripData::Transition { position: number } | StripData::Cantor { ratio: number, .. } => {
+            number.is_finite()
+        }
+        _ => true,
+    };
+    (is_finite && words.next().is_none()).then_some(problem)
+}
+
+/// Sets a parameter to the next word, if there is one; `None` if it is no number.
+fn set<T: FromStr>(parameter: &mut T, words: &mut Split<'_, char>) -> Option<()> {
+    if let Some(word) = words.next() {
+        *parameter = word.parse().ok()?;
+    }
+    Some(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
-
-    #[test]
-    fn names_are_read_back() {
-        for text in [
-            "transition:0.25",
-            "transitions:7",
-            "cantor:0.2:9",
-            "fat-cantor:12",
-            "samples:edge.txt",
-            "samples:a:b",
-        ] {
-            assert_eq!(text.parse::<StripData>().unwrap().to_string(), text);
-        }
-        assert_eq!("transition".parse(), Ok(StripData::transition()));
-        assert_eq!("cantor:0.2".parse(), Ok(StripData::Cantor { ratio: 0.2, depth: 20 }));
-        for bad in ["transitions:1e300", "transitions:-1", "cantor::9", "cantor:0.2:", "fat-cantor:3:4"] {
-            assert!(bad.parse::<StripData>().is_err(), "{bad}");
-        }
-    }
 
     #[test]
     fn a_logarithm_damps_both_data() {
@@ -319,18 +330,5 @@ mod tests {
         assert!(
             StripData::FatCantor { depth: 9 }.damped_data(1.0, cells, LateralCondition::Natural).is_err()
         );
-    }
-
-    #[test]
-    fn every_problem_has_words_and_data_of_its_own() {
-        let sources = StripData::all();
-        let words: BTreeSet<String> = sources.iter().map(StripData::words).collect();
-        assert_eq!(words.len(), sources.len());
-        for source in sources.iter().filter(|source| source.gaps().is_some()) {
-            let data = source.data(1.75, 1 << 12, LateralCondition::Natural).unwrap();
-            let planned = source.gaps().unwrap();
-            assert!((1..=planned).contains(&(data.gaps() as u64)), "{source}: {} of {planned}", data.gaps());
-            assert_eq!(data.regularity(), Some(1.75), "{source}");
-        }
     }
 }

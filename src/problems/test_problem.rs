@@ -9,105 +9,81 @@
 //! module `regularity`.
 
 use super::known::{KnownSolution, three_halves_problem};
-use super::registry::registry;
+use super::named::unknown;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::{Field, Form, Lame};
 use crate::mesh::{Part, Point, SideParts, Triangulation, mapped_grid, unit_square, unit_squares};
 use std::f64::consts::PI;
+use std::fmt;
+use std::str::FromStr;
+use std::sync::LazyLock;
 
-registry! {
-    /// A named test problem. Each variant is defined in one block of the source: domain, form and data.
-    ///
-    /// λ = μ = 1 corresponds to Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
-    ///
-    /// ```
-    /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
-    /// // clamped at the top and pressed down: full contact; the top and the plane carry the load ∫ f = −1
-    /// let found = TestProblem::Closed.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// assert_eq!(found.contact_set.count(), 5);
-    /// assert!((found.contact_force + found.reaction[1] - 1.0).abs() < 1e-12);
-    /// // lifted: no contact, the top carries all of it
-    /// let found = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
-    /// assert!(found.contact_force == 0.0 && (found.reaction[1] + 1.0).abs() < 1e-12);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-    #[non_exhaustive]
-    pub enum TestProblem: Body {
-        /// An elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
-        /// λ = μ = 1, f = (0, −cos πx).
-        #[default]
-        Block("block") => Body { load: Load::Volume(|[x, _]| -(PI * x).cos()), ..ELASTIC };
-
-        /// The scalar counterpart of `block`: ∫ ∇u·∇v, f = cos 2πx + 0.3.
-        Membrane("membrane") => Body { load: Load::Volume(|[x, _]| (2.0 * PI * x).cos() + 0.3), ..SCALAR };
-
-        /// Remark 1 as printed: ∫ ∇u·∇v + uv, contact on the whole boundary, f = 4 (cos πx + cos πy).
-        MembraneReaction("membrane-reaction") => Body {
-            form: |_| Ok(Form::Scalar { reaction: 1.0 }),
-            mesh: |n, _| unit_square(n, ALL_CONTACT),
-            load: Load::Volume(|[x, y]| 4.0 * ((PI * x).cos() + (PI * y).cos())),
-            ..SCALAR
-        };
-
-        /// A scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx.
-        Corner("corner") => Body {
-            mesh: |n, setting| leaning_square(n, setting.angle),
-            load: Load::Volume(|[x, _]| -2.0 * (PI * x).cos()),
-            ..SCALAR
-        };
-
-        /// A scalar problem with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
-        Manufactured("manufactured") => Body {
-            load: Load::Exact { solution: KnownSolution::three_halves, problem: three_halves_problem },
-            ..SCALAR
-        };
-
-        /// `block` with a nearly incompressible material, E = 5/2 and given Poisson's ratio, for which P1 elements
-        /// lock.
-        Incompressible("incompressible") => Body {
-            form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
-            ..TestProblem::Block.form()
-        };
-
-        /// An elastic corner of given opening ω between a Dirichlet side and the contact edge, pressed onto the
-        /// obstacle: f = (0, −cos πx − 1/2). At ω = 120° the corner itself is not in contact, up to r = 1e-4.
-        Leaning("leaning") => Body {
-            mesh: |n, setting| leaning_square(n, setting.angle),
-            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
-            ..ELASTIC
-        };
-
-        /// `leaning` with the load f = (0, cos πx), which lifts the body at that corner.
-        Raised("raised") => Body {
-            load: Load::Volume(|[x, _]| (PI * x).cos()),
-            ..TestProblem::Leaning.form()
-        };
-
-        /// An elastic body hanging from its top, with free sides that meet the contact edge at the opening ω; pressed
-        /// down on the left: f = (0, −cos πx − 1/2).
-        Taper("taper") => Body {
-            mesh: |n, setting| taper(n, setting.angle),
-            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
-            ..ELASTIC
-        };
-
-        /// An elastic body of three unit squares around a free reentrant corner of 270°: a leg on the obstacle, and
-        /// an arm with Dirichlet conditions at its end x = −1, f = (0, −cos πx − 1/2).
-        Bracket("bracket") => Body {
-            mesh: |n, _| bracket(n),
-            load: Load::Volume(|[x, _]| -(PI * x).cos() - 0.5),
-            ..ELASTIC
-        };
-
-        /// Elasticity without contact: `block` lifted, f = (0, 1).
-        Free("free") => Body { load: Load::Volume(|_| 1.0), ..ELASTIC };
-
-        /// Elasticity with full contact: `block` pressed down, f = (0, −1).
-        Closed("closed") => Body { load: Load::Volume(|_| -1.0), ..ELASTIC };
-    }
+/// A named test problem: domain, form and data.
+///
+/// λ = μ = 1 corresponds to Poisson's ratio 1/4; all lengths, moduli and loads are nondimensional.
+///
+/// ```
+/// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
+/// // clamped at the top and pressed down: full contact; the top and the plane carry the load ∫ f = −1
+/// let found = TestProblem::Closed.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// assert_eq!(found.contact_set.count(), 5);
+/// assert!((found.contact_force + found.reaction[1] - 1.0).abs() < 1e-12);
+/// // lifted: no contact, the top carries all of it
+/// let found = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?;
+/// assert!(found.contact_force == 0.0 && (found.reaction[1] + 1.0).abs() < 1e-12);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[non_exhaustive]
+pub enum TestProblem {
+    /// An elastic square hanging from its top, pushed down on the left and up on the right: plane strain,
+    /// λ = μ = 1, f = (0, −cos πx).
+    #[default]
+    Block,
+    /// The scalar counterpart of `block`: ∫ ∇u·∇v, f = cos 2πx + 0.3.
+    Membrane,
+    /// Remark 1 as printed: ∫ ∇u·∇v + uv, contact on the whole boundary, f = 4 (cos πx + cos πy).
+    MembraneReaction,
+    /// A scalar corner of given opening ω between a Dirichlet side and the contact edge, f = −2 cos πx.
+    Corner,
+    /// A scalar problem with known solution −Re (z − a)^{3/2} and contact set [0, a]; f = 0.
+    Manufactured,
+    /// `block` with a nearly incompressible material, E = 5/2 and given Poisson's ratio, for which P1 elements
+    /// lock.
+    Incompressible,
+    /// An elastic corner of given opening ω between a Dirichlet side and the contact edge, pressed onto the
+    /// obstacle: f = (0, −cos πx − 1/2). At ω = 120° the corner itself is not in contact, up to r = 1e-4.
+    Leaning,
+    /// `leaning` with the load f = (0, cos πx), which lifts the body at that corner.
+    Raised,
+    /// An elastic body hanging from its top, with free sides that meet the contact edge at the opening ω; pressed
+    /// down on the left: f = (0, −cos πx − 1/2).
+    Taper,
+    /// An elastic body of three unit squares around a free reentrant corner of 270°: a leg on the obstacle, and
+    /// an arm with Dirichlet conditions at its end x = −1, f = (0, −cos πx − 1/2).
+    Bracket,
+    /// Elasticity without contact: `block` lifted, f = (0, 1).
+    Free,
+    /// Elasticity with full contact: `block` pressed down, f = (0, −1).
+    Closed,
 }
+
+/// All test problems with their names, in the order of the variants.
+const NAMES: [(TestProblem, &str); 12] = [
+    (TestProblem::Block, "block"),
+    (TestProblem::Membrane, "membrane"),
+    (TestProblem::MembraneReaction, "membrane-reaction"),
+    (TestProblem::Corner, "corner"),
+    (TestProblem::Manufactured, "manufactured"),
+    (TestProblem::Incompressible, "incompressible"),
+    (TestProblem::Leaning, "leaning"),
+    (TestProblem::Raised, "raised"),
+    (TestProblem::Taper, "taper"),
+    (TestProblem::Bracket, "bracket"),
+    (TestProblem::Free, "free"),
+    (TestProblem::Closed, "closed"),
+];
 
 /// The data that characterise a test problem.
 struct Body {
@@ -115,15 +91,8 @@ struct Body {
     form: fn(&Parameters) -> Result<Form>,
     /// The mesh with n × n cells.
     mesh: fn(usize, &Parameters) -> Result<Triangulation>,
-    load: Load,
-}
-
-/// The data of a test problem.
-enum Load {
-    /// The load f alone, vertical for elastic test problems.
-    Volume(fn(Point) -> f64),
-    /// All data from a known solution; the argument of `problem` scales the data.
-    Exact { solution: fn() -> KnownSolution, problem: fn(Triangulation, f64) -> Result<ContactProblem> },
+    /// The load f, vertical for elastic test problems.
+    load: fn(Point) -> f64,
 }
 
 /// λ = μ = 1, that is Poisson's ratio 1/4, on the square hanging from its top, without load.
@@ -131,7 +100,7 @@ const ELASTIC: Body = Body {
     is_elastic: true,
     form: |_| Ok(Form::elastic(Lame::new(1.0, 1.0)?)),
     mesh: |n, _| unit_square(n, SideParts::HANGING),
-    load: Load::Volume(|_| 0.0),
+    load: |_| 0.0,
 };
 
 /// The Laplacian on the square hanging from its top, without load; a right angle between u = 0 and zero
@@ -140,7 +109,7 @@ const SCALAR: Body = Body {
     is_elastic: false,
     form: |_| Ok(Form::LAPLACE),
     mesh: |n, _| unit_square(n, SideParts::HANGING),
-    load: Load::Volume(|_| 0.0),
+    load: |_| 0.0,
 };
 
 /// The square leaning at the angle ω, in degrees, at the left end of its bottom.
@@ -203,47 +172,65 @@ const LEFT_HELD: SideParts =
     SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
 
 impl TestProblem {
+    /// One test problem of each kind.
+    pub fn all() -> Vec<Self> {
+        NAMES.map(|(problem, _)| problem).to_vec()
+    }
+
+    /// The name of the test problem.
+    pub fn name(self) -> &'static str {
+        NAMES[self as usize].1
+    }
+
+    /// The names of all test problems, for help texts and error messages.
+    pub fn names() -> &'static str {
+        static TEXT: LazyLock<String> = LazyLock::new(|| NAMES.map(|(_, name)| name).join(", "));
+        &TEXT
+    }
+
+    /// The data that characterise this test problem; those of `manufactured` follow from its solution.
+    fn body(self) -> Body {
+        match self {
+            TestProblem::Block => Body { load: |[x, _]| -(PI * x).cos(), ..ELASTIC },
+            TestProblem::Membrane => Body { load: |[x, _]| (2.0 * PI * x).cos() + 0.3, ..SCALAR },
+            TestProblem::MembraneReaction => Body {
+                form: |_| Ok(Form::Scalar { reaction: 1.0 }),
+                mesh: |n, _| unit_square(n, ALL_CONTACT),
+                load: |[x, y]| 4.0 * ((PI * x).cos() + (PI * y).cos()),
+                ..SCALAR
+            },
+            TestProblem::Corner => Body {
+                mesh: |n, setting| leaning_square(n, setting.angle),
+                load: |[x, _]| -2.0 * (PI * x).cos(),
+                ..SCALAR
+            },
+            TestProblem::Incompressible => Body {
+                form: |setting| Ok(Form::elastic(Lame::plane_strain(2.5, setting.poisson)?)),
+                ..TestProblem::Block.body()
+            },
+            TestProblem::Leaning => Body {
+                mesh: |n, setting| leaning_square(n, setting.angle),
+                load: |[x, _]| -(PI * x).cos() - 0.5,
+                ..ELASTIC
+            },
+            TestProblem::Raised => Body { load: |[x, _]| (PI * x).cos(), ..TestProblem::Leaning.body() },
+            TestProblem::Taper => Body {
+                mesh: |n, setting| taper(n, setting.angle),
+                load: |[x, _]| -(PI * x).cos() - 0.5,
+                ..ELASTIC
+            },
+            TestProblem::Bracket => {
+                Body { mesh: |n, _| bracket(n), load: |[x, _]| -(PI * x).cos() - 0.5, ..ELASTIC }
+            }
+            TestProblem::Free => Body { load: |_| 1.0, ..ELASTIC },
+            TestProblem::Closed => Body { load: |_| -1.0, ..ELASTIC },
+            TestProblem::Manufactured => SCALAR,
+        }
+    }
+
     /// True for test problems of elasticity.
-    ///
-    /// ```
-    /// use signorini::problems::TestProblem;
-    /// for problem in TestProblem::all() {
-    ///     assert_eq!(problem.is_elastic(), problem.usual_form()?.components() == 2);
-    /// }
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
     pub fn is_elastic(self) -> bool {
-        self.form().is_elastic
-    }
-
-    /// The bilinear form.
-    ///
-    /// `incompressible` has E = 5/2 and the given Poisson's ratio: λ/μ = 2ν/(1 − 2ν) is unbounded as ν → 1/2.
-    ///
-    /// ```
-    /// use signorini::{fem::{Form, Lame}, problems::{Parameters, TestProblem}};
-    /// let setting = Parameters { poisson: 0.25, ..Parameters::default() };
-    /// // E = 5/2 and ν = 1/4 give λ = μ = 1
-    /// let form = TestProblem::Incompressible.bilinear_form(&setting)?;
-    /// let Form::Elastic { materials } = form else { panic!("a scalar form") };
-    /// let lame: Lame = materials[0];
-    /// assert!((lame.lambda() - 1.0).abs() < 1e-14 && (lame.mu() - 1.0).abs() < 1e-14);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a parameter that is not admissible.
-    pub fn bilinear_form(self, setting: &Parameters) -> Result<Form> {
-        (self.form().form)(setting)
-    }
-
-    /// Elasticity with λ = μ = 1, or the Laplacian: the form of all test problems except `incompressible` and
-    /// `membrane-reaction`, for which it has the same number of components.
-    ///
-    /// # Errors
-    /// None: these constants are admissible.
-    pub fn usual_form(self) -> Result<Form> {
-        ((if self.is_elastic() { ELASTIC } else { SCALAR }).form)(&Parameters::default())
+        self.body().is_elastic
     }
 
     /// The known solution with default parameters; `None` if there is no closed form.
@@ -255,10 +242,7 @@ impl TestProblem {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn solution(self) -> Option<KnownSolution> {
-        match self.form().load {
-            Load::Exact { solution, .. } => Some(solution()),
-            Load::Volume(_) => None,
-        }
+        (self == TestProblem::Manufactured).then(KnownSolution::three_halves)
     }
 
     /// The structured mesh of the test problem with n × n squares, with default parameters.
@@ -339,7 +323,7 @@ impl TestProblem {
     /// memory; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for an angle outside [20, 160]
     /// (`corner`, `leaning`, `raised`) or [70, 160] (`taper`).
     pub fn mesh_with(self, n: usize, setting: &Parameters) -> Result<Triangulation> {
-        (self.form().mesh)(n, setting)
+        (self.body().mesh)(n, setting)
     }
 
     /// The problem on a given triangulation of the domain of the test problem, with the given parameters.
@@ -350,11 +334,11 @@ impl TestProblem {
     pub fn on_with(self, mesh: Triangulation, setting: &Parameters) -> Result<ContactProblem> {
         let scale = setting.load_scale;
         Error::require("load scale", scale, "(-inf, inf)", scale.is_finite())?;
-        let body = self.form();
-        let density = match body.load {
-            Load::Exact { problem, .. } => return problem(mesh, scale),
-            Load::Volume(density) => density,
-        };
+        if self == TestProblem::Manufactured {
+            return three_halves_problem(mesh, scale);
+        }
+        let body = self.body();
+        let density = body.load;
         let form = (body.form)(setting)?;
         let load = if body.is_elastic {
             Field::Vector(&|point| [0.0, scale * density(point)]).sample(mesh.nodes())?
@@ -362,6 +346,21 @@ impl TestProblem {
             Field::Scalar(&|point| scale * density(point)).sample(mesh.nodes())?
         };
         ContactProblem::new(mesh, form, &load)
+    }
+}
+
+impl fmt::Display for TestProblem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for TestProblem {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Self> {
+        let known = NAMES.into_iter().find(|(_, name)| *name == text);
+        known.map(|(problem, _)| problem).ok_or_else(|| unknown(text, Self::names()))
     }
 }
 

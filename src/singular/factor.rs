@@ -10,7 +10,7 @@
 //! are real on the real axis; f″ is bounded explicitly, so that a path can be followed in steps on which the argument
 //! of f changes by less than a right angle.
 
-use super::real::{Real, sine_cosine};
+use crate::numeric::real::{Real, sine_cosine};
 use faer::c64;
 use qd::Quad;
 use realfft::num_complex::Complex;

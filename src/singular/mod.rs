@@ -23,7 +23,6 @@ mod contact_zone;
 mod count;
 mod factor;
 mod mode;
-mod real;
 mod regularity;
 mod spectrum;
 mod wedge;

@@ -20,8 +20,8 @@
 //! Scalar (Laplace): closed contact means u = 0, as for a clamped side; D-D and N-N sin λω = 0, D-N cos λω = 0.
 
 use super::factor::{Factor, Fields};
-use super::real::Real;
 use crate::error::{Error, Result, ToolkitError};
+use crate::numeric::real::Real;
 use qd::Quad;
 use std::fmt;
 use std::str::FromStr;

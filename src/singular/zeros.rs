@@ -8,8 +8,8 @@
 
 use super::count::{Rectangle, zeros};
 use super::factor::Factor;
-use super::real::square_root;
 use crate::error::{Error, Result};
+use crate::numeric::real::square_root;
 use faer::c64;
 use qd::Quad;
 use realfft::num_complex::Complex;

@@ -4,9 +4,9 @@
 //! (u_N, λ) solves the contact problem with the edge load b = A u_N + λ. [`crate::problems`] constructs pairs of
 //! given regularity.
 
-use super::sides::{LateralCondition, check_cells};
-use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::check::{require_finite, require_length};
+use super::sides::LateralCondition;
+use crate::error::{Error, Result};
+use crate::numeric::check::{require_count, require_values};
 use crate::text::pairs;
 
 /// Complementary data (u_N, λ) at the nodes of a fine grid on the contact edge.
@@ -56,10 +56,9 @@ impl EdgeData {
     /// [`Error::NotComplementary`] if both are nonzero at a node; [`Error::EmptyContact`] if u_N < 0 at all
     /// nodes.
     pub fn new(cells: usize, sides: LateralCondition, values: &[f64], forces: &[f64]) -> Result<Self> {
-        check_cells(cells, sides)?;
+        sides.check_cells(cells)?;
         for (name, field) in [("u_N", values), ("lambda", forces)] {
-            require_length(name, field.len(), sides.nodes(cells))?;
-            require_finite(name, field)?;
+            require_values(name, field, sides.nodes(cells))?;
         }
         for (node, (&value, &force)) in values.iter().zip(forces).enumerate() {
             require_complementary(node, value, force)?;
@@ -110,13 +109,8 @@ impl EdgeData {
             LateralCondition::Natural => (values.len().saturating_sub(1), "{2^k + 1: k >= 1}"),
             LateralCondition::Periodic => (values.len(), "{2^k: k >= 1}"),
         };
-        if !cells.is_power_of_two() || cells < 2 {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "lines of samples",
-                value: values.len(),
-                range,
-            }));
-        }
+        let is_power = cells.is_power_of_two() && cells >= 2;
+        require_count("lines of samples", values.len(), range, is_power)?;
         let forces = (0..densities.len())
             .map(|i| {
                 let at_side = sides == LateralCondition::Natural && (i == 0 || i == cells);

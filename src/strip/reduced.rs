@@ -1,10 +1,13 @@
 //! A strip with n × m cells, scalar or elastic: its edge operator, and volume loads condensed to the edge.
 
 use super::operator::edge::EdgeOperator;
-use super::operator::elastic::ElasticStrip;
-use super::operator::scalar::ScalarStrip;
+use super::operator::elastic::{self, EdgeMatrix, edge_matrices};
+use super::operator::scalar::{self, scalar_symbol};
+use super::sides::LateralCondition;
 use crate::error::Result;
 use crate::fem::Lame;
+use crate::numeric::check::require_count;
+use std::f64::consts::PI;
 
 /// A strip of height m/n with n × m cells, n along the contact edge, with u = 0 at the top.
 ///
@@ -18,12 +21,11 @@ use crate::fem::Lame;
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Strip(Kind);
-
-#[derive(Debug, Clone)]
-enum Kind {
-    Scalar(ScalarStrip),
-    Elastic(ElasticStrip),
+pub struct Strip {
+    pub(super) operator: EdgeOperator,
+    layers: usize,
+    /// The material and the edge matrices of all modes; `None` for the Laplace equation.
+    elastic: Option<(Lame, Vec<EdgeMatrix>)>,
 }
 
 impl Strip {
@@ -44,7 +46,12 @@ impl Strip {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ n ≤ 2^26 and 1 ≤ m
     /// ≤ 2^26.
     pub fn scalar(cells: usize, layers: usize) -> Result<Self> {
-        Ok(Self(Kind::Scalar(ScalarStrip::new(cells, layers)?)))
+        LateralCondition::Natural.check_cells(cells)?;
+        check_layers(layers)?;
+        let symbol: Vec<f64> =
+            (0..=cells).map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64)).collect();
+        let operator = EdgeOperator::new(cells, LateralCondition::Natural, &symbol)?;
+        Ok(Self { operator, layers, elastic: None })
     }
 
     /// The strip of a homogeneous, isotropic elastic material, with periodic sides.
@@ -65,17 +72,20 @@ impl Strip {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n is even, m a power of
     /// two, 2 ≤ n ≤ 2^26 and m ≤ 2^26.
     pub fn elastic(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
-        Ok(Self(Kind::Elastic(ElasticStrip::new(cells, layers, lame)?)))
+        LateralCondition::Periodic.check_cells(cells)?;
+        check_layers(layers)?;
+        require_count("layers", layers, "{1, 2, 4, 8, ...}", layers.is_power_of_two())?;
+        let matrices = edge_matrices(cells, layers, lame);
+        let symbol: Vec<f64> = matrices.iter().map(|a| a.normal()).collect();
+        let operator = EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)?;
+        Ok(Self { operator, layers, elastic: Some((lame, matrices)) })
     }
 
     /// The edge operator A; for elasticity that of the normal displacement, with the tangential one condensed.
     ///
     /// With v = (u_x, u_y) and the matrix A of a mode, S_N = A_yy − |A_xy|²/A_xx acts on u_N = −u_y.
     pub fn operator(&self) -> &EdgeOperator {
-        match &self.0 {
-            Kind::Scalar(strip) => strip.operator(),
-            Kind::Elastic(strip) => strip.operator(),
-        }
+        &self.operator
     }
 
     /// Number of unknowns of the represented two-dimensional problem: (n + 1) m for the scalar strip, 2 n m for the
@@ -90,10 +100,8 @@ impl Strip {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn unknowns(&self) -> f64 {
-        match &self.0 {
-            Kind::Scalar(strip) => strip.virtual_unknowns(),
-            Kind::Elastic(strip) => strip.virtual_unknowns(),
-        }
+        let components = if self.elastic.is_some() { 2.0 } else { 1.0 };
+        components * self.operator.nodes() as f64 * self.layers as f64
     }
 
     /// The edge load b and the constant c of J(g) = ½ g'A g − b'g + c for the load ∫ f_h·v, f_h the nodal interpolant
@@ -118,9 +126,27 @@ impl Strip {
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if f is not finite at a node.
     pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
-        match &self.0 {
-            Kind::Scalar(strip) => strip.condense(|x, y| f(x, y)[0]),
-            Kind::Elastic(strip) => strip.condense(f),
+        match &self.elastic {
+            None => scalar::condense(&self.operator, self.layers, |x, y| f(x, y)[0]),
+            Some((lame, matrices)) => elastic::condense(&self.operator, self.layers, (*lame, matrices), f),
         }
+    }
+}
+
+fn check_layers(layers: usize) -> Result<()> {
+    require_count("layers", layers, "[1, 2^26]", (1..=1 << 26).contains(&layers))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_and_loads_are_checked() {
+        let lame = Lame::new(1.0, 1.0).unwrap();
+        for (cells, layers) in [(7, 8), (8, 6), (8, 0)] {
+            assert!(Strip::elastic(cells, layers, lame).is_err(), "{cells} {layers}");
+        }
+        assert!(Strip::scalar(16, 16).unwrap().condense(|x, _| [1.0 / (x - 0.5), 0.0]).is_err());
     }
 }

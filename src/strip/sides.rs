@@ -1,7 +1,8 @@
-//! The lateral conditions of the strip, and checks of edge data.
+//! The lateral conditions of the strip, and their numbers of nodes.
 
 use crate::cone::Ends;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
+use crate::numeric::check::require_count;
 
 /// The lateral conditions at x = 0 and x = 1.
 ///
@@ -38,7 +39,11 @@ impl LateralCondition {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) otherwise.
     pub fn check_cells(self, cells: usize) -> Result<()> {
-        check_cells(cells, self)
+        let (admissible, range) = match self {
+            LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
+            LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}"),
+        };
+        require_count("cells", cells, range, admissible && cells <= 1 << 26)
     }
 
     /// The ends of the edge for a contact cone: open or joined.
@@ -57,18 +62,5 @@ impl LateralCondition {
             LateralCondition::Natural => 2 * cells,
             LateralCondition::Periodic => cells,
         }
-    }
-}
-
-/// Checks that there are at least two cells and at most 2^26, an even number with periodic sides.
-pub(crate) fn check_cells(cells: usize, sides: LateralCondition) -> Result<()> {
-    let (admissible, range) = match sides {
-        LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
-        LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}"),
-    };
-    if admissible && cells <= 1 << 26 {
-        Ok(())
-    } else {
-        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "cells", value: cells, range }))
     }
 }

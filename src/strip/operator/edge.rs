@@ -13,9 +13,9 @@
 use super::fourier::{RealFourier, Workspace};
 use crate::cone::{Cone, EdgeCone};
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_finite, require_length};
+use crate::numeric::check::{require_length, require_values};
 use crate::numeric::sum::pairwise_sum;
-use crate::strip::sides::{LateralCondition, check_cells};
+use crate::strip::sides::LateralCondition;
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::fmt;
@@ -71,7 +71,7 @@ impl EdgeOperator {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless there are P/2 + 1 positive finite
     /// values.
     pub fn new(cells: usize, sides: LateralCondition, symbol: &[f64]) -> Result<Self> {
-        check_cells(cells, sides)?;
+        sides.check_cells(cells)?;
         let period = sides.period(cells);
         require_length("symbol", symbol.len(), period / 2 + 1)?;
         for &value in symbol {
@@ -88,11 +88,6 @@ impl EdgeOperator {
 
     /// Number n of cells of the edge; h = 1/n.
     pub fn cells(&self) -> usize {
-        self.cells
-    }
-
-    /// Number of contact segments (the cells).
-    pub fn segments(&self) -> usize {
         self.cells
     }
 
@@ -179,7 +174,7 @@ impl EdgeOperator {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless g has one value per node;
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) unless all values are finite.
     pub fn apply(&self, g: &[f64]) -> Result<Vec<f64>> {
-        self.check_field("edge values", g)?;
+        require_values("edge values", g, self.nodes())?;
         let mut out = vec![0.0; self.nodes()];
         self.apply_into(g, &mut out, &mut self.workspace())?;
         Ok(out)
@@ -202,7 +197,7 @@ impl EdgeOperator {
     /// # Errors
     /// As for [`EdgeOperator::apply`].
     pub fn solve(&self, b: &[f64]) -> Result<Vec<f64>> {
-        self.check_field("edge forces", b)?;
+        require_values("edge forces", b, self.nodes())?;
         let mut out = vec![0.0; self.nodes()];
         self.solve_into(b, &mut out, &mut self.workspace())?;
         Ok(out)
@@ -227,7 +222,7 @@ impl EdgeOperator {
     /// # Errors
     /// As for [`EdgeOperator::apply`].
     pub fn energy(&self, g: &[f64]) -> Result<f64> {
-        self.check_field("edge values", g)?;
+        require_values("edge values", g, self.nodes())?;
         let mut work = self.workspace();
         self.transform(g, |_| 1.0, &mut work)?;
         Ok(self.mode_sum(&work.spectrum, |k| self.symbol[k]))
@@ -297,11 +292,6 @@ impl EdgeOperator {
             LateralCondition::Periodic => 1.0,
         };
         gamma * (term(0) + 2.0 * inner + term(last)) / period as f64
-    }
-
-    pub(crate) fn check_field(&self, name: &'static str, values: &[f64]) -> Result<()> {
-        require_length(name, values.len(), self.nodes())?;
-        require_finite(name, values)
     }
 
     fn transform(&self, g: &[f64], scale: impl Fn(usize) -> f64, work: &mut Workspace) -> Result<()> {

@@ -9,13 +9,12 @@
 //! O(n log m) for the symbol, O(n m log n) for a volume load.
 
 use super::edge::EdgeOperator;
-use super::load::mass_row;
-use super::scalar::check_layers;
+use super::load::load_rows;
 use super::slab::{Matrix, Mode, Slab, edge_matrix};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
 use crate::fem::Lame;
 use crate::numeric::check::require_finite;
-use crate::strip::sides::{LateralCondition, check_cells};
+use crate::strip::sides::LateralCondition;
 use qd::Quad;
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
@@ -62,116 +61,40 @@ impl EdgeMatrix {
     }
 }
 
-/// An elastic strip with n × m cells, reduced to its edge.
-#[derive(Debug, Clone)]
-pub(crate) struct ElasticStrip {
-    operator: EdgeOperator,
-    matrices: Vec<EdgeMatrix>,
-    lame: Lame,
+/// The load of u_N on the edge and the constant of the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), by
+/// the consistent P1 mass matrix; `matrices` are the edge matrices of all modes.
+pub(crate) fn condense(
+    operator: &EdgeOperator,
     layers: usize,
-}
-
-impl ElasticStrip {
-    /// The strip with n cells along the edge, m layers and one material.
-    ///
-    /// # Errors
-    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for an odd n or an m that is not a power of two.
-    pub(crate) fn new(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
-        check_cells(cells, LateralCondition::Periodic)?;
-        check_layers(layers)?;
-        if !layers.is_power_of_two() {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "layers",
-                value: layers,
-                range: "{1, 2, 4, 8, ...}",
-            }));
+    (lame, matrices): (Lame, &[EdgeMatrix]),
+    f: impl Fn(f64, f64) -> [f64; 2],
+) -> Result<(Vec<f64>, f64)> {
+    let n = operator.cells();
+    let mut columns: Vec<Column> = (0..=n / 2).map(|k| Column::new(k, n, lame)).collect();
+    let mut constant = 0.0;
+    for (j, row) in load_rows(n, layers, LateralCondition::Periodic, f) {
+        require_finite("volume load", &row[0])?;
+        require_finite("volume load", &row[1])?;
+        let [x, y] = [operator.modes(&row[0])?, operator.modes(&row[1])?];
+        for (k, column) in columns.iter_mut().enumerate() {
+            column.load[0] += x[k];
+            column.load[1] += y[k];
         }
-        let matrices = edge_matrices(cells, layers, lame);
-        let symbol = matrices.iter().map(|a| a.normal()).collect::<Vec<_>>();
-        Ok(Self {
-            operator: EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)?,
-            matrices,
-            lame,
-            layers,
-        })
-    }
-
-    /// The operator of the normal displacement, with the tangential component condensed.
-    pub(crate) fn operator(&self) -> &EdgeOperator {
-        &self.operator
-    }
-
-    /// Number of unknowns of the represented two-dimensional problem: 2 n m.
-    pub(crate) fn virtual_unknowns(&self) -> f64 {
-        2.0 * self.operator.nodes() as f64 * self.layers as f64
-    }
-
-    /// The edge load and constant of the load ∫ f_h·v, f_h the nodal interpolant of f = (f_x, f_y), by the consistent
-    /// P1 mass matrix.
-    ///
-    /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if f is not finite at a node.
-    pub(crate) fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
-        let n = self.operator.cells();
-        let nodal = |j: usize| -> [Vec<f64>; 2] {
-            let y = j as f64 / n as f64;
-            let values: Vec<[f64; 2]> = (0..n).map(|i| f(i as f64 / n as f64, y)).collect();
-            [0, 1].map(|axis| values.iter().map(|v| v[axis]).collect())
-        };
-        let mut above = nodal(self.layers);
-        let mut here = nodal(self.layers - 1);
-        self.condense_rows(|j, out| {
-            let below = if j > 0 { nodal(j - 1) } else { [Vec::new(), Vec::new()] };
-            for axis in 0..2 {
-                mass_row(
-                    n,
-                    LateralCondition::Periodic,
-                    &below[axis],
-                    &here[axis],
-                    &above[axis],
-                    &mut out[axis],
-                );
-            }
-            above = std::mem::replace(&mut here, below);
-        })
-    }
-
-    /// The edge load and constant of a volume load given by rows: `row(j, [F_x, F_y])` writes the dual values of
-    /// layer j = 0 ... m − 1; rows are evaluated from the top downwards.
-    ///
-    /// # Errors
-    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) if a row is not finite.
-    fn condense_rows(&self, mut row: impl FnMut(usize, &mut [Vec<f64>; 2])) -> Result<(Vec<f64>, f64)> {
-        let operator = &self.operator;
-        let n = operator.cells();
-        let mut values = [vec![0.0; n], vec![0.0; n]];
-        let mut columns: Vec<Column> = (0..=n / 2).map(|k| Column::new(k, n, self.lame)).collect();
-        let mut constant = 0.0;
-        for j in (0..self.layers).rev() {
-            row(j, &mut values);
-            require_finite("volume load", &values[0])?;
-            require_finite("volume load", &values[1])?;
-            let [x, y] = [operator.modes(&values[0])?, operator.modes(&values[1])?];
-            for (k, column) in columns.iter_mut().enumerate() {
-                column.load[0] += x[k];
-                column.load[1] += y[k];
-            }
-            if j > 0 {
-                columns.iter_mut().for_each(Column::eliminate);
-                let columns = &columns;
-                constant -= 0.5 * operator.mode_sum_of(|k| columns[k].released);
-            }
+        if j > 0 {
+            columns.iter_mut().for_each(Column::eliminate);
+            let columns = &columns;
+            constant -= 0.5 * operator.mode_sum_of(|k| columns[k].released);
         }
-        let columns = &columns;
-        constant -= 0.5 * operator.mode_sum_of(|k| columns[k].load[0].norm_sqr() / self.matrices[k].xx);
-        let normal: Vec<Complex<f64>> = (0..=n / 2)
-            .map(|k| {
-                let a = self.matrices[k];
-                -(columns[k].load[1] - a.xy.conj() * columns[k].load[0] / a.xx)
-            })
-            .collect();
-        Ok((operator.with_modes(&normal)?, constant))
     }
+    let columns = &columns;
+    constant -= 0.5 * operator.mode_sum_of(|k| columns[k].load[0].norm_sqr() / matrices[k].xx);
+    let normal: Vec<Complex<f64>> = (0..=n / 2)
+        .map(|k| {
+            let a = matrices[k];
+            -(columns[k].load[1] - a.xy.conj() * columns[k].load[0] / a.xx)
+        })
+        .collect();
+    Ok((operator.with_modes(&normal)?, constant))
 }
 
 /// Below this angle (three modes in a hundred) edge matrices are computed in double-double: these modes require the
@@ -247,13 +170,5 @@ mod tests {
                 assert!((matrices[k].xy - other.xy).norm() < bound * scale);
             }
         }
-    }
-
-    #[test]
-    fn counts_are_checked() {
-        let lame = Lame::new(1.0, 1.0).unwrap();
-        assert!(ElasticStrip::new(7, 8, lame).is_err());
-        assert!(ElasticStrip::new(8, 6, lame).is_err());
-        assert!(ElasticStrip::new(8, 0, lame).is_err());
     }
 }

@@ -23,34 +23,9 @@
 //! (`elastic_defect`).
 
 use crate::fem::Lame;
+use crate::numeric::real::Real;
 use qd::Quad;
 use realfft::num_complex::Complex;
-use realfft::num_traits::Num;
-use std::ops::Neg;
-
-/// A real field with the four operations.
-pub(crate) trait Field: Num + Copy + Neg<Output = Self> + From<f64> {
-    /// Relative change at which doubling stops: about the square root of the rounding error, with a margin.
-    const SETTLED: f64;
-    /// The nearest binary64.
-    fn approximate(self) -> f64;
-}
-
-impl Field for f64 {
-    const SETTLED: f64 = 1e-10;
-
-    fn approximate(self) -> f64 {
-        self
-    }
-}
-
-impl Field for Quad {
-    const SETTLED: f64 = 1e-18;
-
-    fn approximate(self) -> f64 {
-        self.0
-    }
-}
 
 /// sin²(θ/2) and sin θ: the parameters of a layer.
 #[derive(Debug, Clone, Copy)]
@@ -59,30 +34,17 @@ pub(crate) struct Mode<T> {
     pub(crate) sine: T,
 }
 
-impl Mode<f64> {
-    pub(crate) fn new(theta: f64) -> Self {
-        let half = (0.5 * theta).sin();
-        Self { half_sine_squared: half * half, sine: theta.sin() }
+impl<T: Real> Mode<T> {
+    pub(crate) fn new(theta: T) -> Self {
+        let (half, _) = (theta * T::from(0.5)).circular();
+        Self { half_sine_squared: half * half, sine: theta.circular().0 }
     }
 }
 
 impl Mode<Quad> {
-    /// θ = 2πk/cells, 0 ≤ θ ≤ π: Taylor series at θ/2^10, then doubled angles (each costs a bit of 106).
+    /// θ = 2πk/cells.
     pub(crate) fn long(k: usize, cells: usize) -> Self {
-        const DOUBLINGS: i32 = 9;
-        let (one, two) = (Quad::from(1.0), Quad::from(2.0));
-        let x = Quad::PI * Quad::from(k as f64) / Quad::from(cells as f64) / Quad::from(2f64.powi(DOUBLINGS));
-        let square = x * x;
-        let (mut sine, mut cosine) = (one, one);
-        for j in (1..=7).rev().map(|j| 2.0 * f64::from(j)) {
-            sine = one - square * sine / Quad::from(j * (j + 1.0));
-            cosine = one - square * cosine / Quad::from((j - 1.0) * j);
-        }
-        let (mut s, mut c) = (x * sine, cosine);
-        for _ in 0..DOUBLINGS {
-            (s, c) = (two * s * c, c * c - s * s);
-        }
-        Self { half_sine_squared: s * s, sine: two * s * c }
+        Self::new(Quad::PI * Quad::from(2.0 * k as f64) / Quad::from(cells as f64))
     }
 }
 
@@ -90,7 +52,7 @@ impl Mode<Quad> {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Matrix<T>(pub(crate) [Complex<T>; 4]);
 
-impl<T: Field> Matrix<T> {
+impl<T: Real> Matrix<T> {
     fn real(entries: [T; 4]) -> Self {
         Self(entries.map(|v| Complex::new(v, T::zero())))
     }
@@ -153,7 +115,7 @@ impl<T: Field> Matrix<T> {
     }
 }
 
-fn conj<T: Field>(z: Complex<T>) -> Complex<T> {
+fn conj<T: Real>(z: Complex<T>) -> Complex<T> {
     Complex::new(z.re, -z.im)
 }
 
@@ -165,7 +127,7 @@ pub(crate) struct Slab<T> {
     pub(crate) c: Matrix<T>,
 }
 
-impl<T: Field> Slab<T> {
+impl<T: Real> Slab<T> {
     /// The slab of one layer.
     pub(crate) fn layer(mode: Mode<T>, lame: Lame) -> Self {
         let (lambda, mu) = (T::from(lame.lambda()), T::from(lame.mu()));
@@ -210,7 +172,7 @@ impl<T: Field> Slab<T> {
 /// once a doubling changes the matrix by less than the square root of the rounding error, the slab is effectively
 /// infinite. (κ is not that of the continuous problem: for λ ≫ μ the discrete modes near θ = π decay far more
 /// slowly.)
-pub(crate) fn edge_matrix<T: Field>(mode: Mode<T>, lame: Lame, doublings: u32) -> Matrix<T> {
+pub(crate) fn edge_matrix<T: Real>(mode: Mode<T>, lame: Lame, doublings: u32) -> Matrix<T> {
     let mut slab = Slab::layer(mode, lame);
     let mut matrix = slab.clamped();
     for _ in 0..doublings {

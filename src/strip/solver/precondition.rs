@@ -155,7 +155,7 @@ fn smooth_at_least(n: usize) -> usize {
 mod tests {
     use super::*;
     use crate::cone::Cone;
-    use crate::strip::operator::scalar::ScalarStrip;
+    use crate::strip::Strip;
 
     #[test]
     fn smooth_numbers() {
@@ -164,7 +164,7 @@ mod tests {
 
     #[test]
     fn symmetric_on_every_face() {
-        let strip = ScalarStrip::new(32, 32).unwrap();
+        let strip = Strip::scalar(32, 32).unwrap();
         let operator = strip.operator();
         let mut preconditioner = Preconditioner::new(operator);
         for pattern in 0..4usize {

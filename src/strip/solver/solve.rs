@@ -16,7 +16,7 @@ use super::inner::FaceSolver;
 use super::solution::EdgeSolution;
 use crate::cone::{Cone, ContactSet, EdgeCone, Face, KktTerms, Status};
 use crate::error::{Error, Result, ToolkitError};
-use crate::numeric::check::require_finite;
+use crate::numeric::check::{require_finite, require_values};
 use crate::numeric::scale::largest;
 use crate::numeric::sum::pairwise_dot;
 use crate::strip::operator::edge::EdgeOperator;
@@ -70,7 +70,7 @@ impl EdgeOperator {
         tolerance: impl Given<Tolerance>,
     ) -> Result<EdgeSolution> {
         let tolerance = tolerance.given()?.relative();
-        self.check_field("edge load", force)?;
+        require_values("edge load", force, self.nodes())?;
         // The problem is positively homogeneous: it is solved for a load of size one.
         let size = largest(force);
         let scale = if size > 0.0 { size } else { 1.0 };

@@ -1,4 +1,5 @@
-//! sin and cos of complex numbers in binary64 and in double-double, for the accurate computation of close zeros.
+//! binary64 and double-double under one trait, with sin and cos of complex numbers: for differences of matrices and
+//! for close zeros, where binary64 loses too many digits.
 //!
 //! sin(x + iy) = sin x cosh y + i cos x sinh y. In double-double the nearest multiple of π/2 is subtracted from x,
 //! and Taylor series up to the power 31 are used; hyperbolic functions are computed by their series up to 1, and by
@@ -12,10 +13,15 @@ use std::ops::Neg;
 /// Terms of the series: powers up to 31 and 30 of a number below 1.
 const TERMS: u32 = 15;
 
-/// A real field in which factors are evaluated.
-pub(super) trait Real: Num + Copy + Neg<Output = Self> {
+/// A real field: binary64 or double-double.
+pub(crate) trait Real: Num + Copy + Neg<Output = Self> + From<f64> {
+    /// Relative change at which a quadratically convergent iteration stops: about the square root of the rounding
+    /// error, with a margin.
+    const SETTLED: f64;
     /// The nearest number of the field.
     fn of(x: Quad) -> Self;
+    /// The nearest binary64.
+    fn approximate(self) -> f64;
     /// (sin x, cos x).
     fn circular(self) -> (Self, Self);
     /// (sinh x, cosh x).
@@ -23,8 +29,14 @@ pub(super) trait Real: Num + Copy + Neg<Output = Self> {
 }
 
 impl Real for f64 {
+    const SETTLED: f64 = 1e-10;
+
     fn of(x: Quad) -> Self {
         x.0
+    }
+
+    fn approximate(self) -> f64 {
+        self
     }
 
     fn circular(self) -> (Self, Self) {
@@ -37,8 +49,14 @@ impl Real for f64 {
 }
 
 impl Real for Quad {
+    const SETTLED: f64 = 1e-18;
+
     fn of(x: Quad) -> Self {
         x
+    }
+
+    fn approximate(self) -> f64 {
+        self.0
     }
 
     fn circular(self) -> (Self, Self) {
@@ -75,13 +93,13 @@ fn series(x: Quad, sign: f64) -> (Quad, Quad) {
 }
 
 /// (sin z, cos z).
-pub(super) fn sine_cosine<T: Real>(z: Complex<T>) -> (Complex<T>, Complex<T>) {
+pub(crate) fn sine_cosine<T: Real>(z: Complex<T>) -> (Complex<T>, Complex<T>) {
     let ((s, c), (sh, ch)) = (z.re.circular(), z.im.hyperbolic());
     (Complex::new(s * ch, c * sh), Complex::new(c * ch, -(s * sh)))
 }
 
 /// √z by Newton's method from the root in binary64.
-pub(super) fn square_root(z: Complex<Quad>) -> Complex<Quad> {
+pub(crate) fn square_root(z: Complex<Quad>) -> Complex<Quad> {
     let start = Complex::new(z.re.0, z.im.0).sqrt();
     if start.norm() == 0.0 {
         return Complex::new(Quad::ZERO, Quad::ZERO);
