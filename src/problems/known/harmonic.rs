@@ -12,16 +12,26 @@
 //! * *three Dirichlet sides*: −Δu = 0, u is prescribed on them;
 //! * *the whole boundary*, Remark 1 as printed: −Δu + u = f = u, u ≤ 0 on all four sides, g = ∂u/∂n where
 //!   there is no contact. The normal, and with it the load, is discontinuous at the corners; u is continuous.
+//!
+//! Loads are integrated by rules graded toward the transition a: on both parts of its segment, of length L,
+//! x = a ± L t^12 with Gauss points t in (0, 1).
 
-use super::super::transition_powers::TransitionPowers;
 use crate::error::{Error, Result};
-use crate::mesh::Point;
+use crate::mesh::{Part, Point, Triangulation, distance};
+use crate::problems::TransitionPowers;
+use fractional_sobolev::{Rule, gauss_legendre};
 use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 use std::fmt;
 
 /// The slope s: larger than Re F / y on the other three sides for all admissible p, where that is at most 3.5.
-pub(super) const SLOPE: f64 = 4.0;
+const SLOPE: f64 = 4.0;
+
+/// Number of points along each side of a triangle for errors, for p < 1 and for p ≥ 1; one less for loads.
+const POINTS: [usize; 2] = [5, 4];
+/// Gauss points on a segment, and m: t^{mp−1} is smooth enough for p ≥ 3/10.
+const EDGE_POINTS: usize = 24;
+const GRADING: i32 = 12;
 
 /// A problem with one transition on a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +60,7 @@ impl Harmonic {
     }
 
     /// F and F' at the point (x − a, y).
-    pub(super) fn potential(&self, x: f64, y: f64) -> [Complex<f64>; 2] {
+    fn potential(&self, x: f64, y: f64) -> [Complex<f64>; 2] {
         let (r, phi) = (x.hypot(y), y.atan2(x));
         let TransitionPowers { opening: p, logarithm: alpha, .. } = self.powers;
         let z = Complex::new(x, y);
@@ -91,6 +101,59 @@ impl Harmonic {
         let TransitionPowers { pressure, logarithm, .. } = self.powers;
         -beyond.powf(pressure) * (2.0 - beyond.ln()).powf(-logarithm)
     }
+
+    /// Number of points along each side of a triangle for errors.
+    pub(super) fn points(&self) -> usize {
+        POINTS[usize::from(self.powers.opening >= 1.0)]
+    }
+
+    /// ∫ g φ_i over the contact part.
+    pub(super) fn edge_load(&self, mesh: &Triangulation) -> Result<Vec<f64>> {
+        let rule = gauss_legendre(EDGE_POINTS)?;
+        let mut load = vec![0.0; mesh.nodes().len()];
+        for edge in mesh.boundary().iter().filter(|edge| edge.part == Part::Contact) {
+            let [from, to] = mesh.ends(edge);
+            let length = distance(from, to);
+            let normal = [(to[1] - from[1]) / length, (from[0] - to[0]) / length];
+            let mut add = |t: f64, weight: f64, density: f64| {
+                for (node, share) in edge.nodes.into_iter().zip([1.0 - t, t]) {
+                    load[node] += weight * length * share * density;
+                }
+            };
+            if from[1] == 0.0 && to[1] == 0.0 {
+                for (t, weight, beyond) in self.points_on_bottom(from[0], length, &rule) {
+                    let slope = self.potential(beyond, 0.0)[1].im + SLOPE;
+                    add(t, weight, slope - self.normal_stress(beyond));
+                }
+                continue;
+            }
+            for (t, weight) in rule.iter() {
+                let [p, q] =
+                    self.gradient([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+                add(t, weight, p * normal[0] + q * normal[1]);
+            }
+        }
+        Ok(load)
+    }
+
+    /// (t, weight, x − a) on the segment x = start + t · length, graded toward a if it contains a.
+    fn points_on_bottom(&self, start: f64, length: f64, rule: &Rule) -> Vec<(f64, f64, f64)> {
+        let cut = (self.position - start) / length;
+        if !(0.0..=1.0).contains(&cut) {
+            return rule.iter().map(|(t, weight)| (t, weight, (t - cut) * length)).collect();
+        }
+        let halves = [(-1.0, cut), (1.0, 1.0 - cut)];
+        halves
+            .iter()
+            .flat_map(|&(side, width)| {
+                rule.iter().map(move |(s, weight)| {
+                    let distance = width * s.powi(GRADING);
+                    let stretch = width * f64::from(GRADING) * s.powi(GRADING - 1);
+                    (cut + side * distance, weight * stretch, side * distance * length)
+                })
+            })
+            .collect()
+    }
 }
 
 impl fmt::Display for Harmonic {
@@ -103,7 +166,9 @@ impl fmt::Display for Harmonic {
 
 #[cfg(test)]
 pub(super) mod tests {
+    use super::super::{Formula, KnownSolution, rule};
     use super::*;
+    use crate::mesh::doubled_area;
 
     pub(in super::super) fn all_known(whole_boundary: bool) -> Vec<Harmonic> {
         let of_tau = [1.4, 1.5, 1.75, 2.1, 2.25, 2.5].map(TransitionPowers::of_regularity);
@@ -149,6 +214,54 @@ pub(super) mod tests {
             let expected = r.powf(p) * (2.0 - r.ln()).powf(-known.powers.logarithm);
             let near = if known.powers.logarithm == 0.0 { 1e-5 } else { 0.05 };
             assert!((found / expected - 1.0).abs() < near, "{known}: {found} {expected}");
+        }
+    }
+
+    /// a(u, φ_i) = ∫ f φ_i + ∫ (g + σ_N) φ_i at every node off the Dirichlet boundary: u solves the problem
+    /// of its loads.
+    #[test]
+    fn the_loads_are_those_of_u() {
+        let n = 4;
+        for whole_boundary in [false, true] {
+            for known in all_known(whole_boundary) {
+                let problem = KnownSolution { formula: Formula::Harmonic(known) }.problem(n).unwrap();
+                let mesh = problem.mesh();
+                let held = mesh.nodes_on(Part::Dirichlet);
+                let mut work = vec![0.0; mesh.nodes().len()];
+                let rule = rule(10, &[known.position]).unwrap();
+                let reaction = f64::from(u8::from(whole_boundary));
+                let mut volume = work.clone();
+                for (t, corners) in mesh.triangles().iter().enumerate() {
+                    let triangle = mesh.corners(t);
+                    for (k, &node) in corners.iter().enumerate() {
+                        let (b, c) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+                        let doubled = doubled_area(triangle);
+                        let slope = [(b[1] - c[1]) / doubled, (c[0] - b[0]) / doubled];
+                        rule.on(triangle, &mut |point, weight| {
+                            let ([p, q], u) = (known.gradient(point), known.displacement(point));
+                            let share = doubled_area([point, b, c]) / doubled;
+                            work[node] += weight * (p * slope[0] + q * slope[1] + reaction * u * share);
+                            volume[node] += weight * reaction * u * share;
+                            Ok(())
+                        })
+                        .unwrap();
+                    }
+                }
+                let mut load = known.edge_load(mesh).unwrap();
+                let rule = gauss_legendre(EDGE_POINTS).unwrap();
+                for i in 0..n {
+                    let start = i as f64 / n as f64;
+                    for (t, weight, beyond) in known.points_on_bottom(start, 1.0 / n as f64, &rule) {
+                        for (node, share) in [(i, 1.0 - t), (i + 1, t)] {
+                            load[node] += weight * share / n as f64 * known.normal_stress(beyond);
+                        }
+                    }
+                }
+                for node in (0..work.len()).filter(|&node| !held[node]) {
+                    let off = work[node] - volume[node] - load[node];
+                    assert!(off.abs() < 2e-6, "{known} node {node}: {off:e}");
+                }
+            }
         }
     }
 }

@@ -12,10 +12,7 @@
 //! | [`KnownSolution::transition`], [`KnownSolution::whole_boundary`] | [`TransitionPowers`], scalar | min(p + 1, q + 2) |
 
 mod harmonic;
-mod harmonic_problem;
 mod power;
-mod power_problem;
-mod three_halves;
 mod westergaard;
 
 pub use power::EdgeDatum;
@@ -24,14 +21,12 @@ use super::transition_powers::TransitionPowers;
 use crate::contact::ContactProblem;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Cubature, ErrorNorms, Field, Form, Lame, error_norms};
-use crate::mesh::{Point, SideParts, unit_square};
+use crate::mesh::{Part, Point, SideParts, Triangulation, unit_square};
 use fractional_sobolev::{Estimate, Given, Order, Tolerance, Work};
 use harmonic::Harmonic;
 use power::Power;
 use std::fmt;
 use westergaard::Westergaard;
-
-pub(super) use three_halves::problem as three_halves_problem;
 
 /// Number of points along each side of a triangle, graded toward the transitions.
 const POINTS: usize = 4;
@@ -62,7 +57,6 @@ pub struct KnownSolution {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Formula {
-    ThreeHalves,
     Westergaard(Westergaard),
     Power(Power),
     Harmonic(Harmonic),
@@ -83,7 +77,7 @@ impl KnownSolution {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn three_halves() -> Self {
-        Self { formula: Formula::ThreeHalves }
+        Self { formula: Formula::Westergaard(Westergaard::three_halves()) }
     }
 
     /// The solution with contact for x < 3/10 and no contact for x > 3/10; scalar for `None`, otherwise elastic.
@@ -99,7 +93,7 @@ impl KnownSolution {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn one_transition(lame: Option<Lame>) -> Self {
-        Self { formula: Formula::Westergaard(Westergaard { two_transitions: false, lame }) }
+        Self { formula: Formula::Westergaard(Westergaard::one_transition(lame)) }
     }
 
     /// The solution with contact for x < 3/10 and for x > 7/10; scalar for `None`, otherwise elastic.
@@ -115,7 +109,7 @@ impl KnownSolution {
     /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn two_transitions(lame: Option<Lame>) -> Self {
-        Self { formula: Formula::Westergaard(Westergaard { two_transitions: true, lame }) }
+        Self { formula: Formula::Westergaard(Westergaard::two_transitions(lame)) }
     }
 
     /// The solution that behaves like r^p at the transition x = 2/5, with contact for x < 2/5; scalar for
@@ -188,7 +182,7 @@ impl KnownSolution {
     /// The Lamé constants; `None` for a scalar solution.
     pub fn lame(&self) -> Option<Lame> {
         match self.formula {
-            Formula::ThreeHalves | Formula::Harmonic(_) => None,
+            Formula::Harmonic(_) => None,
             Formula::Westergaard(known) => known.lame,
             Formula::Power(known) => known.lame,
         }
@@ -208,7 +202,7 @@ impl KnownSolution {
     /// ```
     pub fn form(&self) -> Form {
         match self.formula {
-            Formula::Harmonic(known) => known.form(),
+            Formula::Harmonic(known) if known.whole_boundary => Form::Scalar { reaction: 1.0 },
             _ => self.lame().map_or(Form::LAPLACE, Form::elastic),
         }
     }
@@ -219,8 +213,7 @@ impl KnownSolution {
     /// Those at 3/10, 2/5 and 7/10 are not nodes of a uniform dyadic mesh.
     pub fn transitions(&self) -> Vec<f64> {
         match self.formula {
-            Formula::ThreeHalves => vec![three_halves::TRANSITION],
-            Formula::Westergaard(known) => known.transitions().to_vec(),
+            Formula::Westergaard(known) => known.transitions.to_vec(),
             Formula::Power(_) => vec![power::TRANSITION],
             Formula::Harmonic(known) => vec![known.position],
         }
@@ -239,7 +232,7 @@ impl KnownSolution {
     /// ```
     pub fn regularity(&self) -> f64 {
         match self.formula {
-            Formula::ThreeHalves | Formula::Westergaard(_) => 2.5,
+            Formula::Westergaard(_) => 2.5,
             Formula::Power(known) => known.power + 1.0,
             Formula::Harmonic(known) => (known.powers.opening + 1.0).min(known.powers.pressure + 2.0),
         }
@@ -250,7 +243,6 @@ impl KnownSolution {
     /// Cartesian components, at a point (x, y) of the closed unit square.
     pub fn displacement(&self, point: Point) -> Point {
         match self.formula {
-            Formula::ThreeHalves => [three_halves::displacement(point), 0.0],
             Formula::Westergaard(known) => known.displacement(point),
             Formula::Power(known) => known.displacement(point),
             Formula::Harmonic(known) => [known.displacement(point), 0.0],
@@ -271,7 +263,6 @@ impl KnownSolution {
     /// ```
     pub fn gradient(&self, point: Point) -> [Point; 2] {
         match self.formula {
-            Formula::ThreeHalves => [three_halves::gradient(point), [0.0; 2]],
             Formula::Westergaard(known) => known.gradient(point),
             Formula::Power(known) => known.gradient(point),
             Formula::Harmonic(known) => [known.gradient(point), [0.0; 2]],
@@ -284,7 +275,6 @@ impl KnownSolution {
     /// It is zero outside the contact set.
     pub fn normal_stress(&self, x: f64) -> f64 {
         match self.formula {
-            Formula::ThreeHalves => three_halves::normal_stress(x),
             Formula::Westergaard(known) => known.normal_stress(x),
             Formula::Power(known) => known.normal_stress(x),
             Formula::Harmonic(known) => known.normal_stress(x - known.position),
@@ -309,20 +299,32 @@ impl KnownSolution {
     /// [`ToolkitError::CountOutOfRange`] unless 1 ≤ n ≤ 16384; [`ToolkitError::TooLarge`] if there is not
     /// enough memory.
     pub fn problem(&self, n: usize) -> Result<ContactProblem> {
-        match self.formula {
-            Formula::ThreeHalves => three_halves_problem(unit_square(n, SideParts::HANGING)?, 1.0),
-            Formula::Westergaard(known) => {
-                let mut problem = known.problem(n)?;
-                self.with_field(|field| problem.set_dirichlet(field))?;
-                Ok(problem)
+        let other = match self.formula {
+            Formula::Westergaard(known) if known.has_free_sides => {
+                return three_halves_problem(unit_square(n, SideParts::HANGING)?, 1.0);
             }
-            Formula::Power(known) => {
-                let mut problem = known.problem(n)?;
-                self.with_field(|field| problem.set_dirichlet(field))?;
-                Ok(problem)
-            }
-            Formula::Harmonic(known) => known.problem(n),
+            Formula::Harmonic(known) if known.whole_boundary => Part::Contact,
+            _ => Part::Dirichlet,
+        };
+        let sides = SideParts { bottom: Part::Contact, right: other, top: other, left: other };
+        let mesh = unit_square(n, sides)?;
+        let nothing = vec![0.0; mesh.nodes().len() * self.form().components()];
+        let edge_load = match self.formula {
+            Formula::Westergaard(_) => nothing.clone(),
+            Formula::Power(known) => known.edge_load(n),
+            Formula::Harmonic(known) => known.edge_load(&mesh)?,
+        };
+        let mut problem = ContactProblem::new(mesh, self.form(), &nothing)?;
+        if let Formula::Harmonic(known) = self.formula
+            && known.whole_boundary
+        {
+            // f = u: u is harmonic.
+            let rule = self.rule(known.points() - 1)?;
+            self.with_field(|field| problem.add_volume_load(field, &rule))?;
         }
+        problem.add_load(&edge_load)?;
+        self.with_field(|field| problem.set_dirichlet(field))?;
+        Ok(problem)
     }
 
     /// The values of u at the nodes of a problem, node-major.
@@ -418,8 +420,7 @@ impl KnownSolution {
     }
 
     fn rule(&self, points: usize) -> Result<Cubature> {
-        let singular: Vec<Point> = self.transitions().into_iter().map(|x| [x, 0.0]).collect();
-        Ok(Cubature::new(points)?.singular_at(&singular))
+        rule(points, &self.transitions())
     }
 
     fn with_field<T>(&self, then: impl FnOnce(&Field<'_>) -> T) -> T {
@@ -526,10 +527,26 @@ impl KnownSolution {
     }
 }
 
+/// The problem of [`KnownSolution::three_halves`] on a mesh of the square, with all data multiplied by `scale`.
+pub(super) fn three_halves_problem(mesh: Triangulation, scale: f64) -> Result<ContactProblem> {
+    let u = Westergaard::three_halves();
+    let load = vec![0.0; mesh.nodes().len()];
+    let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &load)?;
+    problem.set_dirichlet(&Field::Scalar(&|point| scale * u.displacement(point)[0]))?;
+    problem
+        .add_boundary_load(Part::Neumann, &|point, normal| Ok([scale * u.traction(point, normal)[0], 0.0]))?;
+    Ok(problem)
+}
+
+/// The rule with n × n points per triangle, graded toward the transitions.
+fn rule(points: usize, transitions: &[f64]) -> Result<Cubature> {
+    let singular: Vec<Point> = transitions.iter().map(|&x| [x, 0.0]).collect();
+    Ok(Cubature::new(points)?.singular_at(&singular))
+}
+
 impl fmt::Display for KnownSolution {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.formula {
-            Formula::ThreeHalves => f.write_str("scalar, r^(3/2)"),
             Formula::Westergaard(known) => known.fmt(f),
             Formula::Power(known) => {
                 let kind = if known.lame.is_some() { "elastic" } else { "scalar" };

@@ -189,6 +189,34 @@ impl Power {
         let slope = self.sign() * self.power;
         [-slope - self.pressure(), slope * (PI * self.power).cos()]
     }
+
+    /// The load of the edge of the mesh with n × n squares, integrated exactly: nodal values on the whole mesh.
+    pub(super) fn edge_load(&self, n: usize) -> Vec<f64> {
+        // In the direction of n: u_N is u, or −u_y.
+        let (c, normal) = if self.lame.is_some() { (2, -1.0) } else { (1, 1.0) };
+        let mut load = vec![0.0; c * (n + 1) * (n + 1)];
+        let (h, q) = (1.0 / n as f64, self.power - 1.0);
+        // ∫ r^q over the part and ∫ r^{q+1}, with r from `near` to `far`.
+        let moment = |k: f64, near: f64, far: f64| (far.powf(q + k) - near.powf(q + k)) / (q + k);
+        for i in 0..n {
+            let (left, right) = (i as f64 * h, (i + 1) as f64 * h);
+            for (size, side) in self.loads().into_iter().zip([-1.0, 1.0]) {
+                let (low, high) =
+                    if side < 0.0 { (left, right.min(TRANSITION)) } else { (left.max(TRANSITION), right) };
+                if low >= high {
+                    continue;
+                }
+                let distances = [low, high].map(|x| side * (x - TRANSITION));
+                let (near, far) = (distances[0].min(distances[1]).max(0.0), distances[0].max(distances[1]));
+                let (whole, first) = (moment(1.0, near, far), moment(2.0, near, far));
+                // The hat function of the right node is (x − left)/h, x = a ± r.
+                let right_part = ((TRANSITION - left) * whole + side * first) / h;
+                load[(i + 2) * c - 1] += normal * size * right_part;
+                load[(i + 1) * c - 1] += normal * size * (whole - right_part);
+            }
+        }
+        load
+    }
 }
 
 #[cfg(test)]

@@ -10,27 +10,28 @@
 //!   2μ u_x = −α Im F − y Re F',  2μ u_y = β Re F + y Im F'.
 //!   On y = 0, n = (0, −1): σ_T = 0, σ_N = −Im F' ≤ 0, u_N = −β Re F/(2μ) ≤ 0.
 //!
-//! u is prescribed on the other three sides. H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
+//! The solution with a = 2/5 and free sides differs from that with one transition only in a and in its boundary data.
+//! H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
 
-use crate::contact::ContactProblem;
+use super::rule;
 use crate::error::{Error, Result};
-use crate::fem::{Cubature, Form, Lame};
-use crate::mesh::{Part, Point, SideParts, mapped_grid, unit_square};
+use crate::fem::Lame;
+use crate::mesh::{Point, SideParts, mapped_grid};
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use realfft::num_complex::Complex;
 use std::fmt;
 
-/// a and b, not nodes of uniform dyadic meshes.
-const TRANSITIONS: [f64; 2] = [0.3, 0.7];
 /// Numbers of points along each side of a triangle for seminorms, graded toward the transitions; tried in turn until
 /// the tolerance is met.
 const POINTS: [usize; 4] = [6, 10, 14, 20];
 
-/// A contact problem with known solution.
+/// The solution by its transitions, with contact to the left of a and to the right of b.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Westergaard {
-    /// True for contact to the left of 3/10 and to the right of 7/10, false for contact to the left of 3/10 only.
-    pub(super) two_transitions: bool,
+    /// a, or a and b; not nodes of uniform dyadic meshes.
+    pub(super) transitions: &'static [f64],
+    /// True if ∂u/∂n is given on the left and the right side.
+    pub(super) has_free_sides: bool,
     /// The Lamé constants; `None` for the scalar problem.
     pub(super) lame: Option<Lame>,
 }
@@ -43,19 +44,29 @@ fn root(x: f64, y: f64) -> Complex<f64> {
 }
 
 impl Westergaard {
-    /// The ends of contact on y = 0.
-    pub(super) fn transitions(&self) -> &'static [f64] {
-        &TRANSITIONS[..if self.two_transitions { 2 } else { 1 }]
+    /// Contact to the left of 3/10.
+    pub(super) fn one_transition(lame: Option<Lame>) -> Self {
+        Self { transitions: &[0.3], has_free_sides: false, lame }
+    }
+
+    /// Contact to the left of 3/10 and to the right of 7/10.
+    pub(super) fn two_transitions(lame: Option<Lame>) -> Self {
+        Self { transitions: &[0.3, 0.7], ..Self::one_transition(lame) }
+    }
+
+    /// Contact to the left of 2/5, free sides.
+    pub(super) fn three_halves() -> Self {
+        Self { transitions: &[0.4], has_free_sides: true, lame: None }
     }
 
     /// F, F', F'', F'''.
     fn potential(&self, [x, y]: Point) -> [Complex<f64>; 4] {
-        let [a, b] = TRANSITIONS;
+        let a = self.transitions[0];
         let left = root(x - a, y);
-        if !self.two_transitions {
+        let Some(&b) = self.transitions.get(1) else {
             let cube = left * left * left;
             return [cube, 1.5 * left, 0.75 * left.inv(), -0.375 * cube.inv()];
-        }
+        };
         // (b − z)^{1/2} is the conjugate of the root of b − x + iy. G = ((z−a)(b−z))^{1/2}, G' = m/(2G).
         let g = left * root(b - x, y).conj();
         let (below, m) = (g.inv(), Complex::new(a + b - 2.0 * x, -2.0 * y));
@@ -122,28 +133,13 @@ impl Westergaard {
         if self.lame.is_some() { -traction[1] } else { traction[0] }
     }
 
-    /// The problem without its Dirichlet data.
-    pub(super) fn problem(&self, n: usize) -> Result<ContactProblem> {
-        let given = Part::Dirichlet;
-        let mesh =
-            unit_square(n, SideParts { bottom: Part::Contact, right: given, top: given, left: given })?;
-        let form = self.lame.map_or(Form::LAPLACE, Form::elastic);
-        let load = vec![0.0; mesh.nodes().len() * form.components()];
-        ContactProblem::new(mesh, form, &load)
-    }
-
-    fn rule(&self, points: usize) -> Result<Cubature> {
-        let singular: Vec<Point> = self.transitions().iter().map(|&x| [x, 0.0]).collect();
-        Ok(Cubature::new(points)?.singular_at(&singular))
-    }
-
     /// |u|₂ on (0, 1) × (0, 1/n).
     pub(super) fn second_seminorm(&self, n: usize, tolerance: Tolerance) -> Result<Estimate> {
         let height = 1.0 / n as f64;
         let mesh =
             mapped_grid(n.max(4), (4 / n.max(1)).max(1), SideParts::HANGING, |[x, y]| [x, height * y])?;
         let integral = |points: usize| -> Result<(f64, u64)> {
-            let (rule, mut sum, mut count) = (self.rule(points)?, 0.0, 0);
+            let (rule, mut sum, mut count) = (rule(points, self.transitions)?, 0.0, 0);
             for t in 0..mesh.triangles().len() {
                 rule.on(mesh.corners(t), &mut |point, weight| {
                     let squares = self.second_derivatives(point);
@@ -178,7 +174,12 @@ impl Westergaard {
 impl fmt::Display for Westergaard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = if self.lame.is_some() { "elastic" } else { "scalar" };
-        write!(f, "{kind}, {}", if self.two_transitions { "two transitions" } else { "one transition" })
+        let solution = match self.transitions.len() {
+            _ if self.has_free_sides => "r^(3/2)",
+            1 => "one transition",
+            _ => "two transitions",
+        };
+        write!(f, "{kind}, {solution}")
     }
 }
 
@@ -186,10 +187,11 @@ impl fmt::Display for Westergaard {
 mod tests {
     use super::*;
 
-    fn all_known() -> [Westergaard; 4] {
+    fn all_known() -> [Westergaard; 5] {
         let lame = Some(Lame::new(1.3, 0.7).unwrap());
-        let known = |two_transitions, lame| Westergaard { two_transitions, lame };
-        [known(false, None), known(true, None), known(false, lame), known(true, lame)]
+        let [scalar, elastic] =
+            [None, lame].map(|lame| [Westergaard::one_transition(lame), Westergaard::two_transitions(lame)]);
+        [scalar[0], scalar[1], elastic[0], elastic[1], Westergaard::three_halves()]
     }
 
     #[test]
