@@ -6,7 +6,8 @@
 //! where a gap would have no free node or a contact interval no cell, so that the discrete test problem is never
 //! degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
+use crate::numeric::check::require_count;
 
 /// Largest number of generations of a Cantor set; a grid of at most 2^26 cells resolves fewer.
 const LARGEST_DEPTH: usize = 64;
@@ -23,13 +24,8 @@ pub(crate) struct Gap {
 /// `count` gaps of equal length, separated by contact intervals of the same length, with contact of half that length
 /// at both ends.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
-    if count == 0 || count > cells / 4 {
-        return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "non-contact intervals",
-            value: count,
-            range: "[1, cells / 4]",
-        }));
-    }
+    let is_in = (1..=cells / 4).contains(&count);
+    require_count("non-contact intervals", count, "[1, cells / 4]", is_in)?;
     let node = |place: f64| (place * cells as f64 / count as f64).round() as usize;
     Ok((0..count)
         .map(|i| {
@@ -64,11 +60,7 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
 /// Fails with [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the number of
 /// generations is admissible.
 pub(crate) fn check_depth(depth: usize) -> Result<()> {
-    if (1..=LARGEST_DEPTH).contains(&depth) {
-        Ok(())
-    } else {
-        Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "depth", value: depth, range: "[1, 64]" }))
-    }
+    require_count("depth", depth, "[1, 64]", (1..=LARGEST_DEPTH).contains(&depth))
 }
 
 /// Opens a gap in the middle of (start, end) and proceeds recursively in both remaining intervals; gaps are listed in

@@ -12,7 +12,7 @@ use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Form, Lame};
 use crate::mesh::{Part, Point};
 use crate::singular::{CornerRegularity, Medium, SideCondition, SideConditions, Wedge};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
@@ -119,7 +119,7 @@ pub(super) fn regularity_with_ends(
         let side = match edge.part {
             Part::Dirichlet => SideCondition::Clamped,
             Part::Neumann => SideCondition::Free,
-            Part::Contact if contact.edges.contains_key(&edge.nodes[0]) => SideCondition::Closed,
+            Part::Contact if contact.edges.contains(&edge.nodes[0]) => SideCondition::Closed,
             Part::Contact => SideCondition::Open,
         };
         let [start, end] = edge.nodes;
@@ -164,7 +164,7 @@ pub(super) fn regularity_with_ends(
 
 /// The closed edges of the contact boundary, by their first node, and the isolated contact nodes.
 struct Closed {
-    edges: BTreeMap<usize, ()>,
+    edges: BTreeSet<usize>,
     single: Vec<usize>,
 }
 
@@ -173,7 +173,7 @@ pub(super) fn is_closed_at(problem: &ContactProblem, solution: &ContactSolution,
     let edge = problem.edge();
     let first = edge.arc().partition_point(|&at| at <= arc).saturating_sub(1);
     let node = edge.nodes()[first.min(edge.nodes().len() - 2)];
-    closed_edges(problem, solution, [None; 2]).edges.contains_key(&node)
+    closed_edges(problem, solution, [None; 2]).edges.contains(&node)
 }
 
 fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Option<bool>; 2]) -> Closed {
@@ -201,7 +201,7 @@ fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Opt
     };
     Closed {
         single: (0..count).filter(touches).map(|i| nodes[i]).collect(),
-        edges: (0..segments).filter(|&i| edges[i]).map(|i| (nodes[i], ())).collect(),
+        edges: (0..segments).filter(|&i| edges[i]).map(|i| nodes[i]).collect(),
     }
 }
 

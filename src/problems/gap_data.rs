@@ -2,7 +2,8 @@
 //! to their ends.
 
 use super::contact_sets::Gap;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::Result;
+use crate::numeric::check::require_count;
 use crate::strip::{EdgeData, LateralCondition};
 
 /// The gaps of a test problem on a grid, and the powers of its data.
@@ -28,13 +29,8 @@ impl Gaps {
     /// i, dist the distance to the nearest gap: ∫_{r_0}^{r_1} r^q dr = (r_1^{q+1} − r_0^{q+1})/(q + 1) per cell, finite
     /// for q > −1; ℓ is evaluated at the midpoint of the cell.
     pub(super) fn pair(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
-        if self.gaps.is_empty() {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "non-contact intervals on this grid",
-                value: 0,
-                range: "[1, inf)",
-            }));
-        }
+        let count = self.gaps.len();
+        require_count("non-contact intervals on this grid", count, "[1, inf)", count > 0)?;
         let exponent = tau - 1.0 + 0.5 * self.dimension;
         let h = 1.0 / cells as f64;
         let nodes = sides.nodes(cells);

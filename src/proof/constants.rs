@@ -1,6 +1,5 @@
 //! The explicit constants of the proofs for one τ and a fixed set of zones, computed at construction.
 
-use super::laws::TwoLaws;
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Order, Tolerance, embedding_bound, gamma, interpolation_constant,
@@ -15,6 +14,15 @@ const GAMMA: f64 = 1e-5;
 const LAW: i32 = 16;
 /// At τ = 2 the law is evaluated only for θ ≤ 1/2: ln(1/θ) vanishes at θ = 1, γ does not.
 const LARGEST_ZONE_OF_LAW: f64 = 0.5;
+
+/// A bound evaluated with the printed law of γ_θ and with the corrected law; they differ only at τ = 2.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TwoLaws {
+    /// The bound with γ_θ ≤ C ln(1/θ) at τ = 2, γ_θ ≤ C θ^{τ−2} for τ < 2, γ_θ ≤ C for τ > 2.
+    pub printed: f64,
+    /// The bound with γ_θ ≤ C √ln(1/θ) at τ = 2, otherwise as printed.
+    pub corrected: f64,
+}
 
 /// The constants C(q), C_L2, γ₁, 1/π, 1/√3 and γ_θ for one regularity τ and a fixed set of zones, that is,
 /// subintervals of length θ at an end of the unit interval; each is an upper bound, the computed value plus
@@ -76,7 +84,7 @@ impl ProofConstants {
         let (gammas, factors) = if tau > 2.0 {
             let constant =
                 upper(gamma(order, Constraint::vanishing_at(0.0), Tolerance::new(GAMMA)?)?.constant);
-            (HashMap::new(), TwoLaws::same(constant))
+            (HashMap::new(), TwoLaws { printed: constant, corrected: constant })
         } else {
             let gammas = zone_constants(order, thetas)?;
             let factors = law_factors(tau, &gammas);
@@ -153,13 +161,21 @@ impl ProofConstants {
     /// The laws of γ_θ with their constants: C θ^{τ−2} for τ < 2; C ln(1/θ) as printed and C √ln(1/θ) as
     /// corrected, for θ ≤ 1/2, at τ = 2; C for τ > 2.
     pub fn law(&self, theta: f64) -> TwoLaws {
-        let TwoLaws { printed, corrected } = self.factors;
-        match self.tau {
-            tau if tau < 2.0 => self.factors.map(|c| c * theta.powf(tau - 2.0)),
-            2.0 => TwoLaws { printed: printed * -theta.ln(), corrected: corrected * (-theta.ln()).sqrt() },
-            _ => self.factors,
+        let laws = laws(self.tau, theta);
+        TwoLaws {
+            printed: self.factors.printed * laws.printed,
+            corrected: self.factors.corrected * laws.corrected,
         }
     }
+}
+
+/// The laws without their constants.
+fn laws(tau: f64, theta: f64) -> TwoLaws {
+    if tau == 2.0 {
+        return TwoLaws { printed: -theta.ln(), corrected: (-theta.ln()).sqrt() };
+    }
+    let power = theta.powf((tau - 2.0).min(0.0));
+    TwoLaws { printed: power, corrected: power }
 }
 
 /// γ_θ(ν) plus its estimated error, for the given zones and the powers of 1/2.
@@ -178,20 +194,13 @@ fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
 /// The largest ratios of γ_θ and its laws.
 fn law_factors(tau: f64, gammas: &HashMap<u64, f64>) -> TwoLaws {
     let zones = gammas.iter().map(|(&bits, &gamma)| (f64::from_bits(bits), gamma));
-    zones.filter(|&(theta, _)| tau < 2.0 || theta <= LARGEST_ZONE_OF_LAW).fold(
-        TwoLaws::default(),
-        |most, (theta, gamma)| {
-            let quotients = if tau < 2.0 {
-                TwoLaws::same(gamma * theta.powf(2.0 - tau))
-            } else {
-                TwoLaws { printed: gamma / -theta.ln(), corrected: gamma / (-theta.ln()).sqrt() }
-            };
-            TwoLaws {
-                printed: most.printed.max(quotients.printed),
-                corrected: most.corrected.max(quotients.corrected),
-            }
-        },
-    )
+    let mut most = TwoLaws::default();
+    for (theta, gamma) in zones.filter(|&(theta, _)| tau < 2.0 || theta <= LARGEST_ZONE_OF_LAW) {
+        let laws = laws(tau, theta);
+        most.printed = most.printed.max(gamma / laws.printed);
+        most.corrected = most.corrected.max(gamma / laws.corrected);
+    }
+    most
 }
 
 #[cfg(test)]

@@ -29,9 +29,6 @@ pub enum Bound {
 }
 
 impl Bound {
-    /// The largest admissible τ: the regularity at a transition inside a straight edge.
-    pub const SMOOTHEST: f64 = 2.5;
-
     /// The value of the bound, without its constant, for 1 < τ ≤ 5/2 and 0 < h < 1.
     ///
     /// ```
@@ -81,13 +78,13 @@ impl Bound {
         mesh_sizes.map(|h| Ok((h, constant * self.value(h, tau)?))).collect()
     }
 
-    /// The exponent of h, for 1 < τ ≤ 5/2. For τ > 2 it is 1 for every bound: (E4), (4.4); for τ ≤ 3/2 it is τ − 1
+    /// The exponent of h, for 1 < τ ≤ 5/2, the regularity at a transition inside a straight edge. For τ > 2 it is 1 for every bound: (E4), (4.4); for τ ≤ 3/2 it is τ − 1
     /// for every bound: (E1).
     ///
     /// # Errors
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for τ outside this range.
     pub fn exponent(self, tau: f64) -> Result<f64> {
-        Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= Self::SMOOTHEST)?;
+        Error::require("tau", tau, "(1, 5/2]", tau > 1.0 && tau <= 2.5)?;
         if tau > 2.0 {
             return Ok(1.0);
         }

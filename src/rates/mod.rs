@@ -7,7 +7,6 @@
 //! | the order between two levels, without uncertainty | [`order_between`] |
 
 mod bounds;
-mod line;
 mod order;
 mod posterior;
 

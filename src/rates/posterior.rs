@@ -16,7 +16,6 @@
 //! geometric sequence of σ, it is a density of p, with a uniform prior over an interval about the
 //! regression line. Cost: some thousand decompositions of a matrix of levels × terms, a few milliseconds.
 
-use super::line::Line;
 use nalgebra::DMatrix;
 use std::fmt;
 
@@ -43,7 +42,7 @@ impl fmt::Display for ErrorModel {
 
 /// The terms in addition to x^{2p}.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Terms {
+enum Terms {
     /// No additional terms.
     None,
     /// ψ to h² and to h³: the remainder of the sum over the cells at distance r of a singularity, h² ∫_h
@@ -56,10 +55,10 @@ pub(super) enum Terms {
 }
 
 /// A model: its terms, κ, and its prior probability.
-pub(super) type Model = (Terms, f64, f64);
+type Model = (Terms, f64, f64);
 
 /// Models of errors of linear elements in the energy norm: the smooth part has order one.
-pub(super) const ENERGY: [Model; 8] = [
+const MODELS: [Model; 8] = [
     (Terms::None, 0.0, 0.02),
     (Terms::Smooth, 0.3, 0.14),
     (Terms::Smooth, 0.7, 0.14),
@@ -89,6 +88,10 @@ const SCATTER: (f64, f64, usize) = (1e-7, 1.8, 28);
 /// fraction of the value extrapolated with its order.
 const FAR: f64 = 1e-6;
 const CONTINUED: f64 = 0.1;
+/// The largest order of linear elements in the energy norm.
+const ONE: f64 = 1.0;
+/// Largest power considered for the leading singularity: a transition inside a straight edge has 3/2.
+const LARGEST: f64 = 1.5;
 /// Standard deviation of A about the regression line.
 const LEADING: f64 = 2.0;
 
@@ -109,25 +112,20 @@ struct Density {
 }
 
 impl Posterior {
-    /// The density from at least three positive errors (h, e), coarsest first, for orders up to `largest`.
+    /// The density from at least three positive errors (h, e), coarsest first.
     ///
     /// For distances to a discrete solution of mesh size `reference` > 0 every term g(x) becomes g(x) − g(reference/h₁).
-    pub(super) fn of(
-        points: &[(f64, f64)],
-        reference: f64,
-        models: &[Model],
-        (largest, cap): (f64, f64),
-    ) -> Self {
+    pub(super) fn of(points: &[(f64, f64)], reference: f64) -> Self {
         let coarsest = points[0].0;
-        let line = Line::through_logarithms(points);
-        let size = (line.intercept + line.slope * coarsest.ln()).exp();
+        let (slope, intercept) = regression_line(points);
+        let size = (intercept + slope * coarsest.ln()).exp();
         // (x, e²) on the scale of the series.
         let levels: Vec<(f64, f64)> =
             points.iter().map(|(h, e)| (h / coarsest, (e / size).powi(2))).collect();
-        let range = (line.slope - REACH, (line.slope + REACH).min(largest));
-        let all: Vec<Density> = models
+        let range = (slope - REACH, (slope + REACH).min(LARGEST));
+        let all: Vec<Density> = MODELS
             .iter()
-            .map(|model| Density::of(range, |p| likelihood(&levels, (reference / coarsest, cap), p, model)))
+            .map(|model| Density::of(range, |p| likelihood(&levels, reference / coarsest, p, model)))
             .collect();
         let top = all.iter().flat_map(|density| &density.places).fold(f64::NEG_INFINITY, |m, v| m.max(v.1));
         let weighted: Vec<Vec<(f64, f64)>> = all
@@ -140,12 +138,12 @@ impl Posterior {
         shares.iter_mut().for_each(|share| *share /= total);
         let places = weighted.into_iter().flatten().map(|(p, w)| (p, w / total)).collect();
         let resolution = all.iter().zip(&shares).map(|(density, share)| 0.5 * density.step * share).sum();
-        Self { places, resolution, model: most_likely(models, &shares) }
+        Self { places, resolution, model: most_likely(&shares) }
     }
 
-    /// The mean of min(p, `cap`), and the distance from it within which the given probability lies.
-    pub(super) fn interval(&self, share: f64, cap: f64) -> (f64, f64) {
-        let capped = || self.places.iter().map(|&(p, w)| (p.min(cap), w));
+    /// The mean of min(p, 1), and the distance from it within which the given probability lies.
+    pub(super) fn interval(&self, share: f64) -> (f64, f64) {
+        let capped = || self.places.iter().map(|&(p, w)| (p.min(ONE), w));
         let mean: f64 = capped().map(|(p, w)| p * w).sum();
         let mut distances: Vec<(f64, f64)> = capped().map(|(p, w)| ((p - mean).abs(), w)).collect();
         distances.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -181,14 +179,14 @@ impl Density {
 }
 
 /// The kind of terms whose models together have the largest probability.
-fn most_likely(models: &[Model], shares: &[f64]) -> ErrorModel {
+fn most_likely(shares: &[f64]) -> ErrorModel {
     let kind = |terms: Terms| match terms {
         Terms::None | Terms::Any => ErrorModel::Power,
         Terms::Smooth => ErrorModel::PowerAndSmooth,
         Terms::Logarithm => ErrorModel::PowerAndLogarithm,
     };
     let of = |model: ErrorModel| -> f64 {
-        models
+        MODELS
             .iter()
             .zip(shares)
             .filter(|((terms, ..), _)| kind(*terms) == model)
@@ -197,6 +195,17 @@ fn most_likely(models: &[Model], shares: &[f64]) -> ErrorModel {
     };
     let all = [ErrorModel::PowerAndSmooth, ErrorModel::PowerAndLogarithm, ErrorModel::Power];
     all.into_iter().max_by(|&a, &b| of(a).total_cmp(&of(b))).unwrap_or(ErrorModel::Power)
+}
+
+/// Slope s and intercept a of the line ln y = a + s ln x by least squares; all coordinates must be positive, and at
+/// least two x different.
+fn regression_line(points: &[(f64, f64)]) -> (f64, f64) {
+    let count = points.len() as f64;
+    let mean = |f: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(f).sum::<f64>() / count;
+    let (x, y) = (mean(&|p| p.0.ln()), mean(&|p| p.1.ln()));
+    let spread: f64 = points.iter().map(|p| (p.0.ln() - x).powi(2)).sum();
+    let slope = points.iter().map(|p| (p.0.ln() - x) * (p.1.ln() - y)).sum::<f64>() / spread;
+    (slope, y - slope * x)
 }
 
 /// (x^a − x^b)/(b − a), x^a ln(1/x) for a = b; 0 at x = 0.
@@ -236,12 +245,7 @@ fn beside(terms: Terms, x: f64, p: f64) -> Vec<f64> {
 }
 
 /// ln of the likelihood of the levels (x, e²) for a power p, with the share of the model and summed over the scatter.
-fn likelihood(
-    levels: &[(f64, f64)],
-    (reference, cap): (f64, f64),
-    p: f64,
-    &(terms, size, share): &Model,
-) -> f64 {
+fn likelihood(levels: &[(f64, f64)], reference: f64, p: f64, &(terms, size, share): &Model) -> f64 {
     let (count, twice) = (levels.len(), 2.0 * p);
     // A positive power of a zero reference is 0; other powers do not occur.
     let leading = |x: f64| if x == 0.0 { 0.0 } else { x.powf(twice) };
@@ -268,7 +272,7 @@ fn likelihood(
     let ahead: Vec<f64> = std::iter::once(LEADING * leading(far))
         .chain(beside(terms, far, p).into_iter().map(|g| size * g))
         .collect();
-    let needed = CONTINUED * square * FAR.powf(2.0 * p.min(cap));
+    let needed = CONTINUED * square * FAR.powf(2.0 * p.min(ONE));
     // For each direction: its singular value, its component of the residual, its contribution far below.
     let parts: Vec<(f64, f64, f64)> = decomposition
         .singular_values

@@ -15,7 +15,8 @@
 //! O((5N)³).
 
 use super::wedge::{Medium, SideCondition, Wedge};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
+use crate::numeric::check::require_count;
 use crate::numeric::legendre;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
@@ -28,18 +29,9 @@ const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
 /// Largest degree.
 const DEGREES: usize = 200;
 
-/// An eigenvalue λ of the problem on the arc.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ArcExponent {
-    /// The real part Re λ.
-    pub re: f64,
-    /// The imaginary part Im λ, of either sign.
-    pub im: f64,
-}
-
 impl Wedge {
     /// The eigenvalues with 0 < Re λ < 3 and |Im λ| ≤ `height`, by collocation of the given degree; ω |λ| should not
-    /// exceed half of the degree. They are ordered by increasing real part and repeated according to multiplicity,
+    /// exceed half of the degree. They are ordered by increasing real part, as (Re λ, Im λ), and repeated according to multiplicity,
     /// with both members of each conjugate pair.
     ///
     /// ```
@@ -48,7 +40,7 @@ impl Wedge {
     /// let found = flat.exponents_on_arc(24, 1.0)?;
     /// // Transition from clamped to free on a straight side: λ = 1/2, 3/2, 5/2.
     /// assert_eq!(found.len(), 3);
-    /// assert!(found.iter().enumerate().all(|(k, lambda)| (lambda.re - k as f64 - 0.5).abs() < 1e-10));
+    /// assert!(found.iter().enumerate().all(|(k, lambda)| (lambda.0 - k as f64 - 0.5).abs() < 1e-10));
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
@@ -56,14 +48,8 @@ impl Wedge {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ degree ≤ 200;
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is negative or not finite;
     /// [`Error::Solver`] if the eigenvalue iteration does not converge.
-    pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<ArcExponent>> {
-        if !(2..=DEGREES).contains(&degree) {
-            return Err(Error::Toolkit(ToolkitError::CountOutOfRange {
-                name: "degree",
-                value: degree,
-                range: "[2, 200]",
-            }));
-        }
+    pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<(f64, f64)>> {
+        require_count("degree", degree, "[2, 200]", (2..=DEGREES).contains(&degree))?;
         Error::require("bound of |Im lambda|", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
         let (a, b) = self.pencil(degree)?;
         let inverses = SHIFTS.map(|shift| {
@@ -75,14 +61,14 @@ impl Wedge {
         let values = general_eigenvalues(&inverse).ok_or(Error::Solver {
             reason: "the eigenvalue iteration on the arc did not converge".to_owned(),
         })?;
-        let mut found: Vec<ArcExponent> = values
+        let mut found: Vec<(f64, f64)> = values
             .into_iter()
             .filter(|m| m.norm() > 1.0 / (2.0 * (height + super::LARGEST)))
             .map(|m| c64::new(shift, 0.0) + m.inv())
             .filter(|z| z.re > 0.0 && z.re < super::LARGEST && z.im.abs() <= height)
-            .map(|z| ArcExponent { re: z.re, im: z.im })
+            .map(|z| (z.re, z.im))
             .collect();
-        found.sort_by(|x, y| x.re.total_cmp(&y.re).then(x.im.total_cmp(&y.im)));
+        found.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.total_cmp(&y.1)));
         Ok(found)
     }
 

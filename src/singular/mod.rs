@@ -28,7 +28,6 @@ mod spectrum;
 mod wedge;
 mod zeros;
 
-pub use arc::ArcExponent;
 pub use contact_zone::ContactZone;
 pub use mode::Mode;
 pub use regularity::{CornerRegularity, SignCondition};

@@ -94,6 +94,32 @@ impl Spectrum {
     pub fn zeros(&self) -> usize {
         self.exponents.iter().map(Exponent::zeros).sum()
     }
+
+    /// All zeros as (Re λ, Im λ), repeated according to multiplicity, with both members of each conjugate pair.
+    ///
+    /// Their number is [`Spectrum::zeros`].
+    ///
+    /// ```
+    /// use signorini::singular::{Medium, Wedge};
+    /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::PlaneStrain(0.3))?;
+    /// let spectrum = flat.exponents()?;
+    /// assert_eq!(spectrum.places().len(), spectrum.zeros());
+    /// assert!(spectrum.places().iter().map(|place| place.1).sum::<f64>().abs() < 1e-14);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    pub fn places(&self) -> Vec<(f64, f64)> {
+        let mut all = Vec::new();
+        for exponent in &self.exponents {
+            let (re, im) = (exponent.re.value, exponent.im.value);
+            for _ in 0..exponent.multiplicity {
+                all.push((re, im));
+                if exponent.is_complex() {
+                    all.push((re, -im));
+                }
+            }
+        }
+        all
+    }
 }
 
 impl Wedge {
@@ -194,33 +220,5 @@ impl Wedge {
         let why = "a zero is too close to one of the lines";
         let near = Error::out_of_reach("number of zeros between two lines", SAME, 1.0, why);
         Ok(counts.ok_or(near)?.into_iter().sum())
-    }
-}
-
-impl Spectrum {
-    /// All zeros as (Re λ, Im λ), repeated according to multiplicity, with both members of each conjugate pair.
-    ///
-    /// Their number is [`Spectrum::zeros`].
-    ///
-    /// ```
-    /// use signorini::singular::{Medium, Wedge};
-    /// let flat = Wedge::new(std::f64::consts::PI, "D-N".parse()?, Medium::PlaneStrain(0.3))?;
-    /// let spectrum = flat.exponents()?;
-    /// assert_eq!(spectrum.places().len(), spectrum.zeros());
-    /// assert!(spectrum.places().iter().map(|place| place.1).sum::<f64>().abs() < 1e-14);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    pub fn places(&self) -> Vec<(f64, f64)> {
-        let mut all = Vec::new();
-        for exponent in &self.exponents {
-            let (re, im) = (exponent.re.value, exponent.im.value);
-            for _ in 0..exponent.multiplicity {
-                all.push((re, im));
-                if exponent.is_complex() {
-                    all.push((re, -im));
-                }
-            }
-        }
-        all
     }
 }

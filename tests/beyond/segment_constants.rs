@@ -20,6 +20,7 @@ fn the_constants_are_known_by_two_computations() {
         for found in [product, kappa, midpoint] {
             assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
         }
+        assert!((product.contact - 0.5).abs() < 1e-4, "{nu}: {product:?}");
         let [product, kappa, midpoint] = [product, kappa, midpoint].map(|found| found.value.value);
         assert!(kappa < midpoint && midpoint < product && product < product_bound(nu), "{nu}");
         assert!(kappa < 0.5 * 0.136, "{nu}: {kappa}");

@@ -109,7 +109,7 @@ fn the_arc_agrees() {
         let arc = wedge.exponents_on_arc(degree, height).unwrap();
         let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).hypot(a.1 - b.1) < NEAR;
         let inside = |z: (f64, f64)| z.0 > MARGIN && z.0 < LARGEST - MARGIN;
-        let eigenvalues: Vec<(f64, f64)> = arc.iter().map(|z| (z.re, z.im)).filter(|&z| inside(z)).collect();
+        let eigenvalues: Vec<(f64, f64)> = arc.into_iter().filter(|&z| inside(z)).collect();
         let listed: Vec<(f64, f64)> = found.iter().copied().filter(|&z| inside(z)).collect();
         assert_eq!(eigenvalues.len(), listed.len(), "{wedge:?}: {eigenvalues:?} {listed:?}");
         for &z in &listed {

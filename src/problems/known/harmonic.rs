@@ -44,10 +44,6 @@ pub(super) struct Harmonic {
 impl Harmonic {
     /// The solution with the powers of a transition at `position`, with contact conditions on the bottom or on the
     /// whole boundary.
-    ///
-    /// # Errors
-    /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 3/10 ≤ p ≤ 3/2, q > −1, α ≥ 0, 0 < a < 1;
-    /// for p ≠ 1 also |p − 1| ≥ 1/10 and α = 0.
     pub(super) fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;
         let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
