@@ -36,18 +36,9 @@ pub(crate) fn require_count(
 /// # Errors
 /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`, with the first index of such a value.
 pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
-    values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
-}
-
-/// Fails unless `value`, with the given index, is finite.
-///
-/// # Errors
-/// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) under `name`.
-pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
-    if value.is_finite() {
-        Ok(())
-    } else {
-        Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value }))
+    match values.iter().position(|value| !value.is_finite()) {
+        None => Ok(()),
+        Some(index) => Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value: values[index] })),
     }
 }
 
@@ -69,16 +60,13 @@ pub(crate) fn require_entry(
     range: &'static str,
     admissible: bool,
 ) -> Result<()> {
-    require_not_nan(name, index, value)?;
-    if admissible {
+    if value.is_nan() {
+        Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value }))
+    } else if admissible {
         Ok(())
     } else {
         Err(Error::Toolkit(ToolkitError::EntryOutOfRange { name, index, value, range }))
     }
-}
-
-fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<()> {
-    if value.is_nan() { Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value })) } else { Ok(()) }
 }
 
 #[cfg(test)]

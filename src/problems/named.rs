@@ -35,7 +35,6 @@ impl NamedProblem {
     /// let names = NamedProblem::names();
     /// assert!(TestProblem::all().iter().all(|problem| names.contains(problem.name())));
     /// assert!(StripData::all().iter().all(|data| names.contains(data.name())));
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn names() -> &'static str {
         static NAMES: LazyLock<String> =

@@ -111,7 +111,6 @@ impl StripData {
     /// ```
     /// let value = signorini::problems::StripData::transition().to_string();
     /// assert!(value.starts_with("transition"));
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     pub const fn transition() -> Self {
         StripData::Transition { position: POSITION }
@@ -122,7 +121,6 @@ impl StripData {
     /// ```
     /// use signorini::problems::StripData;
     /// assert!(StripData::transition().moves() && !StripData::FatCantor { depth: 3 }.moves());
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn moves(&self) -> bool {
         matches!(self, StripData::Transition { .. })

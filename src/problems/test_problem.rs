@@ -239,7 +239,6 @@ impl TestProblem {
     /// use signorini::problems::{KnownSolution, TestProblem};
     /// assert_eq!(TestProblem::Manufactured.solution(), Some(KnownSolution::three_halves()));
     /// assert_eq!(TestProblem::Block.solution(), None);
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn solution(self) -> Option<KnownSolution> {
         (self == TestProblem::Manufactured).then(KnownSolution::three_halves)

@@ -42,7 +42,6 @@ impl TransitionPowers {
     /// // τ = 5/2 corresponds to the natural r^{3/2}, with σ_N of size r^{1/2}
     /// let powers = TransitionPowers::of_regularity(2.5);
     /// assert_eq!((powers.opening, powers.pressure), (1.5, 0.5));
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     pub fn of_regularity(tau: f64) -> Self {
         Self { opening: tau - 1.0, pressure: tau - 2.0, logarithm: 0.0 }

@@ -178,32 +178,29 @@ pub fn one_gap_ratio(
     tolerance: impl Given<Tolerance>,
 ) -> Result<Estimate> {
     let (order, tolerance) = (order.given()?, tolerance.given()?);
-    match cone {
-        Cone::Nodal => product(order, (Moment::Mass, Moment::FromFreeEnd), gap, tolerance),
-        Cone::Midpoint => product(order, (Moment::FromFreeEnd, Moment::Mass), gap, tolerance),
-    }
+    let moments = match cone {
+        Cone::Nodal => (Moment::Mass, Moment::FromFreeEnd),
+        Cone::Midpoint => (Moment::FromFreeEnd, Moment::Mass),
+    };
+    Ok(product(order, moments, gap, tolerance)?.0)
 }
 
-/// The ratio for one contact set: moments of functions on both parts, of length `length` and 1 − `length`.
-fn product(order: Order, moments: (Moment, Moment), length: f64, tolerance: Tolerance) -> Result<Estimate> {
-    product_of(&both(order, moments, length, tolerance)?)
-}
-
-fn both(
+/// The ratio for one contact set, and its factors: moments of functions on both parts, of length 1 − `length` and
+/// `length`.
+fn product(
     order: Order,
     moments: (Moment, Moment),
     length: f64,
     tolerance: Tolerance,
-) -> Result<[MomentConstant; 2]> {
-    let first = moment(order, length..1.0, moments.0, tolerance)?;
-    Ok([first, moment(order, 0.0..length, moments.1, tolerance)?])
-}
-
-fn product_of(moments: &[MomentConstant; 2]) -> Result<Estimate> {
-    let [first, second] = moments.each_ref().map(|moment| moment.constant);
+) -> Result<(Estimate, [MomentConstant; 2])> {
+    let factors = [
+        moment(order, length..1.0, moments.0, tolerance)?,
+        moment(order, 0.0..length, moments.1, tolerance)?,
+    ];
+    let [first, second] = factors.each_ref().map(|factor| factor.constant);
     let value = first.value * second.value;
     let error = value * (first.relative_error() + second.relative_error());
-    Ok(Estimate::new(value, error, first.work + second.work)?)
+    Ok((Estimate::new(value, error, first.work + second.work)?, factors))
 }
 
 /// The search interval of the maximum, the width of the golden-section search, and the half width of the
@@ -228,7 +225,7 @@ fn largest_product(
                 failure = Some(error);
                 0.0
             },
-            |found| -found.value,
+            |(found, _)| -found.value,
         )
     });
     if let Some(error) = failure {
@@ -238,13 +235,12 @@ fn largest_product(
     let mut values = [0.0; 5];
     let mut work = Work::default();
     for (k, value) in values.iter_mut().enumerate() {
-        let found = product(order, moments, rough + STEP * (k as f64 - 2.0), sharper)?;
+        let (found, _) = product(order, moments, rough + STEP * (k as f64 - 2.0), sharper)?;
         *value = found.value;
         work += found.work;
     }
     let contact = rough + STEP * stationary(&values);
-    let moments = both(order, moments, contact, sharper)?;
-    let found = product_of(&moments)?;
+    let (found, moments) = product(order, moments, contact, sharper)?;
     let value = Estimate::new(found.value, found.error, work + found.work)?;
     Ok(SegmentConstant { value, contact, moments })
 }
@@ -303,7 +299,7 @@ mod tests {
                 let gap = f64::from(k) / 40.0;
                 let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();
                 assert!(ratio.value - ratio.error <= kappa.value.value, "{nu} {gap}: {ratio} {kappa:?}");
-                let k = product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
+                let (k, _) = product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
                 assert!(k.value - k.error <= largest.value, "{nu} {gap}: {k} {largest}");
             }
         }

@@ -21,7 +21,7 @@ use crate::numeric::legendre;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
 use faer::linalg::solvers::Solve;
-use faer::{Mat, Par, c64};
+use faer::{Mat, Par, c64, mat};
 use fractional_sobolev::gauss_legendre;
 
 /// Candidate shifts; the one with the smallest matrix (A − sB)⁻¹B is far from all exponents.
@@ -79,20 +79,19 @@ impl Wedge {
         let rule = gauss_legendre(degree)?;
         let omega = self.angle();
         let law = Law::of(self.medium());
-        let (count, functions) = (degree + 1, law.first.len());
+        let (count, functions) = (degree + 1, law.quadratic.len());
         let size = functions * count + degree;
         let (mut a, mut b) = (Mat::<f64>::zeros(size, size), Mat::<f64>::zeros(size, size));
         for (j, (x, weight)) in rule.iter().enumerate() {
-            let (values, slopes) = basis(count, x);
-            let root = weight.sqrt();
-            let (values, slopes) = (scaled(values, root), scaled(slopes, root));
-            for (row, (constant, linear)) in law.first.iter().zip(&law.linear).enumerate() {
+            let (mut values, mut slopes) = basis(count, x);
+            values.iter_mut().chain(&mut slopes).for_each(|value| *value *= weight.sqrt());
+            for row in 0..functions {
                 let place = row * degree + j;
                 for k in 0..count {
                     a[(place, row * count + k)] += slopes[k];
                     for function in 0..functions {
-                        a[(place, function * count + k)] -= omega * constant[function] * values[k];
-                        b[(place, function * count + k)] += omega * linear[function] * values[k];
+                        a[(place, function * count + k)] -= omega * law.first[(row, function)] * values[k];
+                        b[(place, function * count + k)] += omega * law.linear[(row, function)] * values[k];
                     }
                 }
                 b[(place, functions * count + j)] += omega * law.quadratic[row];
@@ -115,36 +114,34 @@ impl Wedge {
 
 /// y' = (first + λ linear) y + λ quadratic W.
 struct Law {
-    first: Vec<Vec<f64>>,
-    linear: Vec<Vec<f64>>,
+    first: Mat<f64>,
+    linear: Mat<f64>,
     quadratic: Vec<f64>,
 }
 
 impl Law {
     fn of(medium: Medium) -> Self {
-        let rows = |rows: &[&[f64]]| rows.iter().map(|row| row.to_vec()).collect();
         match medium {
             Medium::Scalar => Self {
-                first: rows(&[&[0.0, 1.0], &[0.0, 0.0]]),
-                linear: rows(&[&[0.0, 0.0], &[0.0, 0.0]]),
+                first: mat![[0.0, 1.0], [0.0, 0.0]],
+                linear: Mat::zeros(2, 2),
                 quadratic: vec![0.0, -1.0],
             },
             Medium::PlaneStrain(poisson) => {
                 let n = poisson / (1.0 - poisson);
-                let compliance = 0.5 * (1.0 - n);
                 Self {
-                    first: rows(&[
-                        &[0.0, 1.0, 0.0, 1.0],
-                        &[-1.0, 0.0, compliance, 0.0],
-                        &[0.0, 0.0, 0.0, -1.0],
-                        &[0.0, 0.0, 1.0, 0.0],
-                    ]),
-                    linear: rows(&[
-                        &[0.0, -1.0, 0.0, 0.0],
-                        &[-n, 0.0, 0.0, 0.0],
-                        &[0.0, 0.0, 0.0, -1.0],
-                        &[0.0, 0.0, -n, 0.0],
-                    ]),
+                    first: mat![
+                        [0.0, 1.0, 0.0, 1.0],
+                        [-1.0, 0.0, 0.5 * (1.0 - n), 0.0],
+                        [0.0, 0.0, 0.0, -1.0],
+                        [0.0, 0.0, 1.0, 0.0],
+                    ],
+                    linear: mat![
+                        [0.0, -1.0, 0.0, 0.0],
+                        [-n, 0.0, 0.0, 0.0],
+                        [0.0, 0.0, 0.0, -1.0],
+                        [0.0, 0.0, -n, 0.0],
+                    ],
                     quadratic: vec![0.0, 0.0, 0.0, -2.0 / (1.0 - poisson)],
                 }
             }
@@ -153,7 +150,7 @@ impl Law {
 
     /// The functions that vanish on a side.
     fn vanishing(&self, side: SideCondition) -> &'static [usize] {
-        match (self.first.len(), side) {
+        match (self.quadratic.len(), side) {
             (2, SideCondition::Clamped | SideCondition::Closed) => &[0],
             (2, _) => &[1],
             (_, SideCondition::Clamped) => &[0, 1],
@@ -161,10 +158,6 @@ impl Law {
             (_, SideCondition::Free | SideCondition::Open) => &[2, 3],
         }
     }
-}
-
-fn scaled(values: Vec<f64>, factor: f64) -> Vec<f64> {
-    values.into_iter().map(|value| factor * value).collect()
 }
 
 /// Values and derivatives at x of 1 and of the integrals from 0 to x of the orthonormal Legendre polynomials on (0,

@@ -44,7 +44,6 @@ impl EdgeData {
     /// let pair = |forces: [f64; 3]| EdgeData::new(2, LateralCondition::Natural, &[0.0, -1.0, 0.0], &forces);
     /// // λ u_N = 0 at every node
     /// assert!(pair([1.0, 0.0, 2.0]).is_ok() && pair([1.0, 0.5, 2.0]).is_err());
-    /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors

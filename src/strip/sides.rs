@@ -15,7 +15,6 @@ use crate::numeric::check::require_count;
 /// // the even extension has twice the period
 /// assert_eq!((Natural.period(8), Periodic.period(8)), (16, 8));
 /// assert!(Periodic.check_cells(7).is_err() && Natural.check_cells(7).is_ok());
-/// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LateralCondition {

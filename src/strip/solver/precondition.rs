@@ -16,7 +16,6 @@ use crate::strip::sides::LateralCondition;
 use realfft::RealFftPlanner;
 use realfft::num_complex::Complex;
 use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 
 struct GapPlan {
     /// S(πk/(L'+1))⁻¹ / (2(L'+1)), k = 0 ... L'+1.
@@ -71,31 +70,24 @@ impl<'a> Preconditioner<'a> {
         let mirrored = mirror_left || mirror_right;
         let length = if mirrored { 2 * gap.len - 1 } else { gap.len };
         let half = smooth_at_least(length + 1);
-        let plan = match self.plans.entry(half) {
-            Entry::Occupied(known) => known.into_mut(),
-            Entry::Vacant(place) => place.insert(GapPlan::new(self.operator, &mut self.planner, half)),
-        };
+        let plan =
+            self.plans.entry(half).or_insert_with(|| GapPlan::new(self.operator, &mut self.planner, half));
         let period = 2 * half;
         let work = &mut self.work;
         plan.fourier.fit(work);
         work.real.fill(0.0);
-        let value = |j: usize| r[(gap.start + j) % nodes];
-        // Position 1 + j on the odd grid; the end node of a natural side is the centre of the reflected interval, and
-        // its dual value counts twice there.
+        // Position on the odd grid; the end node of a natural side is the centre of the reflected interval, and its
+        // dual value counts twice there.
+        let position = |j: usize| if mirror_left { gap.len + j } else { 1 + j };
         for j in 0..gap.len {
-            let v = value(j);
-            if !mirrored {
-                work.real[1 + j] = v;
-            } else {
-                let distance = if mirror_left { j } else { gap.len - 1 - j };
-                let centre = gap.len;
-                if distance == 0 {
-                    work.real[centre] = 2.0 * v;
-                } else {
-                    work.real[centre - distance] = v;
-                    work.real[centre + distance] = v;
-                }
+            let value = r[(gap.start + j) % nodes];
+            work.real[position(j)] = value;
+            if mirrored {
+                work.real[2 * gap.len - position(j)] = value;
             }
+        }
+        if mirrored {
+            work.real[gap.len] *= 2.0;
         }
         for j in 1..=length {
             work.real[period - j] = -work.real[j];
@@ -106,14 +98,7 @@ impl<'a> Preconditioner<'a> {
         }
         plan.fourier.backward(work)?;
         for j in 0..gap.len {
-            let position = if !mirrored {
-                1 + j
-            } else if mirror_left {
-                gap.len + j
-            } else {
-                1 + j
-            };
-            z[(gap.start + j) % nodes] = work.real[position];
+            z[(gap.start + j) % nodes] = work.real[position(j)];
         }
         Ok(())
     }
