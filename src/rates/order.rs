@@ -87,7 +87,8 @@ impl ConvergenceOrder {
     /// # Ok::<(), &str>(())
     /// ```
     pub fn against(points: &[(f64, f64)], reference: Option<f64>) -> Option<Self> {
-        if points.len() < LEVELS || !is_positive(points) {
+        let is_positive = points.iter().all(|&(h, e)| h > 0.0 && e > 0.0 && e.is_finite());
+        if points.len() < LEVELS || !is_positive {
             return None;
         }
         let found = Posterior::of(points, reference.unwrap_or(0.0));
@@ -106,10 +107,6 @@ impl ConvergenceOrder {
 /// ```
 pub fn order_between(coarse: (f64, f64), fine: (f64, f64)) -> f64 {
     (coarse.1 / fine.1).log2() / (coarse.0 / fine.0).log2()
-}
-
-fn is_positive(points: &[(f64, f64)]) -> bool {
-    points.iter().all(|&(h, e)| h > 0.0 && e > 0.0 && e.is_finite())
 }
 
 #[cfg(test)]

@@ -535,6 +535,11 @@ pub(super) fn three_halves_problem(mesh: Triangulation, scale: f64) -> Result<Co
     Ok(problem)
 }
 
+/// α = μ/(λ + μ) and 2μ.
+fn moduli(lame: Lame) -> (f64, f64) {
+    (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
+}
+
 /// The rule with n × n points per triangle, graded toward the transitions.
 fn rule(points: usize, transitions: &[f64]) -> Result<Cubature> {
     let singular: Vec<Point> = transitions.iter().map(|&x| [x, 0.0]).collect();

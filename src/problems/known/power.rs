@@ -14,6 +14,7 @@
 //! u is prescribed on the other three sides. u ∈ H^τ exactly for τ < p + 1, and σ_N, u_N' ∈ H^ν exactly for
 //! ν < p − 1/2. For p = 3/2 the load vanishes.
 
+use super::moduli;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::mesh::Point;
@@ -69,18 +70,13 @@ impl Power {
         ((x - TRANSITION).hypot(y), y.atan2(TRANSITION - x))
     }
 
-    /// α and 2μ.
-    fn moduli(lame: Lame) -> (f64, f64) {
-        (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
-    }
-
     /// The displacement u; for a scalar solution the second entry is 0.
     pub(super) fn displacement(&self, point: Point) -> Point {
         let ((r, phi), p) = (Self::polar(point), self.power);
         let size = -self.sign() * r.powf(p);
         let (sin, cos) = (p * phi).sin_cos();
         let Some(lame) = self.lame else { return [-size * sin, 0.0] };
-        let ((alpha, double), y) = (Self::moduli(lame), p * phi.sin());
+        let ((alpha, double), y) = (moduli(lame), p * phi.sin());
         let (low_sin, low_cos) = ((p - 1.0) * phi).sin_cos();
         [y * low_sin - alpha * cos, (1.0 + alpha) * sin - y * low_cos].map(|part| size * part / double)
     }
@@ -91,7 +87,7 @@ impl Power {
         let size = -self.sign() * self.power * r.powf(q);
         let (sin, cos) = (q * phi).sin_cos();
         let Some(lame) = self.lame else { return [[size * sin, -size * cos], [0.0; 2]] };
-        let ((alpha, double), y) = (Self::moduli(lame), q * phi.sin());
+        let ((alpha, double), y) = (moduli(lame), q * phi.sin());
         let (low_sin, low_cos) = ((q - 1.0) * phi).sin_cos();
         let (across, along) = ((1.0 + alpha) * sin, alpha * cos);
         let rows = [[along - y * low_sin, across + y * low_cos], [y * low_cos - across, along + y * low_sin]];
@@ -103,7 +99,7 @@ impl Power {
         let (p, q) = (self.power, self.power - 1.0);
         // The half disc about the transition that contains the square.
         let radius = TRANSITION.max(1.0 - TRANSITION).hypot(1.0);
-        let material = self.lame.map(Self::moduli);
+        let material = self.lame.map(moduli);
         if tau == 2.0 {
             if q <= 0.0 {
                 return Err(Error::Toolkit(ToolkitError::InfiniteNorm {
@@ -140,7 +136,7 @@ impl Power {
 
     /// The factor of r^{p−1} in u_N' outside contact.
     fn slope(&self) -> f64 {
-        self.pressure() * self.lame.map(Self::moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
+        self.pressure() * self.lame.map(moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
     }
 
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.

@@ -13,7 +13,7 @@
 //! The solution with a = 2/5 and free sides differs from that with one transition only in a and in its boundary data.
 //! H. M. Westergaard, J. Appl. Mech. 6 (1939) A49-A53.
 
-use super::rule;
+use super::{moduli, rule};
 use crate::error::{Error, Result};
 use crate::fem::Lame;
 use crate::mesh::{Point, SideParts, mapped_grid};
@@ -80,16 +80,11 @@ impl Westergaard {
         ]
     }
 
-    /// α and 2μ.
-    fn moduli(lame: Lame) -> (f64, f64) {
-        (lame.mu() / (lame.lambda() + lame.mu()), 2.0 * lame.mu())
-    }
-
     /// The displacement u; for a scalar solution the second entry is 0.
     pub(super) fn displacement(&self, point: Point) -> Point {
         let ([f, g, ..], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [-f.re, 0.0] };
-        let (alpha, double) = Self::moduli(lame);
+        let (alpha, double) = moduli(lame);
         [(-alpha * f.im - y * g.re) / double, ((1.0 + alpha) * f.re + y * g.im) / double]
     }
 
@@ -99,7 +94,7 @@ impl Westergaard {
         let Some(lame) = self.lame else { return [[-f.re, f.im], [0.0; 2]] };
         // y F'' is zero on the edge, at a transition as the limit: F'' grows only like r^{−1/2}.
         let g = if y == 0.0 { Complex::ZERO } else { g };
-        let (alpha, double) = Self::moduli(lame);
+        let (alpha, double) = moduli(lame);
         let across = (1.0 + alpha) * f.re;
         let rows =
             [[-alpha * f.im - y * g.re, y * g.im - across], [across + y * g.im, -alpha * f.im + y * g.re]];
@@ -110,7 +105,7 @@ impl Westergaard {
     pub(super) fn second_derivatives(&self, point: Point) -> [[f64; 3]; 2] {
         let ([_, _, f, g], y) = (self.potential(point), point[1]);
         let Some(lame) = self.lame else { return [[-f.re, f.im, f.re], [0.0; 3]] };
-        let (alpha, double) = Self::moduli(lame);
+        let (alpha, double) = moduli(lame);
         let rows = [
             [-alpha * f.im - y * g.re, y * g.im - (1.0 + alpha) * f.re, (alpha + 2.0) * f.im + y * g.re],
             [(1.0 + alpha) * f.re + y * g.im, y * g.re - alpha * f.im, (1.0 - alpha) * f.re - y * g.im],
