@@ -120,6 +120,19 @@ impl Error {
         }
     }
 
+    /// Fails unless `admissible` is true for a count.
+    ///
+    /// # Errors
+    /// [`ToolkitError::CountOutOfRange`] otherwise.
+    pub(crate) fn require_count(
+        name: &'static str,
+        value: usize,
+        range: &'static str,
+        admissible: bool,
+    ) -> Result<()> {
+        if admissible { Ok(()) } else { Err(Error::count(name, value, range)) }
+    }
+
     /// [`ToolkitError::CountOutOfRange`]: the count `value` of `name` outside its range.
     pub(crate) fn count(name: &'static str, value: usize, range: &'static str) -> Self {
         Error::Toolkit(ToolkitError::CountOutOfRange { name, value, range })

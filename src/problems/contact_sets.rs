@@ -6,8 +6,7 @@
 //! where a gap would have no free node or a contact interval no cell, so that the discrete test problem is never
 //! degenerate. Boundary dimension d: the number of gaps longer than l grows like l^{−d}.
 
-use crate::error::Result;
-use crate::numeric::check::require_count;
+use crate::error::{Error, Result};
 
 /// Largest number of generations of a Cantor set; a grid of at most 2^26 cells resolves fewer.
 const LARGEST_DEPTH: usize = 64;
@@ -25,7 +24,7 @@ pub(crate) struct Gap {
 /// at both ends.
 pub(crate) fn many_gaps(cells: usize, count: usize) -> Result<Vec<Gap>> {
     let is_in = (1..=cells / 4).contains(&count);
-    require_count("non-contact intervals", count, "[1, cells / 4]", is_in)?;
+    Error::require_count("non-contact intervals", count, "[1, cells / 4]", is_in)?;
     let node = |place: f64| (place * cells as f64 / count as f64).round() as usize;
     Ok((0..count)
         .map(|i| {
@@ -60,7 +59,7 @@ pub(crate) fn fat_cantor(cells: usize, dimension: f64, measure: f64, depth: usiz
 /// Fails with [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless the number of
 /// generations is admissible.
 pub(crate) fn check_depth(depth: usize) -> Result<()> {
-    require_count("depth", depth, "[1, 64]", (1..=LARGEST_DEPTH).contains(&depth))
+    Error::require_count("depth", depth, "[1, 64]", (1..=LARGEST_DEPTH).contains(&depth))
 }
 
 /// Opens a gap in the middle of (start, end) and proceeds recursively in both remaining intervals; gaps are listed in

@@ -2,8 +2,7 @@
 //! to their ends.
 
 use super::contact_sets::Gap;
-use crate::error::Result;
-use crate::numeric::check::require_count;
+use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 
 /// The gaps of a test problem on a grid, and the powers of its data.
@@ -30,7 +29,7 @@ impl Gaps {
     /// for q > −1; ℓ is evaluated at the midpoint of the cell.
     pub(super) fn pair(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         let count = self.gaps.len();
-        require_count("non-contact intervals on this grid", count, "[1, inf)", count > 0)?;
+        Error::require_count("non-contact intervals on this grid", count, "[1, inf)", count > 0)?;
         let exponent = tau - 1.0 + 0.5 * self.dimension;
         let h = 1.0 / cells as f64;
         let nodes = sides.nodes(cells);

@@ -16,7 +16,6 @@
 
 use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result};
-use crate::numeric::check::require_count;
 use crate::numeric::legendre;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
@@ -49,7 +48,7 @@ impl Wedge {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a height that is negative or not finite;
     /// [`Error::Solver`] if the eigenvalue iteration does not converge.
     pub fn exponents_on_arc(&self, degree: usize, height: f64) -> Result<Vec<(f64, f64)>> {
-        require_count("degree", degree, "[2, 200]", (2..=DEGREES).contains(&degree))?;
+        Error::require_count("degree", degree, "[2, 200]", (2..=DEGREES).contains(&degree))?;
         Error::require("bound of |Im lambda|", height, "[0, inf)", height >= 0.0 && height.is_finite())?;
         let (a, b) = self.pencil(degree)?;
         let inverses = SHIFTS.map(|shift| {

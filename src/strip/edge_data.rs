@@ -6,7 +6,7 @@
 
 use super::sides::LateralCondition;
 use crate::error::{Error, Result};
-use crate::numeric::check::{require_count, require_values};
+use crate::numeric::check::require_values;
 use crate::text::pairs;
 
 /// Complementary data (u_N, λ) at the nodes of a fine grid on the contact edge.
@@ -109,7 +109,7 @@ impl EdgeData {
             LateralCondition::Periodic => (values.len(), "{2^k: k >= 1}"),
         };
         let is_power = cells.is_power_of_two() && cells >= 2;
-        require_count("lines of samples", values.len(), range, is_power)?;
+        Error::require_count("lines of samples", values.len(), range, is_power)?;
         let forces = (0..densities.len())
             .map(|i| {
                 let at_side = sides == LateralCondition::Natural && (i == 0 || i == cells);

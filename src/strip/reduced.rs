@@ -4,9 +4,8 @@ use super::operator::edge::EdgeOperator;
 use super::operator::elastic::{self, EdgeMatrix, edge_matrices};
 use super::operator::scalar::{self, scalar_symbol};
 use super::sides::LateralCondition;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::fem::Lame;
-use crate::numeric::check::require_count;
 use std::f64::consts::PI;
 
 /// A strip of height m/n with n × m cells, n along the contact edge, with u = 0 at the top.
@@ -74,7 +73,7 @@ impl Strip {
     pub fn elastic(cells: usize, layers: usize, lame: Lame) -> Result<Self> {
         LateralCondition::Periodic.check_cells(cells)?;
         check_layers(layers)?;
-        require_count("layers", layers, "{1, 2, 4, 8, ...}", layers.is_power_of_two())?;
+        Error::require_count("layers", layers, "{1, 2, 4, 8, ...}", layers.is_power_of_two())?;
         let matrices = edge_matrices(cells, layers, lame);
         let symbol: Vec<f64> = matrices.iter().map(|a| a.normal()).collect();
         let operator = EdgeOperator::new(cells, LateralCondition::Periodic, &symbol)?;
@@ -134,7 +133,7 @@ impl Strip {
 }
 
 fn check_layers(layers: usize) -> Result<()> {
-    require_count("layers", layers, "[1, 2^26]", (1..=1 << 26).contains(&layers))
+    Error::require_count("layers", layers, "[1, 2^26]", (1..=1 << 26).contains(&layers))
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! The lateral conditions of the strip, and their numbers of nodes.
 
 use crate::cone::Ends;
-use crate::error::Result;
-use crate::numeric::check::require_count;
+use crate::error::{Error, Result};
 
 /// The lateral conditions at x = 0 and x = 1.
 ///
@@ -42,7 +41,7 @@ impl LateralCondition {
             LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
             LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}"),
         };
-        require_count("cells", cells, range, admissible && cells <= 1 << 26)
+        Error::require_count("cells", cells, range, admissible && cells <= 1 << 26)
     }
 
     /// The ends of the edge for a contact cone: open or joined.

@@ -15,7 +15,7 @@
 use super::difference::{Interpolation, rounding};
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
-use crate::numeric::check::{require_count, require_length};
+use crate::numeric::check::require_length;
 use crate::strip::edge_data::EdgeData;
 use crate::strip::operator::defect::{halving, harmonic_defect, harmonic_symbol};
 use crate::strip::operator::edge::EdgeOperator;
@@ -179,7 +179,7 @@ impl StripProblem {
             return incompatible("lateral condition", format!("{sides:?}"), expected);
         }
         let is_power = cells.is_power_of_two() && cells >= 2;
-        require_count("cells", cells, "{2, 4, 8, 16, ...}", is_power)?;
+        Error::require_count("cells", cells, "{2, 4, 8, 16, ...}", is_power)?;
         let values = edge_data.values();
         let (operator, rounding, exact) = match kind {
             StripKind::Scalar => {

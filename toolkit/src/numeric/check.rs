@@ -1,12 +1,12 @@
 //! Checks of input: length and finiteness.
 
-use crate::error::{Error, Result};
+use super::Error;
 
 /// Returns an error unless `given` equals `expected`.
 ///
 /// # Errors
 /// [`Error::LengthMismatch`] with this `name`.
-pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<()> {
+pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
@@ -14,7 +14,7 @@ pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) 
 ///
 /// # Errors
 /// [`Error::NotFinite`] with this `name` and the index of the first value that is not finite.
-pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
+pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<(), Error> {
     values.iter().enumerate().try_for_each(|(index, &value)| require_finite_at(name, index, value))
 }
 
@@ -22,7 +22,7 @@ pub(crate) fn require_finite(name: &'static str, values: &[f64]) -> Result<()> {
 ///
 /// # Errors
 /// [`Error::NotFinite`] with this `name`.
-pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<()> {
+pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) -> Result<(), Error> {
     if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { name, index, value }) }
 }
 
@@ -30,7 +30,7 @@ pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) ->
 ///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<()> {
+pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<(), Error> {
     require_length(name, values.len(), expected)?;
     require_finite(name, values)
 }
@@ -42,12 +42,12 @@ pub(crate) fn require_entry(
     value: f64,
     range: &'static str,
     admissible: bool,
-) -> Result<()> {
+) -> Result<(), Error> {
     require_not_nan(name, index, value)?;
     if admissible { Ok(()) } else { Err(Error::EntryOutOfRange { name, index, value, range }) }
 }
 
-fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<()> {
+fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<(), Error> {
     if value.is_nan() { Err(Error::NotFinite { name, index, value }) } else { Ok(()) }
 }
 

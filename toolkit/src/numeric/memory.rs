@@ -1,6 +1,6 @@
 //! Checks, before any allocation, that the required memory does not exceed the physical memory.
 
-use crate::error::{Error, Result};
+use super::Error;
 use std::sync::OnceLock;
 
 /// Number of bytes up to which no check is made.
@@ -28,7 +28,7 @@ fn total_of(text: &str) -> Option<f64> {
 ///
 /// # Errors
 /// [`Error::TooLarge`] with this `name`.
-pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<()> {
+pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<(), Error> {
     let needed = count as f64 * bytes as f64;
     if needed <= SMALL || needed <= physical() {
         return Ok(());

@@ -32,3 +32,5 @@ pub(crate) mod random;
 pub(crate) mod scale;
 pub(crate) mod search;
 pub(crate) mod sum;
+
+use crate::error::Error;
