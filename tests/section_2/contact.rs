@@ -4,7 +4,7 @@ use crate::reference_squares::check_against_reference;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Form, Lame};
-use signorini::mesh::{Hierarchy, SideParts, unit_square};
+use signorini::mesh::{Hierarchy, SideParts, parse_msh, unit_square};
 use signorini::problems::TestProblem;
 
 #[test]
@@ -42,7 +42,7 @@ fn nested_energy_errors_decrease() {
 fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
     /// Standard deviations.
     const ROUNDINGS: f64 = 8.0;
-    let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_99, 0.499_999_999].map(|poisson| {
+    let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_999].map(|poisson| {
         let mesh = unit_square(16, SideParts::HANGING).unwrap();
         let load = [0.0, -1.0].repeat(mesh.nodes().len());
         let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
@@ -54,18 +54,27 @@ fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
             "{poisson}: {imbalance:e}, {:e}",
             solution.force_rounding
         );
-        // Where the interior point method loses the solution, it does not say that it converged.
-        let interior = problem.solve(Cone::Nodal, Solver::InteriorPoint).unwrap();
-        let apart = (interior.energy - solution.energy).abs();
-        let allowed = 10.0 * solution.energy_rounding - 1e-8 * solution.energy;
-        assert!(
-            !interior.status.is_converged() || apart <= allowed,
-            "{poisson}: {apart:e}, {}",
-            interior.status
-        );
         (imbalance, solution.force_rounding)
     });
     // It grows with λ/μ = 2ν/(1 − 2ν), and is no excuse elsewhere.
-    assert!(imbalances[0].1 < 1e-13 && imbalances[4].1 < 1e-4, "{imbalances:?}");
+    assert!(imbalances[0].1 < 1e-13 && imbalances[3].1 < 1e-4, "{imbalances:?}");
     assert!(imbalances.windows(2).all(|pair| pair[0].1 < pair[1].1), "{imbalances:?}");
+}
+
+/// The L of the examples, nearly incompressible: residuals of 1e-11, relative to |K||u|, leave J off by 1 %.
+#[test]
+fn an_interior_point_solution_that_is_lost_has_not_converged() {
+    let lost = [0.25, 0.4999, 0.499_999_999_9].map(|poisson| {
+        let mesh = parse_msh(include_str!("../../examples/data/l_shape.msh")).unwrap();
+        let load = [0.0, -0.05].repeat(mesh.nodes().len());
+        let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
+        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let [direct, interior] = [Solver::ActiveSet, Solver::InteriorPoint]
+            .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
+        let allowed = 10.0 * direct.energy_rounding - 1e-8 * direct.energy;
+        let is_lost = (interior.energy - direct.energy).abs() > allowed;
+        assert_eq!(interior.status.is_converged(), !is_lost, "{poisson}: {}", interior.status);
+        is_lost
+    });
+    assert_eq!(lost, [false, false, true]);
 }

@@ -22,6 +22,7 @@ use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
+use std::cmp::Ordering;
 
 /// Number of refinement rounds, each to a tenth of the error of the previous one or less.
 const ROUNDS: usize = 4;
@@ -181,9 +182,15 @@ impl SingularFunction<'_> {
             if k > 0 {
                 let (left, right) = (flat[start - 1].piece.right, flat[start].piece.left);
                 if k % 2 == 1 || (left - right).abs() <= slack[k - 1] + slack[k] {
-                    let mean = if left == right { left } else { 0.5 * (left + right) };
-                    flat[start - 1].piece.right = mean;
-                    flat[start].piece.left = mean;
+                    // The limit on the longer scale: a step of its rounding error, seen from there, would outweigh a
+                    // function that lives on the shorter one.
+                    let limit = match slack[k - 1].total_cmp(&slack[k]) {
+                        Ordering::Less => left,
+                        Ordering::Equal => 0.5 * (left + right),
+                        Ordering::Greater => right,
+                    };
+                    flat[start - 1].piece.right = limit;
+                    flat[start].piece.left = limit;
                 } else if is_endless && !order.is_below_half() {
                     return Err(Error::out_of_reach(
                         "seminorm",
