@@ -5,7 +5,7 @@
 //! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
 
 use super::PALETTE;
-use super::plot::{Axes, Mark, Plot};
+use super::plot::{Axes, Bands, Mark, Plot};
 use super::svg::{Canvas, INK};
 use crate::Result;
 use crate::cell::shortest;
@@ -202,8 +202,8 @@ pub(crate) fn trace_plot(name: &str, edge: &EdgeTrace, cases: [Vec<Interval>; 3]
     }
     let names = [("first case", 4), ("second case", 5), ("both cases", 2)];
     for (segments, (name, colour)) in cases.iter().zip(names) {
-        let ends = segments.iter().map(|segment| (segment.start, segment.end));
-        plot.bands.push((name, ends.collect(), PALETTE[colour]));
+        let intervals = segments.iter().map(|segment| (segment.start, segment.end)).collect();
+        plot.bands.push(Bands { name, intervals, colour: PALETTE[colour] });
     }
     plot
 }

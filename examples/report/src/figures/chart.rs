@@ -21,10 +21,10 @@ const CHARACTER: f64 = 8.4;
 
 /// The plot of these series as SVG.
 pub(super) fn chart(plot: &Plot, series: &[Series]) -> String {
-    let names = series.iter().map(|s| &*s.name).chain(plot.bands.iter().map(|band| band.0));
+    let names = series.iter().map(|s| &*s.name).chain(plot.bands.iter().map(|band| band.name));
     let legend = legend(names);
     let points = || series.iter().flat_map(|s| &s.points);
-    let ends = plot.bands.iter().flat_map(|band| &band.1).flat_map(|&(a, b)| [a, b]);
+    let ends = plot.bands.iter().flat_map(|band| &band.intervals).flat_map(|&(a, b)| [a, b]);
     let frame = Frame {
         x: Scale::of(plot.ranges[0], points().map(|p| p.0).chain(ends), plot.logarithmic[0]),
         y: Scale::of(plot.ranges[1], points().map(|p| p.1), plot.logarithmic[1]),
@@ -34,11 +34,11 @@ pub(super) fn chart(plot: &Plot, series: &[Series]) -> String {
     let height = frame.height + BELOW + LEGEND * rows + TOP + 8.0;
     let mut canvas = Canvas::new([WIDTH, height], &plot.title, FONT_SIZE);
     canvas.text(&plot.title, (WIDTH / 2.0, TOP / 2.0), "middle", " font-size=\"12.9\"");
-    for (_, intervals, colour) in &plot.bands {
-        for &(a, b) in intervals {
+    for band in &plot.bands {
+        for &(a, b) in &band.intervals {
             if let (Some(a), Some(b)) = (frame.x.position(a), frame.x.position(b)) {
                 let (a, b) = (frame.across(a.clamp(0.0, 1.0)), frame.across(b.clamp(0.0, 1.0)));
-                rectangle(&mut canvas, (a, frame.up(1.0)), (b, frame.up(0.0)), colour);
+                rectangle(&mut canvas, (a, frame.up(1.0)), (b, frame.up(0.0)), band.colour);
             }
         }
     }
@@ -57,7 +57,7 @@ pub(super) fn chart(plot: &Plot, series: &[Series]) -> String {
                 draw_run(&mut canvas, series.mark, index, &[(x, y), (x + 28.0, y)], &[(x + 14.0, y)])
             }
             None => {
-                let colour = plot.bands[index - series.len()].2;
+                let colour = plot.bands[index - series.len()].colour;
                 rectangle(&mut canvas, (x, y - 6.0), (x + 28.0, y + 6.0), colour);
             }
         }

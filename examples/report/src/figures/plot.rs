@@ -50,6 +50,14 @@ pub(super) struct Series {
     pub(super) mark: Mark,
 }
 
+/// Vertical bands behind the data: intervals of the horizontal axis that belong together.
+#[derive(Debug, Clone)]
+pub(super) struct Bands {
+    pub(super) name: &'static str,
+    pub(super) intervals: Vec<(f64, f64)>,
+    pub(super) colour: &'static str,
+}
+
 #[derive(Debug, Clone)]
 enum Drawn {
     /// Column y over column x, one curve for each value of column `by`.
@@ -73,8 +81,7 @@ pub struct Plot {
     pub(super) ranges: [Option<(f64, f64)>; 2],
     /// Names of rows in place of the ticks of the vertical axis.
     pub(super) row_names: Vec<String>,
-    /// Vertical bands behind the data: names, intervals of the horizontal axis, and colours.
-    pub(super) bands: Vec<(&'static str, Vec<(f64, f64)>, &'static str)>,
+    pub(super) bands: Vec<Bands>,
     drawn: Vec<Drawn>,
 }
 
