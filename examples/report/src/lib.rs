@@ -127,7 +127,7 @@ macro_rules! example {
 
         impl Default for Options {
             fn default() -> Self {
-                $crate::Declarations::of_defaults()
+                $crate::Declarations::read(&|_, default| default.to_owned()).expect("a default is admissible")
             }
         }
 

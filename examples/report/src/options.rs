@@ -27,15 +27,6 @@ pub trait Declarations: Sized {
     /// # Errors
     /// The first option that cannot be parsed or is out of its range.
     fn read(given: &dyn Fn(&str, &str) -> String) -> Result<Self>;
-
-    /// The options of an empty command line.
-    ///
-    /// # Panics
-    /// A default that cannot be parsed: an error of the declaration.
-    fn of_defaults() -> Self {
-        let options = Self::read(&|_, default| default.to_owned());
-        options.unwrap_or_else(|error| panic!("{}: {error}", Self::LABEL))
-    }
 }
 
 /// The declaration of one option.
