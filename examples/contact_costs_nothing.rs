@@ -149,7 +149,7 @@ fn on_triangles(out: &mut Report) -> Result<()> {
                 order },
             );
             out.check("n = 64: error/best possible error").at_most(quotient.value, 1.01, "limit 1");
-            out.check("order of error/best possible error − 1").at_least(order, 2.0 / 3.0, "h^(2/3)");
+            out.check("order in h of (error/best possible error − 1)").at_least(order, 2.0 / 3.0, "h^(2/3)");
         }
     }
     Ok(())

@@ -93,9 +93,13 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("{cone} cone: increment ratio of e/(h √L)")).at_most(growth, 0.5, "(3.2), (4.3)");
+        out.check(format!("{cone} cone: ratio of increments, e/(h √|ln h|)")).at_most(
+            growth,
+            0.5,
+            "(3.2), (4.3)",
+        );
         out.stronger(format!("{cone} cone, H²: exponent q")).at_most(q, 0.0, "no logarithm");
-        out.observe("e/h in H², finest/middle mesh").at_least(optimal, 1.0, "order 1 is optimal");
+        out.observe("u in H²: e/h, finest mesh/middle mesh").at_least(optimal, 1.0, "order 1 is optimal");
     } else if alpha == 0.0 {
         out.observe("α = 0, u not in H²: exponent q").at_least(q, 0.0, "|ln h|^(q/2)");
     }

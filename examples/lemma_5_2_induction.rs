@@ -99,7 +99,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("product_59", "(5.9)", "γ over γ(t) and the product");
     out.column("last_lines", "end", "γ over γ(t) and its bound in the last lines");
     for &nu in &options.nu {
-        out.check("(5.5): max |ratio of norms − 1|").at_most(scaling(nu, options.theta)?, 1e-6, "x' = θx");
+        out.check("(5.5): max |ratio of norms − 1|").at_most(
+            scaling(nu, options.theta)?,
+            1e-6,
+            "u(x) = ũ(θx)",
+        );
         let mut theta = options.theta;
         let first = solved(nu, theta)?.0;
         let (mut before, mut product, mut given) = (first, 1.0, Vec::new());

@@ -104,9 +104,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
         out.check("wave: ‖u − I u‖_(1/2,*) − 1").near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
-        out.check("wave: ratio of norms/bound").at_most(wave / bound, 1.0, "Lemma 6.2");
+        out.check("wave: ‖u − I u‖_(1/2,*)/(C h^(3/2) ‖u‖_(3/2))").at_most(wave / bound, 1.0, "Lemma 6.2");
         let limit = 1.0 / (8f64.sqrt() * PI.powi(2));
-        out.check("wave: ratio of norms/h^(3/2)").at_least(wave / h.powf(1.5), 0.5 * limit, "half the limit");
+        out.check("wave: ‖u − I u‖_(1/2,*)/(h^(3/2) ‖u‖_(3/2))").at_least(
+            wave / h.powf(1.5),
+            0.5 * limit,
+            "half the limit",
+        );
     }
     let [order, order_of_smooth] = ["wave", "smooth"].map(|column| -out.exponent("elements", column)); // of h, last two
     let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;

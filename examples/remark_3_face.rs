@@ -114,7 +114,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over = (pressure * slope).recip();
             let r = 0.5f64.powi(halvings as i32 + 1);
             let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
-            out.check("|σ|_ν: of_gaps/library").near(ratio, 1.0, 1e-3, "boundary integrals");
+            out.check("|σ|_ν by definition/library value").near(ratio, 1.0, 1e-3, "boundary integrals");
             let (nodal, mean) = (over * -of_sigma, over * (of_sigma * of_u / areas.iter().sum::<f64>()));
             if let Some([last, _]) = before.last() {
                 out.check("nodal cone: quotient at r/at 2r").at_least(nodal / *last, 1.0, "unbounded, r → 0");
@@ -130,7 +130,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let last = limit(before.len() - 1);
         let measured = Measured::new(last.value, last.error + (last - limit(before.len() - 2)).value.abs());
         let off = measured - (2.0 * nu.value() - 1.0);
-        out.check("nodal cone, r → 0: exponent of r − (2ν − 1)").near(off, 0.0, 0.01, "scaling");
+        out.check("nodal cone: exponent of r, deviation from 2ν − 1").near(off, 0.0, 0.01, "scaling");
     }
     out.column("nodal", "nodal", "∫ σ I u over both seminorms");
     out.column("mean", "means", "(1/|T|) ∫ σ ∫ u over both");

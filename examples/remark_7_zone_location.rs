@@ -170,7 +170,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("share of unions to three digits").at_least(computed / options.unions as f64, 0.9, "rounding");
+    out.check("fraction of unions accurate to 1e-3").at_least(
+        computed / options.unions as f64,
+        0.9,
+        "rounding",
+    );
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
     out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");

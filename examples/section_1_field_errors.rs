@@ -73,7 +73,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let (Some(last), true) =
             (out.series("n", "over_limit").last(), beta * first > smooth * (1.0 + NEAR))
         {
-            out.check("N^(2−ν) |u − I_h u|_ν/limit").near(last.1, 1.0, 5e-3, "`limit`, N → ∞");
+            out.check("N^(2−ν) |u − I_h u|_ν/limit").near(last.1, 1.0, 5e-3, "closed form, N → ∞");
         }
     }
     out.column("n", "N", "");

@@ -129,7 +129,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // ε (Σᵢ uᵢ² (|K||u| + |F|)ᵢ²)^(1/2)/|J|, ε = 2^-52: what rounding of K and F leaves in J; much for λ ≫ μ.
         let allowed = 1e-8 + 10.0 * u.energy_rounding / u.energy.abs();
         // Loads, reactions of Γ_D and forces of the floor in both directions, over the size of the terms.
-        out.check("resultant of all forces").at_most(u.balance, allowed, "global equilibrium");
+        out.check("resultant of all forces, scaled").at_most(u.balance, allowed, "global equilibrium");
         let apart = |j: f64| (j / u.energy - 1.0).abs();
         out.check("two solvers: |ΔJ|/|J|").at_most(apart(other.energy), allowed, "eight digits");
         if let Some(j) = definition {

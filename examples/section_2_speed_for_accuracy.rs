@@ -95,13 +95,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let distance = problem.energy_norm(&apart)? / problem.energy_norm(&u.displacement)?;
                 let change = (error / of_mesh - 1.0).abs();
                 if solver.ends_with("h/100") {
-                    out.check("multigrid: change of the error").at_most(change, 1e-3, "0.1 % of the error");
+                    out.check("multigrid, h/100: change of |u − v|_a").at_most(
+                        change,
+                        1e-3,
+                        "0.1 % of the error",
+                    );
                 } else {
-                    out.check("solvers to 1e-10: change of error").at_most(change, 1e-6, "six digits");
+                    out.check("solvers to 1e-10: change of |u − v|_a").at_most(change, 1e-6, "six digits");
                     let of_j = (v.energy / u.energy - 1.0).abs();
                     out.check("two solvers: |ΔJ|/|J|").at_most(of_j, 1e-11, "rounding error");
                     let other = v.contact_set.distance(&u.contact_set);
-                    out.check("constraints active for one solver").at_most(other, 0.0, "uniqueness");
+                    out.check("constraints active for only one solver").at_most(other, 0.0, "uniqueness");
                 }
                 if let Some(estimate) = estimate {
                     // Two solutions in binary64 differ by 1e-13 whatever the estimate.

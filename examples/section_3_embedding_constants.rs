@@ -112,8 +112,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 out.check("lower bound of C(q): ascent/library").near(ratio, 1.0, 1e-3, "trial functions");
                 let ratio = upper.recip() * circle(q);
                 out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "Beckner");
-                out.check("ν = 1/2: lower C(q)/√q").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
-                out.check("ν = 1/2: upper C(q)/√q").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
+                out.check("ν = 1/2: lower bound/√q").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
+                out.check("ν = 1/2: upper bound/√q").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
                 out.check("lower bound of C(α)/upper bound of C(q)").at_most(found / upper, 1.0, "Hölder");
                 out.check("lower bound of C(α) √(1 − α)").at_least(found / q.sqrt(), 0.167, "limit 0.1672");
                 (hoelder, trial) = (Some(found.value), Some(value));

@@ -117,10 +117,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let scaled = constant.recip() * (fine[3][k] * 64f64.powf(theory));
             out.check(format!("{label}: S(64)/upper bound")).at_most(scaled, 1.0, "C(r), C*(r)");
             let definition = constant.recip() * [one[0], one[2]][k];
-            out.check(format!("{label}, C: `supremum`/library")).near(definition, 1.0, 1e-3, "64 cells");
+            out.check(format!("{label}: finite elements/library")).near(definition, 1.0, 1e-3, "64 cells");
         }
         out.check("C*(r)/(C(r) C(1/2))").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
-        out.observe("C*(r)/(C(r) C(1/2)), lower bound").at_least(c_dual / chain, 0.99, "equality at r = 1/2");
+        out.observe("min C*(r)/(C(r) C(1/2)) over r").at_least(c_dual / chain, 0.99, "equality at r = 1/2");
         out.row(cells! { r => c, one: one[0], order: orders[0], c_dual, order_dual: orders[1] });
     }
     for &r in &options.beyond {

@@ -77,7 +77,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             out.check("ratio of K, κ, κ̄ to strong-form bounds").near(ratio, 1.0, 1e-8, "residual bounds");
             let quotient = value.recip() * definition;
-            out.check("K, κ, κ̄: moment_on_mesh/library").near(quotient, 1.0, 0.01, "hat functions");
+            out.check("K, κ, κ̄ on a mesh/library value").near(quotient, 1.0, 0.01, "hat functions");
         }
         out.check("κ/κ̄").at_most(kappa / midpoint, 1.0, "special case: one gap");
         out.check("κ̄/K").at_most(midpoint / product, 1.0, "product of L¹ norms");

@@ -76,7 +76,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 "(3.1), (4.2)",
             );
             let off = (order.value - optimal).abs() / order.error.max(1e-3);
-            out.observe("|order − min(τ − 1, 1)|/error").at_most(off, 1.0, "Drouet, Hild 2015");
+            out.observe("|order − min(τ − 1, 1)|/error of the order").at_most(off, 1.0, "Drouet, Hild 2015");
             let title = format!("{body}, {cone} cone, τ = {tau:.2}");
             let plot =
                 out.plot(&format!("theorem_3_1_{body}_{asked}"), &title, Axes::LogLog("h", "‖u − u^h‖"));

@@ -81,7 +81,7 @@ pub fn nodal(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> 
             [sigma_nu * slope_nu, squares].map(|of| c.interpolation * h.powf(1.0 + 2.0 * nu) * of);
         let label = if two { "(3.15)" } else { "(3.14)" };
         lines.extend([
-            ("(3.11) σ u = 0", t.nodal_term, t.interpolation_term, f64::INFINITY),
+            ("(3.11) σ_N u_N = 0", t.nodal_term, t.interpolation_term, f64::INFINITY),
             ("(3.11) Cauchy-Schwarz", t.nodal_term, error, work),
             ("(3.12) Poincaré", sigma, gamma * h.powf(nu) * sigma_nu, 0.0),
             ("(3.13) interpolation", t.interpolation_error, right, t.depth * h.sqrt()),

@@ -113,9 +113,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = second(theta) / (first(h, theta) * logarithm);
         let reference = *coarsest.get_or_insert(quotient);
         let compared = quotient / reference;
-        out.check("second/first bound at printed θ, normalised").near(compared, 1.0, 1e-9, "value, h = 1/8");
-        out.check("supremum/bound, both bounds equal").at_most(best / second(at), 1.0, "upper bound");
-        out.check("supremum/sharper bound, both equal").at_most(best / second(at_sharp), 1.0, "upper bound");
+        out.check("ratio of bounds at printed θ/at h = 1/8").near(compared, 1.0, 1e-9, "independent of h");
+        out.check("supremum/bound at equal bounds").at_most(best / second(at), 1.0, "upper bound");
+        out.check("supremum/sharp bound at equal bounds").at_most(
+            best / second(at_sharp),
+            1.0,
+            "upper bound",
+        );
     }
     let [printed, cross, there, sharp] =
         ["bound", "crossing", "at_crossing", "sharp"].map(|column| out.exponent("h", column));
@@ -125,7 +129,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("exponent of h in the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
         out.check("exponent of h where both bounds are equal").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
         let half_loss = (tau - 1.5) * (2.0 - tau);
-        out.stronger("exponent gain, sharp bound").near(sharp - printed, half_loss, 1e-9, "(τ − 3/2)(2 − τ)");
+        out.stronger("exponent gained by the sharp bound").near(
+            sharp - printed,
+            half_loss,
+            1e-9,
+            "(τ − 3/2)(2 − τ)",
+        );
     } else {
         out.observe("θ at equal bounds: exponent of h").near(cross, 2.0, 0.5, "h², up to ln² h");
         out.observe("exponent of h in the bound, printed θ").near(printed, 2.0, 0.5, "h² ln(1/h)");

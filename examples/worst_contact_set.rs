@@ -163,13 +163,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let gap =
             |length: usize| by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form);
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
-        out.check(format!("{cone} cone: best end gap on 48 cells/κ")).at_most(
+        out.check(format!("{cone} cone, gap at an end: largest quotient/κ")).at_most(
             kappa.recip() * best,
             1.0,
             "conforming subspace",
         );
         let random = search(cone, &form, options.sets)? / best;
-        out.check(format!("{cone} cone: random sets/best end gap")).at_most(
+        out.check(format!("{cone} cone: largest quotient, random sets/end gaps")).at_most(
             random,
             1.0 + 1e-12,
             "worst case: gap at an end",

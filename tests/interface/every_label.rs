@@ -117,12 +117,12 @@ fn planted_faults_are_found() {
     let mut values = values();
     let page = read("book/src/every_label.md");
     let row = |text: &str| rows(text).pop().unwrap();
-    let good = "| x | y | [lemma_5_2](lemma_5_2.md) | {{finding: remark_6_point_condition/theta-1e-12-gamma-theta-gamma-upper-bound}} | {{test: appendix_a/remark_6::statement_is_confirmed}} |";
+    let good = "| x | y | [lemma_5_2](lemma_5_2.md) | {{finding: remark_6_point_condition/all-nu-theta-1e-12-gamma-theta-gamma}} | {{test: appendix_a/remark_6::statement_is_confirmed}} |";
     assert!(faults(&row(good), &values).is_empty(), "{:?}", faults(&row(good), &values));
     for (from, to) in [
         ("lemma_5_2.md", "lemma_55_2.md"),
-        ("{{finding: remark_6_point_condition/theta-1e-12-gamma-theta-gamma-upper-bound}}", "see the page"),
-        ("-upper-bound}", "-upper-bounds}"),
+        ("{{finding: remark_6_point_condition/all-nu-theta-1e-12-gamma-theta-gamma}}", "see the page"),
+        ("gamma-theta-gamma}", "gamma-theta-gammas}"),
         ("::statement_is_confirmed", "::statement_is_denied"),
         ("{{test: appendix_a/remark_6::statement_is_confirmed}}", ""),
     ] {

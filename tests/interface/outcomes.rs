@@ -164,7 +164,7 @@ fn no_set_is_bad_and_none_passes_the_sharp_constant() {
     let shares = ["nodal", "midpoint"].map(|cone| column(name, cone)).concat();
     assert_eq!(shares.iter().filter(|(_, share)| (0.0..1.0).contains(share)).count(), 14, "{shares:?}");
     for cone in ["nodal", "midpoint"] {
-        let found = value(name, &format!("{cone}-cone-random-sets-best-end-gap"));
+        let found = value(name, &format!("{cone}-cone-largest-quotient-random-sets-end-gaps"));
         assert!(found < 1.0 + 1e-12 && found > 0.8, "{cone}: {found}");
     }
 }
