@@ -17,7 +17,7 @@
 use super::contact_sets::{Gap, cantor, check_depth, fat_cantor, many_gaps};
 use super::gap_data::Gaps;
 use super::named::unknown;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::strip::{EdgeData, LateralCondition};
 use crate::text::read_text;
 use std::f64::consts::LN_2;
@@ -225,12 +225,8 @@ impl StripData {
                 Gaps { dimension, pressure: 0.0, ..transitions(gaps) }
             }
             StripData::Samples { .. } => {
-                return Err(Error::Toolkit(ToolkitError::Incompatible {
-                    what: "test problem",
-                    given: self.to_string(),
-                    with: "a logarithmic factor",
-                    expected: "a test problem whose data are powers",
-                }));
+                let expected = "a test problem whose data are powers";
+                return Err(Error::incompatible("test problem", self, "a logarithmic factor", expected));
             }
         };
         gaps.pair(tau, cells, sides)

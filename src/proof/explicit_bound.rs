@@ -26,7 +26,7 @@
 //! Proofs: `book/src/theorem_3_1_without_c.md`. Cost: none.
 
 use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::fem::{Form, Lame};
 use crate::numeric::search::sign_change;
 use std::f64::consts::{FRAC_PI_2, GOLDEN_RATIO, PI};
@@ -139,12 +139,12 @@ impl ExplicitBound {
                 (2.0 * mu + 2.0 * lambda.max(0.0), lambda.hypot(lambda + 2.0 * mu), korn)
             }
             _ => {
-                return Err(Error::Toolkit(ToolkitError::Incompatible {
-                    what: "form",
-                    given: format!("{form:?}"),
-                    with: "the bound with explicit constants",
-                    expected: "the Laplacian, or linear elasticity with a homogeneous material",
-                }));
+                return Err(Error::incompatible(
+                    "form",
+                    format!("{form:?}"),
+                    "the bound with explicit constants",
+                    "the Laplacian, or linear elasticity with a homogeneous material",
+                ));
             }
         };
         let theta = 1.0 / (PI * shape.height).tanh();

@@ -24,7 +24,7 @@
 //! rounding, and [`super::consistency_constant`] is the maximum. Cost: O(cells³) per set.
 
 use crate::cone::Cone;
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use fractional_sobolev::{Estimate, Given, Gram, Mesh, Order, Tolerance, Work};
 use nalgebra::{Cholesky, DMatrix, Matrix2, SMatrix};
 
@@ -153,10 +153,8 @@ fn inverse_form<const N: usize>(
     let scale: Vec<f64> = cells.iter().map(|&k| gram[(k, k)].sqrt()).collect();
     let matrix =
         DMatrix::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
-    let factor = Cholesky::new(matrix).ok_or(Error::Toolkit(ToolkitError::NotPositiveDefinite {
-        what: "Gram matrix of a part of the segment",
-        pivot: cells.len(),
-    }))?;
+    let factor = Cholesky::new(matrix)
+        .ok_or(Error::not_positive_definite("Gram matrix of a part of the segment", cells.len()))?;
     let right = DMatrix::from_fn(cells.len(), N, |i, j| b[j][i] / scale[i]);
     let solution = factor.solve(&right);
     let form = |i: usize, j: usize| (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>();

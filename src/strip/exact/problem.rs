@@ -164,19 +164,16 @@ impl StripProblem {
     /// is a power of two.
     pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
         let (cells, sides) = (edge_data.cells(), edge_data.sides());
-        let with = match kind {
-            StripKind::Scalar => "the scalar strip",
-            StripKind::Elastic => "the elastic strip",
-        };
-        let incompatible = |what, given: String, expected| {
-            Err(Error::Toolkit(ToolkitError::Incompatible { what, given, with, expected }))
-        };
         if kind == StripKind::Elastic && reference != Reference::Nested {
-            return incompatible("reference solution", "harmonic".to_owned(), "nested");
+            let (what, with) = ("reference solution", "the elastic strip");
+            return Err(Error::incompatible(what, "harmonic", with, "nested"));
         }
         if sides != kind.sides() {
-            let expected = if kind == StripKind::Scalar { "natural" } else { "periodic" };
-            return incompatible("lateral condition", format!("{sides:?}"), expected);
+            let (with, expected) = match kind {
+                StripKind::Scalar => ("the scalar strip", "natural"),
+                StripKind::Elastic => ("the elastic strip", "periodic"),
+            };
+            return Err(Error::incompatible("lateral condition", format!("{sides:?}"), with, expected));
         }
         let is_power = cells.is_power_of_two() && cells >= 2;
         Error::require_count("cells", cells, "{2, 4, 8, 16, ...}", is_power)?;
@@ -328,12 +325,9 @@ impl StripProblem {
 
     /// The number of halvings, less than `levels`, from N to `cells`.
     fn level(&self, cells: usize, levels: usize) -> Result<usize> {
+        let range = "{N, N/2, N/4, ...}, N the number of cells of the reference grid";
         let level = (0..levels).find(|&level| self.operator.cells() >> level == cells);
-        level.ok_or(Error::Toolkit(ToolkitError::CountOutOfRange {
-            name: "cells",
-            value: cells,
-            range: "{N, N/2, N/4, ...}, N the number of cells of the reference grid",
-        }))
+        level.ok_or(Error::count("cells", cells, range))
     }
 }
 
