@@ -246,7 +246,7 @@ impl Outcome {
             self.saved.push(place(name, "svg"));
         }
         for plot in &self.plots {
-            let [svg, csv] = plot.files(&self.rows, &|name| self.title(name));
+            let [svg, csv] = plot.files(&self.rows, &|name| self.title(name))?;
             write_whole(&place(&plot.name, "csv"), &csv)?;
             write_whole(&place(&plot.name, "svg"), &svg)?;
             self.saved.push(place(&plot.name, "svg"));

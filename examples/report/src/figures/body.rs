@@ -6,7 +6,7 @@
 
 use super::PALETTE;
 use super::plot::{Axes, Bands, Mark, Plot};
-use super::svg::{Canvas, INK};
+use super::svg::{Canvas, INK, css};
 use crate::Result;
 use crate::cell::shortest;
 use nalgebra::{Vector2, Vector3};
@@ -117,7 +117,7 @@ pub(crate) fn body_svg(
         canvas.path(path, &format!("fill=\"{}\" {edges}", shade(k)));
     }
     let path: String = arrows.into_iter().map(|ends| arrow(ends.map(view))).collect();
-    canvas.path(&path, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", PALETTE[1]));
+    canvas.path(&path, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", css(PALETTE[1])));
     let (top, step) = (height - 40.0, BAR / SHADES as f64);
     for k in 0..SHADES {
         let x = MARGIN + k as f64 * step;
@@ -127,7 +127,7 @@ pub(crate) fn body_svg(
     canvas.text(&short(low), (MARGIN, below), "start", "");
     canvas.text(&short(high), (right, below), "end", "");
     canvas.text(value_name, (right + 14.0, above), "start", "");
-    canvas.text("→", (right + 14.0, below), "start", &format!(" fill=\"{}\"", PALETTE[1]));
+    canvas.text("→", (right + 14.0, below), "start", &format!(" fill=\"{}\"", css(PALETTE[1])));
     let pressure = format!("contact pressure, largest {}{unit}", short(strongest));
     canvas.text(&pressure, (right + 33.0, below), "start", "");
     Ok(canvas.finish())

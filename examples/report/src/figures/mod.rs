@@ -11,15 +11,17 @@ mod plot;
 mod scale;
 mod svg;
 
+use plotters::style::RGBColor;
+
 pub use plot::{Axes, Plot};
 
 /// The palette, in the order in which the series of a plot are coloured.
-const PALETTE: [&str; 7] = [
-    "rgb(0,114,178)",
-    "rgb(213,94,0)",
-    "rgb(0,158,115)",
-    "rgb(204,121,167)",
-    "rgb(230,159,0)",
-    "rgb(86,180,233)",
-    "rgb(120,120,120)",
+const PALETTE: [RGBColor; 7] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(120, 120, 120),
 ];

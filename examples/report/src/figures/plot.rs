@@ -3,7 +3,10 @@
 use super::PALETTE;
 use super::chart::chart;
 use crate::cell::{Cell, Cells};
+use crate::{Error, Result};
+use plotters::style::RGBColor;
 use std::fmt::Write as _;
+use std::path::Path;
 
 /// Digits of a table behind the first one: a picture shows four, and processors agree on these.
 const DIGITS: usize = 7;
@@ -55,7 +58,7 @@ pub(super) struct Series {
 pub(super) struct Bands {
     pub(super) name: &'static str,
     pub(super) intervals: Vec<(f64, f64)>,
-    pub(super) colour: &'static str,
+    pub(super) colour: RGBColor,
 }
 
 #[derive(Debug, Clone)]
@@ -175,7 +178,10 @@ impl Plot {
     }
 
     /// The plot of these rows as SVG and its points as comma-separated values; `title` gives the title of a column.
-    pub(crate) fn files(&self, rows: &[Cells], title: &dyn Fn(&str) -> String) -> [String; 2] {
+    ///
+    /// # Errors
+    /// [`Error::File`] if plotters cannot draw.
+    pub(crate) fn files(&self, rows: &[Cells], title: &dyn Fn(&str) -> String) -> Result<[String; 2]> {
         let mut series: Vec<Series> = Vec::new();
         for drawn in &self.drawn {
             match drawn {
@@ -202,7 +208,8 @@ impl Plot {
         }
         let repeated = series.iter_mut().skip(PALETTE.len());
         repeated.filter(|s| s.mark == Mark::Line).for_each(|s| s.mark = Mark::LineAndPoints);
-        [chart(self, &series), self.csv(&series)]
+        let svg = chart(self, &series).map_err(|error| Error::file(Path::new(&self.name), error))?;
+        Ok([svg, self.csv(&series)])
     }
 
     /// One line per point: series, x, y, and a column for the half length of a bar. The heads of the columns are the
@@ -240,7 +247,7 @@ mod tests {
     fn every_point_is_a_line() {
         let mut plot = Plot::new("p", "a < b", Axes::LogLinear("x, length", "y"));
         plot.given_points("a \"b\"", vec![(1.0, 0.123_456_789), (1e-30, 2.0), (0.0, 1.0)]);
-        let [svg, csv] = plot.files(&[], &str::to_owned);
+        let [svg, csv] = plot.files(&[], &str::to_owned).unwrap();
         let lines = "series,\"x, length\",\"y\",half bar\n\
             \"a \"\"b\"\"\",1,0.12345679,\n\"a \"\"b\"\"\",1e-30,2,\n\"a \"\"b\"\"\",0,1,\n";
         assert_eq!(csv, lines);

@@ -1,10 +1,15 @@
 //! SVG text, in user units, and the typesetting of its words: `u_N` with a subscript, `x^0.6` with a
 //! superscript, `1e-4` as a power of ten.
 
+use plotters::style::RGBColor;
 use std::fmt::Write as _;
 
 /// The colour of the text of the page.
 pub(super) const INK: &str = "currentColor";
+/// plotters rounds every coordinate to an integer: its surfaces are larger than the picture by this factor.
+pub(super) const FINENESS: f64 = 10.0;
+/// Stands for [`INK`] where plotters draws.
+pub(super) const INK_OF_SHAPES: RGBColor = RGBColor(1, 2, 3);
 /// Opened alone a picture has its own light and dark colours.
 const STYLE: &str = "<style>svg:root{color:#222;background:#fff}\
     @media(prefers-color-scheme:dark){svg:root{color:#ddd;background:#1b1b1b}}</style>";
@@ -12,7 +17,7 @@ const STYLE: &str = "<style>svg:root{color:#222;background:#fff}\
 const SHIFT: (f64, f64) = (0.3, 0.45);
 const SIZE: f64 = 0.75;
 
-/// A picture while it is drawn. A paint is a colour with its opacity.
+/// A picture while it is drawn.
 pub(super) struct Canvas(String);
 
 impl Canvas {
@@ -31,21 +36,11 @@ impl Canvas {
         self.0 + "</g>\n</svg>\n"
     }
 
-    /// A line through the points; `dashes` is empty or an attribute.
-    pub(super) fn line(&mut self, points: &[(f64, f64)], paint: (&str, f64), width: f64, dashes: &str) {
-        let (points, (colour, opacity)) = (list(points), paint);
-        let ink = format!("stroke=\"{colour}\" opacity=\"{opacity}\" stroke-width=\"{width}\"{dashes}");
-        let _ = writeln!(self.0, "<polyline fill=\"none\" {ink} points=\"{points}\"/>");
-    }
-
-    pub(super) fn polygon(&mut self, corners: &[(f64, f64)], (colour, opacity): (&str, f64)) {
-        let corners = list(corners);
-        let _ = writeln!(self.0, "<polygon fill=\"{colour}\" opacity=\"{opacity}\" points=\"{corners}\"/>");
-    }
-
-    pub(super) fn disc(&mut self, (x, y): (f64, f64), radius: f64, colour: &str) {
-        let (x, y) = (tenths(x), tenths(y));
-        let _ = writeln!(self.0, "<circle cx=\"{x}\" cy=\"{y}\" r=\"{radius}\" fill=\"{colour}\"/>");
+    /// What plotters has drawn on a surface that is [`FINENESS`] times as large.
+    pub(super) fn shapes(&mut self, drawn: &str) {
+        let inner = drawn.split_once('>').map_or("", |(_, inner)| inner).trim_end();
+        let inner = inner.strip_suffix("</svg>").unwrap_or(inner).replace(&css(INK_OF_SHAPES), INK);
+        let _ = writeln!(self.0, "<g transform=\"scale({})\">{inner}</g>", FINENESS.recip());
     }
 
     /// A path; nothing if it is empty.
@@ -67,8 +62,9 @@ fn tenths(length: f64) -> f64 {
     (10.0 * length).round() / 10.0
 }
 
-fn list(points: &[(f64, f64)]) -> String {
-    points.iter().map(|&(x, y)| format!("{},{} ", tenths(x), tenths(y))).collect()
+/// A colour as plotters writes it.
+pub(super) fn css(RGBColor(red, green, blue): RGBColor) -> String {
+    format!("#{red:02X}{green:02X}{blue:02X}")
 }
 
 /// A text for an attribute or an element.
