@@ -10,12 +10,15 @@
 //! Strip (example `section_2_strip`): g = u_N ≤ 0 and the pressure λ ≥ 0, g λ = 0, are given at the N + 1 nodes
 //! of the edge of the unit square; A_N multiplies the wave cos kπx by sinh η coth Nη, cosh η = 2 − cos(kπ/N). With P the
 //! interpolation from n to N cells, |u − v|_a² = gᵀA_N g − 2 (A_N g)ᵀPv + vᵀA_n v; u^h minimises ½ vᵀA_n v − (A_N g + λ)ᵀPv
-//! over v ≤ 0. N is 64 times the finest n. `transitions:3`: powers r^(τ−1), r^(τ−2) at six places, or for τ = 5/2 the natural
-//! r^(3/2), r^(1/2); `cantor`, `fat-cantor`: contact on Cantor sets. Where τ is a supremum that is not reached, term and
-//! squared error have one order and the limit of the quotient may differ from 1.
+//! over v ≤ 0. N is 64 times the finest n. `transitions:3`: gaps ((i + 1/4)/3, (i + 3/4)/3), i = 0, 1, 2, ends rounded to nodes;
+//! in a gap (a, b) g = −δ^(τ−1), δ = (x − a)(b − x)/(b − a); else λ = r^(τ−2), r the distance to the nearest gap, ∫ λ over a
+//! cell half to each node. `cantor`, `fat-cantor`: contact on Cantor sets. Where τ is a supremum that is not reached, term
+//! and squared error have one order and the limit of the quotient may differ from 1.
 //!
 //! Squares: at τ = 2 even the best approximation G without constraint is reached: |u − u^h|_a/|u − G|_a → 1 in both cones,
-//! on any quasi-uniform mesh. For natural ends of contact the quotient less one is O(h^(2/3) |ln h|) by proof.
+//! on any quasi-uniform mesh. For natural ends of contact the quotient less one is O(h^(2/3) |ln h|) by proof. u in closed
+//! form, prescribed off the contact edge y = 0: 2 u_x = −½ Im F − y Re F', 2 u_y = (3/2) Re F + y Im F', λ = μ = 1, z = x + iy,
+//! F = (z − 3/10)^(3/2), 1 end, or ((z − 3/10)(7/10 − z))^(3/2), 2 ends; −Re (z − 2/5)^(3/2), scalar, its ∂u/∂n on the sides.
 //!
 //! Refuted if a squared error is above Falk's bound, if the quotient by interpolation for τ = 5/2 is above 1.001 or that by the
 //! best one at n = 64 above 1.01, if the excess there falls slower than h^(2/3), or if (|u − u^h|² − |G − u^h|²)/|u − G|² is

@@ -93,7 +93,7 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("{cone} cone: ratio of increments, e/(h √|ln h|)")).at_most(
+        out.check(format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)")).at_most(
             growth,
             0.5,
             "(3.2), (4.3)",

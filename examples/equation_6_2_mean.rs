@@ -72,7 +72,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         out.check("best constant κ(x)").at_most(kappa, 1.0, "(6.2)");
         out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v").at_most(kappa.recip() * tried, 1.0, "best constant");
-        out.check("12 N² (κ² − κ_N²), N slopes").near(missed, 1.0, 1e-3, "κ² − κ_N² = 1/(12 N²)");
+        out.check("12 N² (κ² − κ_N²), v linear on N cells").near(missed, 1.0, 1e-3, "κ² − κ_N² = 1/(12 N²)");
         out.stronger("max κ(x)").at_most(kappa, 0.5774, "1/√3");
         out.row(cells! { x => kappa, of_steps, tried, missed: missed.value });
     }

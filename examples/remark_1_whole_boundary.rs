@@ -126,7 +126,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 // error/h ≈ A + B h^(2τ−4): its increments fall by a factor below one, so that it is bounded.
                 let [c, b, a] = [c, b, a].map(|(h, e)| e / h);
                 let growth = ((a - b) / (b - c)).abs();
-                out.check("τ > 2: ratio of increments of error/h").at_most(growth, 0.99, "(4.4): bounded");
+                out.check("τ > 2: ratio of successive increments of error/h").at_most(
+                    growth,
+                    0.99,
+                    "(4.4): bounded",
+                );
             }
             drawn.push((format!("τ = {tau}, {cone}"), points));
         }

@@ -123,12 +123,20 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
-        out.observe("C(θ) = γ((0, θ)), cut at 1/2: left/right side").at_least(needed, 1.0, "counterexample");
+        out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side").at_least(
+            needed,
+            1.0,
+            "counterexample",
+        );
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
     let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
-    out.as_printed("u = sgn(x − 1/2), cut at 1/2: right/left side").at_least(over, 1e-12, "without the cut");
+    out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side").at_least(
+        over,
+        1e-12,
+        "without the cut",
+    );
 
     let mut random = Random(7);
     for _ in 0..options.functions {
@@ -170,7 +178,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("fraction of unions accurate to 1e-3").at_least(
+    out.check("unions accurate to 1e-3, fraction").at_least(
         computed / options.unions as f64,
         0.9,
         "rounding",

@@ -124,7 +124,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let quotients: Vec<f64> = near.map(|(&r, p)| (p / formula(r)).ln()).collect();
             let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
             if let Some(off) = largest(quotients.iter().map(|q| (q - mean).abs())) {
-                out.check("|ln(pressure/formula)|/ring width").at_most(off / step, 1.0, "mesh size at ℓ");
+                out.check("|ln(pressure/formula)|/ring width in ln r").at_most(
+                    off / step,
+                    1.0,
+                    "mesh size at ℓ",
+                );
             }
         }
     }

@@ -8,10 +8,11 @@
 //! |u − v|_a  ≤  |u − u^h|_a + |u^h − v|_a,      |v|_a² = a(v, v),      |u − u^h|_a ≤ C h for linear elements
 //! ```
 //!
-//! u^h is the discrete solution (2.9) on n × n squares, cut into triangles: it minimises J(v) = ½ a(v, v) − l(v) over the cone;
-//! v is what a solver returns. The first term belongs to the mesh, the second to the algebra. Multigrid stops where its
-//! estimate of |u^h − v|_a/|u^h|_a, by the residual and one more cycle, is below the tolerance: 1e-10, or a hundredth of the
-//! first term.
+//! u^h is the discrete solution (2.9) on n × n squares, each cut from bottom left to top right: it minimises J(v) = ½ a(v, v) −
+//! l(v) over the cone; v is what a solver returns. The first term belongs to the mesh, the second to the algebra. Multigrid
+//! stops where its estimate R/2 + (R²/4 + C)^(1/2) of |u^h − v|_a is below the tolerance, 1e-10 of |v|_a or a hundredth of the
+//! first term as coarser meshes show it: R is the dual norm of l − a(v, ·) − λ, by one more cycle, C = ∫ λ (g − v), λ ≥ 0 the
+//! contact forces, g = 0 the gap. The order is that of the last two meshes.
 //!
 //! Refuted if the order of |u − u^h|_a is off 1 by more than 0.1, if a solver to ten digits changes |u − v|_a by more than 1e-6 of
 //! it or one to a hundredth by more than 1e-3, if J differs from that of elimination by 1e-11, or the contact set, if a true
@@ -27,7 +28,6 @@ use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};
 use signorini::fem::gradients;
 use signorini::problems::KnownSolution;
-use signorini::rates::ConvergenceOrder;
 use std::time::Instant;
 
 example! { seconds "Section 2, speed for accuracy", "|u − u^h|_a ≤ C h, whatever solves the discrete problem";
@@ -122,8 +122,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    if let Some(order) = ConvergenceOrder::of(&errors) {
-        out.check("order of |u − u^h|_a").near(order, 1.0, 0.1, "linear elements");
+    if let [.., (h, e), (k, f)] = errors[..] {
+        out.check("order of |u − u^h|_a").near((e / f).ln() / (h / k).ln(), 1.0, 0.1, "linear elements");
     }
     let name = format!("section_2_seconds_{}", options.cone);
     out.plot(&name, "True error against seconds", Axes::LogLog("milliseconds", "|u − v|_a"))

@@ -18,9 +18,12 @@
 //! (3.1) has h^(τ² − 5τ/2 + 2) in place of h^(τ−1), (3.2) h |ln h|^(1/2) in place of h: larger for h ≤ 1/4. So E is a
 //! number for C ‖u‖_τ there, and the exponent τ − 1 is the stronger statement.
 //!
-//! Problem: u ~ r^p at one transition, p = τ − 1 + `above`, closed forms; u_N = −c r^p in the gap, σ_N = −p |sin pπ|
-//! r^(p−1) in contact. Refuted if one error, plus 0.1 % for its quadrature, exceeds one of its bounds,
-//! or if P differs from `by_definition` by 0.5 %.
+//! Problem on the unit square, contact for x < 2/5 on y = 0, p = τ − 1 + `above`, ζ = 2/5 − x + iy, r = |ζ|. Scalar: u =
+//! ± Im ζ^p with u = −|sin pπ| r^p in the gap, 0 in contact; u_N = u. Elastic: Z = A ζ^p, A = ∓1, 2μ u_x
+//! = −α Re Z + y Im Z', 2μ u_y = (1 + α) Im Z − y Re Z', α = μ/(λ + μ). In both σ_N = −p |sin pπ| r^(p−1) in contact, 0 in the
+//! gap; the edge also carries the load ∂u/∂n − σ_N, which is Re Z' − σ_N; u is prescribed on the other sides. |∇u|_s is taken
+//! on the half disc about (2/5, 0) through (1, 1). Refuted if one error, plus 0.1 % for its quadrature, exceeds one of its
+//! bounds, or if P differs from `by_definition` by 0.5 %.
 //!
 //! `cargo run --release --example theorem_3_1_with_numbers -- --lambda 20 --tau 1.75 --finest 7`
 

@@ -65,7 +65,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let over: Vec<f64> = points.iter().rev().map(|(h, e)| e / h.powf(printed)).collect(); // finest first
         let ratio = (over[0] - over[1]) / (over[1] - over[2]).abs();
         let range = if tau < 2.0 { "3/2 < τ < 2" } else { "τ > 2" };
-        out.check(format!("{range}: ratio of increments of error/bound")).at_most(ratio, 0.95, "bounded");
+        out.check(format!("{range}: ratio of successive increments of error/bound"))
+            .at_most(ratio, 0.95, "bounded");
         out.observe("order − min(τ − 1, 1)").near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         if tau < 2.0 {
             out.stronger("τ < 2: order − printed exponent").at_least(order - printed, 0.0, "(4.2)");

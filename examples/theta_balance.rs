@@ -115,7 +115,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let compared = quotient / reference;
         out.check("ratio of bounds at printed θ/at h = 1/8").near(compared, 1.0, 1e-9, "independent of h");
         out.check("supremum/bound at equal bounds").at_most(best / second(at), 1.0, "upper bound");
-        out.check("supremum/sharp bound at equal bounds").at_most(
+        out.check("supremum/sharpened bound at equal bounds").at_most(
             best / second(at_sharp),
             1.0,
             "upper bound",
@@ -129,7 +129,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("exponent of h in the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
         out.check("exponent of h where both bounds are equal").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
         let half_loss = (tau - 1.5) * (2.0 - tau);
-        out.stronger("exponent gained by the sharp bound").near(
+        out.stronger("gain in the exponent by the sharpened bound").near(
             sharp - printed,
             half_loss,
             1e-9,
@@ -163,7 +163,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         .line("first case (3.9)", line(&|theta| first(h, theta)))
         .line("second case (3.14)", line(&|theta| second(h, theta)))
         .line("truth, zone θ without pressure", gaps)
-        .dashed_line("first case, sharp", line(&|theta| sharpened(h, theta)))
+        .dashed_line("first case, sharpened", line(&|theta| sharpened(h, theta)))
         .dashed_line("printed θ", vec![(printed, 0.3 * best), (printed, first(h, 0.5))]);
     Ok(())
 }

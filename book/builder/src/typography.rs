@@ -88,11 +88,12 @@ fn closing(text: &str) -> Option<usize> {
 /// Letters and digits, with a sign in front, a star behind, and a point or slash between two of them.
 fn word_end(text: &str) -> usize {
     let sign = usize::from(text.starts_with('-'));
+    let is_inner = |c: char| c.is_alphanumeric() && !"¹²³".contains(c);
     let follows = |at: usize| text[at..].chars().nth(1).is_some_and(char::is_alphanumeric);
     let end = text
         .char_indices()
         .skip(sign)
-        .find(|&(at, c)| !(c.is_alphanumeric() || matches!(c, '.' | '/') && follows(at)))
+        .find(|&(at, c)| !(is_inner(c) || matches!(c, '.' | '/') && follows(at)))
         .map_or(text.len(), |(at, _)| at);
     // A number with a power of ten.
     let ten =

@@ -261,7 +261,7 @@ mod tests {
         let picture = body_svg(&problem, &solution, "L", (0.0, 1.0)).unwrap();
         // The floor rises by 20 degrees and presses upwards to the left; y of a picture points down. One decimal is written.
         let (sin, cos) = 20_f64.to_radians().sin_cos();
-        let [dx, dy] = first_stroke(&picture, "stroke=\"rgb(213,94,0)\"");
+        let [dx, dy] = first_stroke(&picture, "stroke=\"#D55E00\"");
         assert!((dx + sin).abs() < 0.02 && (dy + cos).abs() < 0.02);
         let [dx, dy] = first_stroke(&picture, "stroke-opacity=\"0.7\"");
         assert!((dx - cos).abs() < 0.02 && (dy + sin).abs() < 0.02);

@@ -122,7 +122,8 @@ fn index_end(text: &str) -> usize {
     let sign = text.chars().next().filter(|c| matches!(c, '-' | '−')).map_or(0, char::len_utf8);
     let inner = |at: usize, c: char| {
         let next = text[at + c.len_utf8()..].chars().next();
-        c.is_alphanumeric() || matches!(c, '.' | '/') && next.is_some_and(char::is_alphanumeric)
+        c.is_alphanumeric() && !matches!(c, '¹' | '²' | '³')
+            || matches!(c, '.' | '/') && next.is_some_and(char::is_alphanumeric)
     };
     let end =
         text.char_indices().find(|&(at, c)| at >= sign && !inner(at, c)).map_or(text.len(), |(at, _)| at);
