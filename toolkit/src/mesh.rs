@@ -119,19 +119,7 @@ impl Mesh {
     /// As [`Mesh::algebraic`] from both ends: `count` elements on either half.
     pub(crate) fn two_sided_algebraic(count: usize, exponent: f64, length: f64) -> Result<Self> {
         require_memory("elements", count, 2 * BYTES)?;
-        let mut lengths = algebraic_lengths(count, exponent, 0.5 * length)?;
-        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
-        lengths.extend(mirrored);
-        Self::from_lengths(&lengths)
-    }
-
-    /// The mesh that is geometric towards both ends: the shortest elements, L/2 σ^m, lie at the two ends.
-    fn two_sided(layers: usize, ratio: f64, length: f64) -> Result<Self> {
-        require_memory("layers", layers, 2 * BYTES)?;
-        let mut lengths = geometric_lengths(layers, ratio, 0.5 * length)?;
-        let mirrored: Vec<f64> = lengths.iter().rev().copied().collect();
-        lengths.extend(mirrored);
-        Self::from_lengths(&lengths)
+        Self::from_lengths(&with_mirror_image(algebraic_lengths(count, exponent, 0.5 * length)?))
     }
 
     /// The mesh that is geometric towards every given point, the first and the last of which are the ends of
@@ -147,7 +135,7 @@ impl Mesh {
         require_memory("layers", layers, 2 * BYTES * coarse.len())?;
         let mut lengths = Vec::with_capacity(2 * (layers + 1) * coarse.len());
         for &length in &coarse.lengths {
-            lengths.extend(Self::two_sided(layers, ratio, length)?.lengths);
+            lengths.extend(with_mirror_image(geometric_lengths(layers, ratio, 0.5 * length)?));
         }
         Self::at(coarse.left, lengths)
     }
@@ -239,6 +227,14 @@ impl Mesh {
     }
 }
 
+/// The lengths, followed by the same lengths in reverse.
+fn with_mirror_image(mut lengths: Vec<f64>) -> Vec<f64> {
+    lengths.extend_from_within(..);
+    let half = lengths.len() / 2;
+    lengths[half..].reverse();
+    lengths
+}
+
 fn running_sums(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut sum = RunningSum::default();
     let mut sums = vec![0.0];
@@ -267,7 +263,7 @@ mod tests {
     fn constructors_have_the_nodes_they_promise() {
         let geometric = Mesh::geometric(3, 0.5, 8.0).unwrap();
         assert_eq!(geometric.nodes(), [0.0, 1.0, 2.0, 4.0, 8.0]);
-        let two = Mesh::two_sided(2, 0.5, 8.0).unwrap();
+        let two = Mesh::graded(&[0.0, 8.0], 2, 0.5).unwrap();
         assert_eq!(two.nodes(), [0.0, 1.0, 2.0, 4.0, 6.0, 7.0, 8.0]);
         let graded = Mesh::graded(&[0.0, 0.25, 1.0], 1, 0.5).unwrap();
         assert_eq!(graded.len(), 8);

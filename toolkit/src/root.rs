@@ -7,16 +7,6 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// terms of one sign.
 pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// The estimate multiplied by a power of two.
-pub(super) fn scaled(scale: f64, estimate: Estimate) -> Result<Estimate> {
-    Estimate::new(scale * estimate.value, scale * estimate.error, estimate.work)
-}
-
-/// S √v for the squared estimate v and a power of two S.
-pub(super) fn scaled_root(scale: f64, squared: Estimate) -> Result<Estimate> {
-    scaled(scale, squared.sqrt()?)
-}
-
 /// √(Σ parts²) without overflow, with its error.
 pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
     let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));

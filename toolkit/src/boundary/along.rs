@@ -13,7 +13,7 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
-use crate::root::{accept, root_of_squares, scaled};
+use crate::root::{accept, root_of_squares};
 
 /// Nodes of the two halves closer than this, relative to the length, are merged.
 const ONE_NODE: f64 = 16.0 * f64::EPSILON;
@@ -56,7 +56,7 @@ impl BoundaryFunction {
         let [even, odd] = self.even_and_odd()?;
         let even = Estimate::or_best(even.dual_norm(DualOf::Interpolation, order, inner))?;
         let odd = Estimate::or_best(odd.dual_norm(DualOf::InterpolationZero, order, inner))?;
-        let found = scaled(std::f64::consts::SQRT_2, root_of_squares(&[even, odd])?)?;
+        let found = root_of_squares(&[even, odd])?.times(std::f64::consts::SQRT_2)?;
         // Each node may be displaced by ONE_NODE L, which counts as much as an element of that length.
         let displaced = ONE_NODE * self.curve().len() as f64 * found.value;
         let found = Estimate::new(found.value, found.error + displaced, found.work)?;

@@ -130,12 +130,7 @@ impl Curve {
             let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
             sides.push(Side { start, direction, mesh });
         }
-        let elements = sides
-            .iter()
-            .enumerate()
-            .flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e)))
-            .collect();
-        let curve = Self { vertices: vertices.to_vec(), closed, sides, elements };
+        let curve = Self { vertices: vertices.to_vec(), closed, elements: numbered(&sides), sides };
         curve.require_simple()?;
         Ok(curve)
     }
@@ -182,12 +177,7 @@ impl Curve {
             Ok(Side { mesh: Mesh::from_lengths(&lengths)?, ..side.clone() })
         };
         let sides: Vec<Side> = self.sides.iter().map(halves).collect::<Result<_>>()?;
-        let elements = sides
-            .iter()
-            .enumerate()
-            .flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e)))
-            .collect();
-        Ok(Self { sides, elements, ..self.clone() })
+        Ok(Self { elements: numbered(&sides), sides, ..self.clone() })
     }
 
     /// The number of elements.
@@ -318,6 +308,11 @@ impl Side {
     fn at(&self, t: f64) -> [f64; 2] {
         [self.start[0] + t * self.direction[0], self.start[1] + t * self.direction[1]]
     }
+}
+
+/// Side and index in its mesh, for every element.
+fn numbered(sides: &[Side]) -> Vec<(usize, usize)> {
+    sides.iter().enumerate().flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e))).collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

@@ -85,7 +85,7 @@ fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Est
 fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
     let n = curve.len();
     let nodes = n + usize::from(!curve.is_closed());
-    let pairs = CurvePairs::new(curve, order, false, ENTRIES)?;
+    let pairs = CurvePairs::new(curve, order, false, ENTRIES, Tolerance::WORK)?;
     let rows: Vec<Vec<[[f64; 4]; 4]>> = parallel::map(n, &|e| {
         let form = |f: usize| {
             let mut local = [[0.0; 4]; 4];

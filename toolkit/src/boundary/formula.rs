@@ -14,19 +14,19 @@
 //! layers.
 
 use super::curve::{Curve, Relation};
-use super::pairs::{Part, cut, split};
+use super::pairs::{OF_CUT, Part, cut, split};
 use crate::energy::PairSum;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::mesh::Mesh;
+use crate::numeric::budget::Budget;
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::order::Order;
 use crate::quadrature::{PowerWeightRule, Rule};
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Ratio of the length of an element to that of its neighbour farther from the vertex.
 const RATIO: f64 = 0.3;
@@ -279,7 +279,7 @@ impl<'a> CurveFormula<'a> {
             rule,
             own: PowerWeightRule::new(2 * n, kernel.two_minus)?,
             radial: PowerWeightRule::new(2 * n, kernel.three_minus)?,
-            left: AtomicU64::new(most),
+            budget: Budget::new(most, 0.0),
         };
         let sum =
             (0..curve.len()).into_par_iter().map(|e| pairs.row(e)).reduce(PairSum::default, |a, b| a + b);
@@ -300,8 +300,8 @@ struct Pairs<'a> {
     /// rules for the weights z^{1−2ν} and ξ^{2−2ν}
     own: PowerWeightRule,
     radial: PowerWeightRule,
-    /// number of evaluations that remain for subdivided elements
-    left: AtomicU64,
+    /// evaluations for subdivided elements
+    budget: Budget,
 }
 
 /// Adds a term with the error `noise` of its difference, in addition to the rounding of the values.
@@ -415,9 +415,9 @@ impl Pairs<'_> {
     fn separate(&self, pair: [usize; 2], relation: Relation, sum: &mut PairSum) {
         let whole = pair.map(|k| (0.0, self.curve.element_length(k)));
         let may_cut = || {
-            let left = self.left.load(Ordering::Relaxed);
-            self.left.store(left.saturating_sub(4), Ordering::Relaxed);
-            left > 0
+            let may_cut = self.budget.left() > 0;
+            self.budget.spend(OF_CUT);
+            may_cut
         };
         let noise = self.noise[pair[0]] + self.noise[pair[1]];
         let is_whole = split(self.curve, pair, relation, whole, &may_cut, &mut |parts, _| {

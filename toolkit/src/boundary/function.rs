@@ -5,11 +5,11 @@ use super::pairs::CurvePairs;
 use crate::energy::PairSum;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::numeric::check::{require_length, require_values};
+use crate::numeric::check::require_values;
 use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_of_two;
 use crate::order::Order;
-use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
+use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 use rayon::prelude::*;
 
 /// Largest number of elements; such a seminorm takes some minutes.
@@ -47,7 +47,6 @@ impl BoundaryFunction {
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`].
     pub(crate) fn constants(curve: Curve, values: &[f64]) -> Result<Self> {
-        require_length("element values", values.len(), curve.len())?;
         require_values("element values", values, curve.len())?;
         Ok(Self { curve, ends: values.iter().map(|&v| [v, v]).collect(), constants: true })
     }
@@ -122,7 +121,7 @@ impl BoundaryFunction {
         require_memory("elements", n, 64)?;
         let scale = self.size();
         let target = SHARE * tolerance.relative();
-        let pairs = CurvePairs::new(&self.curve, order, self.constants, target)?.within(tolerance.work());
+        let pairs = CurvePairs::new(&self.curve, order, self.constants, target, tolerance.work())?;
         let value = |e: usize, s: f64| {
             let [a, b] = self.ends[e];
             (a / scale) * (1.0 - s) + (b / scale) * s
@@ -149,6 +148,6 @@ impl BoundaryFunction {
         pairs.require_all()?;
         let error = (target + ENTRY_ROUNDING) * sum.value + 8.0 * f64::EPSILON * sum.rounding;
         let work = Work { points: sum.points, pairs: (n * (n + 1) / 2) as u64, ..Work::default() };
-        scaled(scale, Estimate::new(sum.value, error, work)?.sqrt()?)
+        Estimate::new(sum.value, error, work)?.sqrt()?.times(scale)
     }
 }

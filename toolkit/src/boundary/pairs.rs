@@ -11,18 +11,17 @@
 //!   order depends on the ratio of length to distance.
 
 use super::curve::{Curve, Relation};
-use crate::error::{Error, Result};
-use crate::estimate::Tolerance;
+use crate::error::Result;
 use crate::kernel::power::PowerKernel;
+use crate::numeric::budget::Budget;
 use crate::order::Order;
 use crate::quadrature::Rule;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Largest number of points of a rule: enough for pieces as long as their distance.
 const MOST_POINTS: usize = 16;
 
 /// Number of kernel evaluations counted for one subdivision.
-const OF_CUT: u64 = 4;
+pub(super) const OF_CUT: u64 = 4;
 /// Message: the work limit is exceeded.
 const NEEDLES: &str = "the work limit is reached: two sides without a common corner, or at a small angle, are so close to \
      each other that elements are subdivided down to their distance; grade the mesh towards that place, or raise \
@@ -36,16 +35,23 @@ pub(super) struct CurvePairs<'a> {
     digits: f64,
     /// 3 − 2ν, or 1 − 2ν for constants
     radial: f64,
-    /// number of kernel evaluations that remain for subdivided elements
-    left: AtomicU64,
-    asked: f64,
+    /// kernel evaluations for subdivided elements
+    budget: Budget,
 }
 
 /// A part (start, length) of an element.
 pub(super) type Part = (f64, f64);
 
 impl<'a> CurvePairs<'a> {
-    pub(super) fn new(curve: &'a Curve, order: Order, constants: bool, target: f64) -> Result<Self> {
+    /// The rules for the relative accuracy `target`, with at most this many kernel evaluations for subdivided
+    /// elements.
+    pub(super) fn new(
+        curve: &'a Curve,
+        order: Order,
+        constants: bool,
+        target: f64,
+        most: u64,
+    ) -> Result<Self> {
         let kernel = PowerKernel::new(order);
         Ok(Self {
             curve,
@@ -53,37 +59,21 @@ impl<'a> CurvePairs<'a> {
             rules: (1..=MOST_POINTS).map(Rule::gauss_legendre).collect::<Result<_>>()?,
             digits: (1.0 - target.log10()).clamp(3.0, 17.0),
             radial: if constants { kernel.one_minus } else { kernel.three_minus },
-            left: AtomicU64::new(Tolerance::WORK),
-            asked: target,
+            budget: Budget::new(most, target),
         })
-    }
-
-    /// The same rules with at most this many kernel evaluations for subdivided elements.
-    pub(super) fn within(self, evaluations: u64) -> Self {
-        Self { left: AtomicU64::new(evaluations), ..self }
-    }
-
-    /// Deducts this many evaluations; false if fewer remain.
-    fn spend(&self, count: u64) -> bool {
-        let left = self.left.load(Ordering::Relaxed);
-        self.left.store(left.saturating_sub(count), Ordering::Relaxed);
-        left > count
     }
 
     /// Checks that all pairs were visited.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] if not all pairs were visited.
+    /// [`ToleranceNotMet`](crate::Error::ToleranceNotMet) if not all pairs were visited.
     pub(super) fn require_all(&self) -> Result<()> {
-        if self.left.load(Ordering::Relaxed) > 0 {
-            return Ok(());
-        }
-        Err(Error::out_of_reach("norm on a curve", self.asked, f64::INFINITY, NEEDLES))
+        if self.budget.left() > 0 { Ok(()) } else { Err(self.budget.spent("norm on a curve", NEEDLES)) }
     }
 
     /// The form of one element of length h for a linear function whose end values differ by one.
     pub(super) fn own(&self, h: f64) -> f64 {
-        2.0 * self.kernel.scaling(h) / (self.kernel.two_minus * self.kernel.three_minus)
+        self.kernel.own(h)
     }
 
     /// Calls `visit` with (w, s, t), s and t local coordinates on e ≠ f; w counts both orders of x and y.
@@ -135,11 +125,11 @@ impl<'a> CurvePairs<'a> {
         parts: [Part; 2],
         visit: &mut impl FnMut(f64, f64, f64),
     ) {
-        split(self.curve, pair, relation, parts, &|| self.spend(OF_CUT), &mut |parts, gap| {
+        split(self.curve, pair, relation, parts, &|| self.budget.spend(OF_CUT), &mut |parts, gap| {
             let (p, q) = (parts[0].1, parts[1].1);
             let (first, second) = (self.rule(p / gap), self.rule(q / gap));
             let is_cut = [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
-            if is_cut && !self.spend((first.points().len() * second.points().len()) as u64) {
+            if is_cut && !self.budget.spend((first.points().len() * second.points().len()) as u64) {
                 return;
             }
             for (x, v) in first.iter() {

@@ -11,7 +11,7 @@ use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PiecewisePolynomial};
 use crate::quadrature::Rule;
-use crate::root::{accept, root_of_squares, scaled};
+use crate::root::{accept, root_of_squares};
 
 /// Shares of the tolerance of the square for the far pairs, and for all patches.
 const SHARE: f64 = 0.2;
@@ -106,7 +106,7 @@ impl FieldError<'_> {
 
 /// The L^q norm of u − u_h from that of the normalized difference.
 pub(super) fn of_lq(unit: &Normalized, q: f64, found: Estimate) -> Result<Estimate> {
-    scaled(unit.size, scaled(unit.length.powf(1.0 / q), found)?)
+    found.times(unit.length.powf(1.0 / q))?.times(unit.size)
 }
 
 /// The square |u − u_h|²_ν.

@@ -13,7 +13,7 @@ use crate::functions::SingularFunction;
 use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
-use crate::root::{accept, scaled};
+use crate::root::accept;
 
 /// Ratio of the accuracy of the cells to that of a dual norm: an oscillating error has a dual norm much smaller
 /// than its L² norm, in which the remainder on the cells is measured.
@@ -103,7 +103,7 @@ impl FieldError<'_> {
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
-        accept("dual norm", scaled(unit.size, found)?, tolerance, LIMIT)
+        accept("dual norm", found.times(unit.size)?, tolerance, LIMIT)
     }
 }
 

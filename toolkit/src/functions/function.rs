@@ -1,9 +1,9 @@
 //! Functions given by code with declared breakpoints, between which they are smooth.
 
 use super::arm::Arm;
-use super::budget::Budget;
 use crate::error::{Error, Result};
-use crate::estimate::Tolerance;
+use crate::estimate::{SPENT, Tolerance};
+use crate::numeric::budget::Budget;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
 
@@ -111,8 +111,8 @@ impl Position<'_> {
 pub(crate) struct SingularFunction<'a> {
     breaks: Vec<f64>,
     function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
-    pub(super) sight: Sight,
-    pub(super) budget: Budget,
+    sight: Sight,
+    budget: Budget,
     /// the unit of length, a power of two, in which the breakpoints are given
     pub(super) unit: f64,
 }
@@ -127,7 +127,7 @@ pub(crate) struct Normalized<'a> {
 
 /// The argument with which the function is called.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Sight {
+enum Sight {
     Coordinate,
     Offset,
     LogDistance,
@@ -175,7 +175,7 @@ impl<'a> SingularFunction<'a> {
         Self::build(breaks, Box::new(f), Sight::LogDistance)
     }
 
-    pub(super) fn build(
+    fn build(
         breaks: &[f64],
         function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
         sight: Sight,
@@ -196,7 +196,7 @@ impl<'a> SingularFunction<'a> {
                 "(c + 1e-290 max(1, L), inf), c the previous breakpoint, L the length of the interval";
             require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::unlimited(), unit: 1.0 })
+        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::new(u64::MAX, 0.0), unit: 1.0 })
     }
 
     /// The breakpoints.
@@ -209,11 +209,9 @@ impl<'a> SingularFunction<'a> {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 
-    /// (S, u/S) with S a power of two near the largest value at some points of every side, so that squares
-    /// and powers of u/S neither over- nor underflow; S = 1 where all of them vanish.
-    ///
-    /// Evaluations of u/S are counted in the work limit of the tolerance.
-    pub(crate) fn of_moderate_size(&self, tolerance: Tolerance) -> Result<(f64, SingularFunction<'_>)> {
+    /// A power of two near the largest value at some points of every side, so that squares and powers of u
+    /// divided by it neither over- nor underflow; 1 where all of them vanish.
+    fn size(&self) -> Result<f64> {
         let mut largest = 0.0_f64;
         for arm in self.arms() {
             for k in 0..SAMPLES {
@@ -225,24 +223,14 @@ impl<'a> SingularFunction<'a> {
                 largest = largest.max(value * (-0.5 * deep).exp());
             }
         }
-        let scale = power_of_two(largest);
-        let unit = move |at: Position| (self.function)(at) / scale;
-        Ok((
-            scale,
-            SingularFunction {
-                breaks: self.breaks.clone(),
-                function: Box::new(unit),
-                sight: self.sight,
-                budget: Budget::of(tolerance),
-                unit: self.unit,
-            },
-        ))
+        Ok(power_of_two(largest))
     }
 
     /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
-    /// dimensionless. The function is called at the points of the original interval, with exact offsets.
+    /// dimensionless. The function is called at the points of the original interval, with exact offsets; its
+    /// evaluations are counted in the work limit of the tolerance.
     pub(crate) fn normalized(&self, tolerance: Tolerance) -> Result<Normalized<'_>> {
-        let (size, u) = self.of_moderate_size(tolerance)?;
+        let size = self.size()?;
         let length = power_of_two(self.length());
         let breaks = self.breaks.iter().map(|at| at / length).collect();
         let shift = length.ln();
@@ -256,7 +244,7 @@ impl<'a> SingularFunction<'a> {
             breaks,
             function: Box::new(function),
             sight: self.sight,
-            budget: u.budget,
+            budget: Budget::new(tolerance.work(), tolerance.relative()),
             unit: self.unit * length,
         };
         Ok(Normalized { size, length, u })
@@ -306,10 +294,55 @@ impl<'a> SingularFunction<'a> {
 
     /// The value at an offset from a breakpoint; `depth` is ln of the distance where the distance underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
-        self.budget.spend(1)?;
+        self.spend(1)?;
         let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
         let value = (self.function)(at);
         require_finite_at("function value near a breakpoint", anchor, value)?;
         Ok(value)
+    }
+
+    /// The number of evaluations that remain within the work limit.
+    pub(crate) fn work_left(&self) -> u64 {
+        self.budget.left()
+    }
+
+    /// The size of the rounded coordinates near breakpoint k; 0 for a function of the offset.
+    pub(crate) fn blur(&self, k: usize) -> f64 {
+        self.coordinate_if_seen(k).abs()
+    }
+
+    /// The coordinate of breakpoint k for a function of x, 0 for a function of positions.
+    pub(crate) fn coordinate_if_seen(&self, k: usize) -> f64 {
+        if self.sight == Sight::Coordinate { self.breaks[k] } else { 0.0 }
+    }
+
+    /// True if the distance to some breakpoint is known only up to the rounding of a coordinate.
+    pub(super) fn has_rounded_distances(&self) -> bool {
+        self.sight == Sight::Coordinate && self.breaks.iter().any(|&at| at != 0.0)
+    }
+
+    /// Deducts kernel values from the work limit.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] if the limit is exceeded.
+    pub(super) fn spend(&self, count: u64) -> Result<()> {
+        if self.budget.spend(count) { Ok(()) } else { Err(self.budget.spent("norm", SPENT)) }
+    }
+
+    /// A function of positions with the same arguments as this one.
+    pub(crate) fn seen_likewise<'b>(
+        &self,
+        breaks: &[f64],
+        f: impl Fn(Position<'_>) -> f64 + Sync + 'b,
+    ) -> Result<SingularFunction<'b>> {
+        let mut found = SingularFunction::build(breaks, Box::new(f), self.sight)?;
+        found.unit = self.unit;
+        Ok(found)
+    }
+
+    /// The smallest distance to a breakpoint at which the function is evaluated, in units of the
+    /// breakpoints.
+    pub(crate) fn closest(&self) -> f64 {
+        1e-290 * self.unit.recip().max(1.0)
     }
 }

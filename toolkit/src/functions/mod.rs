@@ -7,7 +7,6 @@
 
 mod arm;
 mod arm_integral;
-mod budget;
 mod by_scales;
 mod deep_tail;
 mod function;
@@ -21,7 +20,6 @@ mod refine;
 mod resolution;
 mod rest;
 mod scales;
-mod seen;
 mod supremum;
 mod two_rates;
 mod waves;

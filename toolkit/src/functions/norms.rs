@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
-use crate::root::{accept, root_of_squares, scaled};
+use crate::root::{accept, root_of_squares};
 
 impl Normalized<'_> {
     /// |u|_ν from the seminorm of the normalized function: |u|_ν ~ L^{1/2−ν}.
@@ -27,7 +27,7 @@ impl Normalized<'_> {
         };
         let rounding = 0.3 * self.length.ln().abs() * f64::EPSILON;
         let error = found.error + rounding * found.value;
-        scaled(self.size, scaled(factor, Estimate { error, ..found })?)
+        Estimate { error, ..found }.times(factor)?.times(self.size)
     }
 }
 
@@ -138,9 +138,9 @@ impl SingularFunction<'_> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let Normalized { size, length, u } = self.normalized(tolerance)?;
         if q == f64::INFINITY {
-            return scaled(size, u.largest(tolerance)?);
+            return u.largest(tolerance)?.times(size);
         }
-        let back = |found: Estimate| scaled(size, scaled(length.powf(1.0 / q), found)?);
+        let back = |found: Estimate| found.times(length.powf(1.0 / q))?.times(size);
         let is_inside = match u.l2_norm_of_waves(tolerance)? {
             OfWaves::Found(found) if q == 2.0 => return back(found),
             OfWaves::Found(_) | OfWaves::AtBreaks => false,
@@ -158,7 +158,7 @@ impl SingularFunction<'_> {
             };
             // Powers of rounded values.
             let rounding = 32.0 * f64::EPSILON * value;
-            back(scaled(unit, Estimate::new(value, error + rounding, power.work)?)?)
+            back(Estimate::new(value, error + rounding, power.work)?.times(unit)?)
         };
         u.integral_of(&profile, is_inside, tolerance, q, q, |u| (u / unit).abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
@@ -183,9 +183,7 @@ impl SingularFunction<'_> {
         let shift = 2.0 / length;
         let back = |shifted: Estimate| {
             let factor = size / length;
-            let of_unit =
-                Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?;
-            scaled(scale, of_unit)
+            Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?.times(scale)
         };
         u.integral_of(&profile, is_inside, tolerance, 0.3, 1.0, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))

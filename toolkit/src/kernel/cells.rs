@@ -45,35 +45,37 @@ impl CellPairs {
     }
 
     /// f(lengths / S) S^{1-2ν} for S a power of two near √(low high).
-    fn scaled<const N: usize, T: Scale>(
+    fn scaled<const N: usize, const M: usize>(
         &self,
         [low, high]: [f64; 2],
         lengths: [f64; N],
-        f: impl FnOnce([f64; N]) -> T,
-    ) -> T {
+        f: impl FnOnce([f64; N]) -> [f64; M],
+    ) -> [f64; M] {
         let scale = power_between(low, high);
-        f(lengths.map(|length| length / scale)).times(self.kernel.scaling(scale))
+        let factor = self.kernel.scaling(scale);
+        f(lengths.map(|length| length / scale)).map(|value| value * factor)
     }
 
     /// ∫∫ λ_a(s) μ_b(t) (d+s+t)^{-1-2ν}, index 0 for the hat function that is 1 at the facing end, 1 at the
     /// other; d > 0.
     pub(crate) fn separate(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
-        self.scaled([d, d.max(p).max(q)], [p, q, d], |[p, q, d]| {
+        let [a, b, c, e] = self.scaled([d, d.max(p).max(q)], [p, q, d], |[p, q, d]| {
             if p <= d && q <= d {
                 self.far(p, q, d)
             } else if p <= q {
                 self.near(p, q, d)
             } else {
-                let [[a, b], [c, e]] = self.near(q, p, d);
-                [[a, c], [b, e]]
+                let [a, b, c, e] = self.near(q, p, d);
+                [a, c, b, e]
             }
-        })
+        });
+        [[a, b], [c, e]]
     }
 
-    fn far(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
+    fn far(&self, p: f64, q: f64, d: f64) -> [f64; 4] {
         let (s_points, s_weights) = gauss_for(p / d);
         let (t_points, t_weights) = gauss_for(q / d);
-        let mut sums = [[0.0; 2]; 2];
+        let mut sums = [0.0; 4];
         for (&s, &v) in s_points.iter().zip(s_weights) {
             let start = d + p * s;
             let (mut near, mut far) = (0.0, 0.0);
@@ -82,25 +84,25 @@ impl CellPairs {
                 near += (1.0 - t) * value;
                 far += t * value;
             }
-            sums[0][0] += v * (1.0 - s) * near;
-            sums[0][1] += v * (1.0 - s) * far;
-            sums[1][0] += v * s * near;
-            sums[1][1] += v * s * far;
+            sums[0] += v * (1.0 - s) * near;
+            sums[1] += v * (1.0 - s) * far;
+            sums[2] += v * s * near;
+            sums[3] += v * s * far;
         }
-        sums.map(|row| row.map(|sum| p * q * sum))
+        sums.map(|sum| p * q * sum)
     }
 
     /// The same for p ≤ q, with the outer integral over p.
-    fn near(&self, p: f64, q: f64, d: f64) -> [[f64; 2]; 2] {
-        let mut sums = [[0.0; 2]; 2];
+    fn near(&self, p: f64, q: f64, d: f64) -> [f64; 4] {
+        let mut sums = [0.0; 4];
         graded_gauss(d, p, |s, w| {
             // w and s/p may both be tiny, the hats huge: their product is formed in this order.
             let [near, far] = self.kernel.hats(d + s, q).map(|hat| w * hat);
             let (left, right) = ((p - s) / p, s / p);
-            sums[0][0] += left * near;
-            sums[0][1] += left * far;
-            sums[1][0] += right * near;
-            sums[1][1] += right * far;
+            sums[0] += left * near;
+            sums[1] += left * far;
+            sums[2] += right * near;
+            sums[3] += right * far;
         });
         sums
     }
@@ -108,7 +110,7 @@ impl CellPairs {
     /// ∫∫ (d+s+t)^{-1-2ν}, d > 0: constant functions on two cells.
     pub(crate) fn separate_constants(&self, p: f64, q: f64, d: f64) -> f64 {
         let (p, q) = (p.min(q), p.max(q));
-        self.scaled([d, d.max(q)], [p, q, d], |[p, q, d]| {
+        let [sum] = self.scaled([d, d.max(q)], [p, q, d], |[p, q, d]| {
             let mut sum = 0.0;
             if q <= d {
                 // The closed inner integral costs two powers, a short rule less.
@@ -121,43 +123,47 @@ impl CellPairs {
             } else {
                 graded_gauss(d, p, |s, w| sum += w * self.kernel.whole(d + s, q));
             }
-            sum
-        })
+            [sum]
+        });
+        sum
     }
 
     /// ∫∫ (s+t)^{-1-2ν} for ν < 1/2: constant functions on touching cells.
     pub(crate) fn touching_constants(&self, p: f64, q: f64) -> f64 {
-        self.scaled([p, q], [p, q], |[p, q]| {
-            (p * self.kernel.whole(p, q) + q * self.kernel.whole(q, p)) / self.kernel.one_minus
-        })
+        let [sum] = self.scaled([p, q], [p, q], |[p, q]| {
+            [(p * self.kernel.whole(p, q) + q * self.kernel.whole(q, p)) / self.kernel.one_minus]
+        });
+        sum
     }
 
     /// The quadratic integrals over two touching cells.
     pub(crate) fn touching(&self, p: f64, q: f64) -> Touching {
-        self.scaled([p, q], [p, q], |[p, q]| {
+        let [product, difference_squared, first, second] = self.scaled([p, q], [p, q], |[p, q]| {
             // [(1-η)², 2η(1-η), η²] along the far side of each triangle
             let along_q = self.kernel.squares(p, q);
             let along_p = self.kernel.squares(q, p);
             let scale = 1.0 / self.kernel.three_minus;
             let far_q = 0.5 * along_q[1] + along_q[2];
             let far_p = 0.5 * along_p[1] + along_p[2];
-            Touching {
-                product: scale * (p * far_q + q * far_p),
-                difference_squared: scale * (p * along_q[0] + q * along_p[0]),
-                first: scale * (p * 0.5 * along_q[1] - q * (along_p[0] + 0.5 * along_p[1])),
-                second: scale * (q * 0.5 * along_p[1] - p * (along_q[0] + 0.5 * along_q[1])),
-            }
-        })
+            [
+                scale * (p * far_q + q * far_p),
+                scale * (p * along_q[0] + q * along_p[0]),
+                scale * (p * 0.5 * along_q[1] - q * (along_p[0] + 0.5 * along_p[1])),
+                scale * (q * 0.5 * along_p[1] - p * (along_q[0] + 0.5 * along_q[1])),
+            ]
+        });
+        Touching { product, difference_squared, first, second }
     }
 
     /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat function that vanishes at the common point,
     /// times a constant.
     pub(crate) fn touching_square_constant(&self, p: f64, q: f64) -> f64 {
-        self.scaled([p, q], [p, q], |[p, q]| {
+        let [sum] = self.scaled([p, q], [p, q], |[p, q]| {
             let along_q = self.kernel.whole(p, q);
             let along_p = self.kernel.squares(q, p)[2];
-            (p * along_q + q * along_p) / self.kernel.three_minus
-        })
+            [(p * along_q + q * along_p) / self.kernel.three_minus]
+        });
+        sum
     }
 
     /// ∫_0^p w(s) ∫_0^q (d+s+t)^{-1-2ν} dt ds, d > 0, for w = (1 − s/p)² and w = (s/p)(1 − s/p).
@@ -194,36 +200,8 @@ impl CellPairs {
         })
     }
 
-    /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell with itself: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
+    /// As [`PowerKernel::own`].
     pub(crate) fn own(&self, p: f64) -> f64 {
-        2.0 * self.kernel.scaling(p) / (self.kernel.two_minus * self.kernel.three_minus)
-    }
-}
-
-/// Values that scale together.
-trait Scale {
-    fn times(self, factor: f64) -> Self;
-}
-
-impl Scale for f64 {
-    fn times(self, factor: f64) -> Self {
-        self * factor
-    }
-}
-
-impl<T: Scale, const N: usize> Scale for [T; N] {
-    fn times(self, factor: f64) -> Self {
-        self.map(|value| value.times(factor))
-    }
-}
-
-impl Scale for Touching {
-    fn times(self, factor: f64) -> Self {
-        Self {
-            product: self.product * factor,
-            difference_squared: self.difference_squared * factor,
-            first: self.first * factor,
-            second: self.second * factor,
-        }
+        self.kernel.own(p)
     }
 }

@@ -167,6 +167,11 @@ impl PowerKernel {
         if self.twice < 0.5 { scale * scale.powf(-self.twice) } else { scale.powf(self.one_minus) }
     }
 
+    /// ∫∫ (x−y)² / p² |x−y|^{-1-2ν} over one cell with itself: 2 p^{1-2ν} / ((2−2ν)(3−2ν)).
+    pub(crate) fn own(&self, p: f64) -> f64 {
+        2.0 * self.scaling(p) / (self.two_minus * self.three_minus)
+    }
+
     /// ∫_0^ℓ (x+t)^{-1-2ν} dt.
     pub(crate) fn whole(&self, x: f64, length: f64) -> f64 {
         x.powf(-self.twice) * expm1_over(-self.twice, log_ratio(x, length))

@@ -6,6 +6,7 @@
 //! | units that are powers of two | [`scale`] |
 //! | checks of lengths and of finite values | [`check`] |
 //! | available memory | [`memory`] |
+//! | remaining evaluations | `budget` |
 //! | bisection, golden-section search | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
@@ -19,6 +20,7 @@
 //! Everything is in `f64`; nothing here depends on norms or meshes.
 
 pub(crate) mod block_iteration;
+pub(crate) mod budget;
 pub(crate) mod check;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod dense;

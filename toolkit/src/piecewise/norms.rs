@@ -7,7 +7,7 @@ use crate::numeric::scale::power_of_two;
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::quadrature::Rule;
-use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
+use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 
 /// Message: what limits the accuracy of a quadratic form.
 const LIMIT: &str = "rounding of the form dominates: use fewer elements or a smoother function";
@@ -134,7 +134,7 @@ impl PiecewisePolynomial {
         let logarithm =
             self.mesh().lengths().iter().fold(0.0, |most: f64, length| most.max(length.ln().abs()));
         let rounding = if unit == 1.0 { 0.0 } else { (4.0 + 0.15 * logarithm) * f64::EPSILON * root.value };
-        scaled(scale, scaled(length, Estimate::new(root.value, root.error + rounding, root.work)?)?)
+        Estimate::new(root.value, root.error + rounding, root.work)?.times(length)?.times(scale)
     }
 
     fn require_finite_seminorm(&self, order: Order) -> Result<()> {

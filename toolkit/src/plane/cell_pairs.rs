@@ -54,7 +54,7 @@ impl CellPairs {
     pub(super) fn new(order: Order, accuracy: f64) -> Result<Self> {
         let moments = (0..=POINTS.1).map(|q| Moments::new(q.max(1))).collect::<Result<_>>()?;
         Ok(Self {
-            means: Means::new(order, Shape::Linears, accuracy),
+            means: Means::new(order, Shape::Linears, accuracy, u64::MAX),
             kernel: InversePower::new(1.0 + order.value()),
             digits: -accuracy.ln(),
             moments,

@@ -10,10 +10,10 @@
 use super::kernel::InversePower;
 use super::simplex::Simplex;
 use crate::error::{Error, Result};
+use crate::numeric::budget::Budget;
 use crate::numeric::scale::power_of_two;
 use crate::quadrature::Rule;
-use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::OnceLock;
 
 /// Entries (i, j) of a quadratic form in K functions, by three rules.
 pub(super) type Levels<const K: usize> = [[[f64; K]; K]; LEVELS];
@@ -66,42 +66,24 @@ pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
 }
 
 /// The kernel |x−y|^{-2-2s} and the requested accuracy of every mean.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Leaves {
     /// 1 + s
     power: f64,
     kernel: InversePower,
     /// ln(1 / relative accuracy)
     digits: f64,
-    /// the number of remaining evaluations
-    left: Arc<AtomicU64>,
-    asked: f64,
+    budget: Budget,
 }
 
 impl Leaves {
-    pub(super) fn new(s: f64, accuracy: f64) -> Self {
-        let left = Arc::new(AtomicU64::new(u64::MAX));
+    /// The integrals with at most this many kernel evaluations for all pairs together.
+    pub(super) fn new(s: f64, accuracy: f64, evaluations: u64) -> Self {
         Self {
             power: 1.0 + s,
             kernel: InversePower::new(1.0 + s),
             digits: -accuracy.ln(),
-            left,
-            asked: accuracy,
-        }
-    }
-
-    /// The same integrals with at most this many kernel evaluations for all pairs together.
-    pub(super) fn within(self, evaluations: u64) -> Self {
-        Self { left: Arc::new(AtomicU64::new(evaluations)), ..self }
-    }
-
-    fn spend(&self, count: u64) -> Result<()> {
-        let left = self.left.load(Ordering::Relaxed);
-        self.left.store(left.saturating_sub(count), Ordering::Relaxed);
-        if left > count {
-            Ok(())
-        } else {
-            Err(Error::out_of_reach("seminorm", self.asked, f64::INFINITY, NEEDLES))
+            budget: Budget::new(evaluations, accuracy),
         }
     }
 
@@ -139,7 +121,9 @@ impl Leaves {
             if size.max(other) * ADMISSIBLE <= distance {
                 let counts = [self.count(size, distance), self.count(other, distance)];
                 let count = self.leaf(&a, &b, counts, distance, weight, &mut sum)?;
-                self.spend(count)?;
+                if !self.budget.spend(count) {
+                    return Err(self.budget.spent("seminorm", NEEDLES));
+                }
                 *work += count;
             } else if size >= other {
                 open.extend(a.halves(edge).map(|half| (half, b, [0.5 * weight[0], weight[1]])));

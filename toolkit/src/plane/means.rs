@@ -37,7 +37,7 @@ const CELL: f64 = 1.0;
 const CELL_POINTS: usize = 12;
 
 /// The integrals for one order, one shape and one accuracy.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(super) struct Means {
     order: Order,
     shape: Shape,
@@ -45,13 +45,9 @@ pub(super) struct Means {
 }
 
 impl Means {
-    pub(super) fn new(order: Order, shape: Shape, accuracy: f64) -> Self {
-        Self { order, shape, leaves: Leaves::new(order.value(), accuracy) }
-    }
-
-    /// The same integrals with at most this many kernel evaluations.
-    pub(super) fn within(self, evaluations: u64) -> Self {
-        Self { leaves: self.leaves.within(evaluations), ..self }
+    /// The integrals with at most this many kernel evaluations.
+    pub(super) fn new(order: Order, shape: Shape, accuracy: f64, evaluations: u64) -> Self {
+        Self { order, shape, leaves: Leaves::new(order.value(), accuracy, evaluations) }
     }
 
     /// The sum p + k, without cancellation.

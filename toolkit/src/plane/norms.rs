@@ -8,7 +8,7 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
-use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled, scaled_root};
+use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 
 /// Largest number of times the accuracy of the integrals is raised.
 const ATTEMPTS: usize = 3;
@@ -108,8 +108,8 @@ impl PlaneFunction {
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         let (unit, extent) = (unit_of(self.values()), power_of_two(self.mesh().extent()));
-        let root = scaled_root(unit, self.squared(order, tolerance, unit, extent)?)?;
-        scaled(extent.powf(order.complement()), root)
+        let root = self.squared(order, tolerance, unit, extent)?.sqrt()?.times(unit)?;
+        root.times(extent.powf(order.complement()))
     }
 
     /// The limit of kernel evaluations for one sum: the requested one, by default proportional to the
@@ -129,7 +129,7 @@ impl PlaneFunction {
         let (mut best, mut work) = (None::<Estimate>, Work::default());
         let allowed = self.allowed(tolerance);
         for _ in 0..ATTEMPTS {
-            let means = Means::new(order, self.shape(), accuracy).within(allowed);
+            let means = Means::new(order, self.shape(), accuracy, allowed);
             let found = match sum.squared(&means, order.value(), accuracy) {
                 Err(Error::ToleranceNotMet { .. }) if best.is_some() => break,
                 other => other?,

@@ -4,7 +4,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::order::Order;
 use crate::quadrature::Rule;
-use crate::root::{ENTRY_ROUNDING, accept, root_of_squares, scaled};
+use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 use std::f64::consts::PI;
 
 /// The angular factor of r^a.
@@ -94,7 +94,7 @@ impl ElasticCorner {
         let q = power - 1.0;
         let part = |part, frequency, weight: f64| {
             let one = SectorPower { part, frequency, exponent: q, ..self.power };
-            scaled(power * weight.sqrt(), one.seminorm(order, tolerance)?)
+            one.seminorm(order, tolerance)?.times(power * weight.sqrt())
         };
         let rotation = part(Part::Rotation, q.abs(), 2.0 * alpha * alpha)?;
         let sine = part(Part::Sine, q.abs(), 2.0 * (1.0 + 2.0 * alpha))?;
@@ -127,7 +127,7 @@ impl SectorPower {
         }
         let gradient =
             Self { part: Part::Rotation, exponent: power - 1.0, frequency: (power - 1.0).abs(), ..*self };
-        scaled(power.abs(), gradient.seminorm(order, tolerance)?).map(Some)
+        gradient.seminorm(order, tolerance)?.times(power.abs()).map(Some)
     }
 
     /// The seminorm |w|_s, which scales like R^{a+1−s}.
@@ -146,7 +146,7 @@ impl SectorPower {
         // What the rounding of a does where a + 1 − s is small.
         let rounding = value * (ENTRY_ROUNDING + f64::EPSILON / gap);
         let squared = Estimate::new(judge / gap, ((judge - value).abs() + rounding) / gap, work)?;
-        accept("seminorm", scaled(self.radius.powf(gap), squared.sqrt()?)?, tolerance, LIMIT)
+        accept("seminorm", squared.sqrt()?.times(self.radius.powf(gap))?, tolerance, LIMIT)
     }
 
     /// The double integral with n points in each direction, and the total number of points.

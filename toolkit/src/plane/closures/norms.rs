@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
 use crate::numeric::scale::power_of_two;
 use crate::order::Order;
-use crate::root::{accept, root_of_squares, scaled, scaled_root};
+use crate::root::{accept, root_of_squares};
 
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the largest number of quadrature points is reached: the function is less smooth than declared, or \
@@ -90,7 +90,7 @@ impl SingularPlaneFunction<'_> {
     fn l2_as_it_is(&self, tolerance: Tolerance) -> Result<Estimate> {
         let view = self.view();
         let sum = ClosureSum::new(view, Order::HALF, tolerance, Quantity::Square)?;
-        scaled(view.extent, scaled_root(view.unit, sum.square()?)?)
+        sum.square()?.sqrt()?.times(view.unit)?.times(view.extent)
     }
 
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
@@ -103,7 +103,7 @@ impl SingularPlaneFunction<'_> {
         }
         let view = self.view();
         let sum = ClosureSum::new(view, order, tolerance, Quantity::Seminorm)?;
-        let root = scaled_root(view.unit, sum.seminorm()?)?;
-        scaled(view.extent.powf(order.complement()), root)
+        let root = sum.seminorm()?.sqrt()?.times(view.unit)?;
+        root.times(view.extent.powf(order.complement()))
     }
 }
