@@ -132,6 +132,15 @@ fn constants_have_their_limits() {
         let constant = |nu: f64| element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value;
         let zero = constant(LIMIT);
         let one = best(norm, 1.0, Tolerance::balanced()).unwrap().constant.value;
+        let pi = std::f64::consts::PI;
+        let [at_zero, at_one] = match norm {
+            ErrorNorm::L2 => [1.0 / pi, 1.0 / (pi * pi)],
+            ErrorNorm::Derivative => [1.0, 1.0 / pi],
+            _ => [pi.hypot(1.0) / pi, pi.hypot(1.0) / (pi * pi)],
+        };
+        let identity = best(norm, 0.0, Tolerance::balanced()).unwrap().constant.value;
+        assert!((identity / at_zero - 1.0).abs() < 1e-14 && (one / at_one - 1.0).abs() < 1e-14, "{norm:?}");
+        assert!(norm != ErrorNorm::Derivative || (zero - 0.5).abs() < 1e-12, "{zero}");
         for (distance, tolerance) in [(1e-4, LIMIT_TOLERANCE), (1e-6, 1e-2 * LIMIT_TOLERANCE)] {
             let low = constant(distance) / zero - 1.0;
             let nu = 1.0 - distance;
@@ -175,16 +184,20 @@ fn no_rough_function_exceeds_the_best_constants() {
 fn the_extremal_function_attains_its_constant() {
     for nu in [0.1, 0.5, 0.9] {
         for norm in NORMS {
-            let found = best(norm, nu, Tolerance::balanced()).unwrap();
-            let extremal = found.extremal().unwrap();
-            let seminorm = slope(&found, 1.0).seminorm(nu, 1e-8).unwrap().value;
-            assert!((seminorm - 1.0).abs() < 1e-8, "nu {nu}: {seminorm}");
-            let [value, derivative] = errors(&found, 1.0);
-            let error = if norm == ErrorNorm::L2 { value } else { derivative };
-            let ratio = error / seminorm;
-            assert!((ratio / found.constant.value - 1.0).abs() < 1e-8, "nu {nu} {norm:?}: {ratio}");
-            assert!(extremal.value(&[0.0]).abs() < 1e-15 && extremal.value(&[1.0]).abs() < 1e-15);
-            assert!(extremal.value(&[1.5]).is_nan() && extremal.value(&[]).is_nan());
+            for h in [1.0f64, 2.0] {
+                let found = interpolation_constant(Domain::Interval(h), norm, nu, 1e-8).unwrap();
+                let extremal = found.extremal().unwrap();
+                // the slope moved to (0, 1) is h times that on (0, h)
+                let seminorm = slope(&found, h).seminorm(nu, 1e-8).unwrap().value / h.powf(0.5 + nu);
+                assert!((seminorm - 1.0).abs() < 1e-8, "nu {nu}, h {h}: {seminorm}");
+                let [value, derivative] = errors(&found, h);
+                let error = if norm == ErrorNorm::L2 { value * h.sqrt() } else { derivative / h.sqrt() };
+                let ratio = error / seminorm;
+                assert!((ratio / found.constant.value - 1.0).abs() < 1e-8, "nu {nu} {norm:?} {h}: {ratio}");
+                assert!(extremal.value(&[0.0]).abs() < 1e-15 && extremal.value(&[h]).abs() < 1e-15);
+                assert!(extremal.value(&[1.5 * h]).is_nan() && extremal.value(&[-1.0]).is_nan());
+                assert!(extremal.value(&[]).is_nan());
+            }
         }
     }
 }

@@ -36,7 +36,6 @@ pub use error::{Error, Given, Result};
 pub use estimate::{Estimate, Tolerance, Work};
 pub use function::Function;
 pub use functions::Position;
-pub(crate) use gram::{gram_linears, mass_linears};
 pub use interpolation::{
     Target, embedding_bound, embedding_constant, interpolation_constant, projection_constant,
 };

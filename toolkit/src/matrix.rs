@@ -347,22 +347,10 @@ impl Gram {
         }
     }
 
-    /// The memory of the fast product, in bytes, without the buffers of a product. On an interval the fast
-    /// product is prepared if it has not been used.
-    ///
-    /// # Errors
-    /// [`Error::Solver`](crate::Error::Solver) if a Fourier transform fails.
-    pub fn bytes(&self) -> Result<usize> {
-        match &self.form {
-            Form::Interval(interval) => Ok(interval.fast()?.bytes()),
-            Form::Grid { form, .. } => Ok(form.bytes()),
-        }
-    }
-
     /// The diagonal of A: stored with the fast product on an interval, computed by N products on a grid.
     ///
     /// # Errors
-    /// As [`Gram::bytes`].
+    /// [`Error::Solver`](crate::Error::Solver) if a Fourier transform fails.
     pub fn diagonal(&self) -> Result<Vec<f64>> {
         match &self.form {
             Form::Interval(interval) => Ok(interval.fast()?.diagonal().to_vec()),

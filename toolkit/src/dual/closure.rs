@@ -15,7 +15,7 @@ use crate::functions::{Arm, Normalized, SingularFunction};
 use crate::mesh::Mesh;
 use crate::numeric::legendre;
 use crate::order::Order;
-use crate::piecewise::PiecewisePolynomial;
+use crate::piecewise::{PiecewisePolynomial, bubbles_of};
 use crate::quadrature::Rule;
 
 /// Successive degrees, until the difference is small enough.
@@ -150,18 +150,10 @@ impl Interpolant {
         }
         let at = |t: f64| legendre::series(coefficients.iter().copied(), 2.0 * t - 1.0);
         let ends = [at(0.0), at(1.0)];
-        let mut bubbles = vec![0.0; degree - 1];
-        for (t, w) in Rule::gauss_legendre(degree)?.iter() {
-            let rest = (at(t) - ends[0] * (1.0 - t) - ends[1] * t) / (t * (1.0 - t));
-            legendre::fill(&mut values, 2.0 * t - 1.0);
-            for (k, (sum, p)) in bubbles.iter_mut().zip(&values).enumerate() {
-                *sum += (2 * k + 1) as f64 * w * rest * p;
-            }
-        }
         for (t, w) in Rule::gauss_legendre(degree + 4)?.iter() {
             self.left += w * length * (f(t)? - at(t)).powi(2);
         }
-        self.push(length, ends, bubbles);
+        self.push(length, ends, bubbles_of(degree, ends, at)?);
         Ok(())
     }
 }

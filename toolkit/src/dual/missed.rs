@@ -10,8 +10,7 @@ use super::comparison::{Comparison, Part};
 use super::cosines::Cosines;
 use crate::error::Result;
 use crate::estimate::Tolerance;
-use crate::gram::GramOperator;
-use crate::gram::dense::mass_linears;
+use crate::gram::{GramOperator, add_mass, mass_linears};
 use crate::mesh::Mesh;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::order::Order;
@@ -31,8 +30,7 @@ const ROUNDING: f64 = 0.1;
 /// The form m M + a A on equal elements.
 struct Regional {
     operator: GramOperator,
-    mass: Vec<f64>,
-    off: Vec<f64>,
+    mass: (Vec<f64>, Vec<f64>),
     cosines: Cosines,
     weights: [f64; 2],
     symbol: f64,
@@ -42,13 +40,7 @@ impl System for Regional {
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         let [m, a] = self.weights;
         out.iter_mut().zip(self.operator.apply(x)?).for_each(|(o, y)| *o = a * y);
-        for i in 0..x.len() {
-            out[i] += m * self.mass[i] * x[i];
-            if i + 1 < x.len() {
-                out[i] += m * self.off[i] * x[i + 1];
-                out[i + 1] += m * self.off[i] * x[i];
-            }
-        }
+        add_mass(m, &self.mass, x, out);
         Ok(())
     }
 
@@ -154,7 +146,6 @@ impl Rough<'_> {
         let shares = self.comparison.shares(self.u.mesh(), part);
         let mut loads = self.loads(part, cells, &shares)?;
         let mut load = loads.remove(0);
-        let (mass, off) = mass_linears(&mesh);
         if part.length < 1.0 {
             // the mean of a window alone
             let mean: f64 = load.iter().sum();
@@ -166,8 +157,7 @@ impl Rough<'_> {
         let symbol = part.weights[1] * self.comparison.constant;
         let mut system = Regional {
             operator: GramOperator::linears(&mesh, self.order, Tolerance::reference())?,
-            mass,
-            off,
+            mass: mass_linears(&mesh),
             cosines: Cosines::new(cells, self.order),
             weights: part.weights,
             symbol,

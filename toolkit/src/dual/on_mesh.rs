@@ -3,8 +3,7 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::gram::GramOperator;
-use crate::gram::dense::{gram_linears, mass_linears};
+use crate::gram::{GramOperator, add_mass, gram_linears, mass_form, mass_linears};
 use crate::mesh::Mesh;
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
@@ -67,20 +66,11 @@ const ENTRY: f64 = 4.0;
 
 /// bᵀ (M + A)⁻¹ b by Cholesky.
 fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate> {
-    let gram = gram_linears(partition, order);
-    let (diagonal, off) = mass_linears(partition);
+    let form = gram_linears(partition, order) + mass_form(partition);
     let n = load.len();
-    let entry = |i: usize, j: usize| {
-        gram[(i, j)]
-            + match i.abs_diff(j) {
-                0 => diagonal[i],
-                1 => off[i.min(j)],
-                _ => 0.0,
-            }
-    };
     // Scaled to a unit diagonal: short and long elements alike.
-    let scale: Vec<f64> = (0..n).map(|i| entry(i, i).sqrt().recip()).collect();
-    let matrix = DMatrix::from_fn(n, n, |i, j| entry(i, j) * scale[i] * scale[j]);
+    let scale: Vec<f64> = (0..n).map(|i| form[(i, i)].sqrt().recip()).collect();
+    let matrix = DMatrix::from_fn(n, n, |i, j| form[(i, j)] * scale[i] * scale[j]);
     let rhs = DMatrix::from_fn(n, 1, |i, _| load[i] * scale[i]);
     let factor = Cholesky::new(&matrix)
         .ok_or(Error::NotPositiveDefinite { what: "scaled mass plus Gram matrix", pivot: n })?;
@@ -101,22 +91,14 @@ fn solve_dense(partition: &Mesh, order: Order, load: &[f64]) -> Result<Estimate>
 /// The matrix M + A with the fast operator A and the diagonal as preconditioner.
 struct WithMass {
     operator: GramOperator,
-    mass: Vec<f64>,
-    off: Vec<f64>,
+    mass: (Vec<f64>, Vec<f64>),
     inverse: Vec<f64>,
 }
 
 impl System for WithMass {
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         out.copy_from_slice(&self.operator.apply(x)?);
-        let n = x.len();
-        for i in 0..n {
-            out[i] += self.mass[i] * x[i];
-            if i + 1 < n {
-                out[i] += self.off[i] * x[i + 1];
-                out[i + 1] += self.off[i] * x[i];
-            }
-        }
+        add_mass(1.0, &self.mass, x, out);
         Ok(())
     }
 
@@ -136,9 +118,9 @@ const SETTLED: usize = 20;
 fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: Tolerance) -> Result<Estimate> {
     let n = load.len();
     let operator = GramOperator::linears(partition, order, Tolerance::reference())?;
-    let (mass, off) = mass_linears(partition);
-    let inverse = operator.diagonal().iter().zip(&mass).map(|(a, m)| 1.0 / (a + m)).collect();
-    let mut system = WithMass { operator, mass, off, inverse };
+    let mass = mass_linears(partition);
+    let inverse = operator.diagonal().iter().zip(&mass.0).map(|(a, m)| 1.0 / (a + m)).collect();
+    let mut system = WithMass { operator, mass, inverse };
     let mut iteration = ConjugateGradients::new(n);
     iteration.start(&mut system, load)?;
     let mut x = vec![0.0; n];

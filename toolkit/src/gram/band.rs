@@ -67,8 +67,4 @@ impl Band {
             })
             .collect()
     }
-
-    pub(crate) fn bytes(&self) -> usize {
-        8 * (self.diagonal.len() + self.off_diagonals.iter().map(Vec::len).sum::<usize>())
-    }
 }

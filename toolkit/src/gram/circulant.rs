@@ -103,13 +103,6 @@ impl Circulant {
             },
         }
     }
-
-    pub(crate) fn bytes(&self) -> usize {
-        match &self.transform {
-            Transform::Plain(plain) => 8 * plain.symbol.len(),
-            Transform::Blocked(six_step) => six_step.bytes(),
-        }
-    }
 }
 
 /// The eigenvalues S_0 ..= S_{length/2} of the circulant that extends the column symmetrically.

@@ -101,6 +101,32 @@ pub(crate) fn mass_linears(partition: &Mesh) -> (Vec<f64>, Vec<f64>) {
     (diagonal, lengths.iter().map(|h| h / 6.0).collect())
 }
 
+/// The same as a dense matrix.
+pub(crate) fn mass_form(partition: &Mesh) -> DMatrix<f64> {
+    let (diagonal, beside) = mass_linears(partition);
+    tridiagonal(&diagonal, &beside)
+}
+
+/// The symmetric tridiagonal matrix with this diagonal and off-diagonal.
+pub(crate) fn tridiagonal(diagonal: &[f64], beside: &[f64]) -> DMatrix<f64> {
+    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
+        0 => diagonal[i],
+        1 => beside[i.min(j)],
+        _ => 0.0,
+    })
+}
+
+/// Adds m M x to y, M the matrix of L² given by [`mass_linears`].
+pub(crate) fn add_mass(m: f64, (diagonal, beside): &(Vec<f64>, Vec<f64>), x: &[f64], y: &mut [f64]) {
+    for i in 0..x.len() {
+        y[i] += m * diagonal[i] * x[i];
+        if i + 1 < x.len() {
+            y[i] += m * beside[i] * x[i + 1];
+            y[i + 1] += m * beside[i] * x[i];
+        }
+    }
+}
+
 pub(crate) fn require_constants_finite(order: Order) -> Result<()> {
     if order.is_below_half() {
         return Ok(());

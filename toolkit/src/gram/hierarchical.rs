@@ -172,13 +172,6 @@ impl Hierarchical {
             }
         }
     }
-
-    pub(crate) fn bytes(&self) -> usize {
-        let near: usize = self.near.iter().map(|block| 8 * block.entries.len() + 64).sum();
-        let leaves: usize = self.leaf_moments.iter().map(|v| 8 * v.len() + 24).sum();
-        let far: usize = self.blocks.far.iter().map(|list| 16 * list.len() + 24).sum();
-        near + leaves + far + 48 * self.tree.clusters.len()
-    }
 }
 
 /// The moments (1/D) ∫ φ ℓ_a over the leaf, for every (unknown, a).

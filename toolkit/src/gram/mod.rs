@@ -15,7 +15,8 @@ mod toeplitz;
 mod tridiagonal;
 
 pub(crate) use dense::{
-    gram_constants, gram_linears, gram_zero_outside, mass_linears, require_constants_finite,
+    add_mass, gram_constants, gram_linears, gram_zero_outside, mass_form, mass_linears,
+    require_constants_finite, tridiagonal,
 };
 pub(crate) use eigenvalues::extreme_eigenvalues;
 pub(crate) use operator::GramOperator;

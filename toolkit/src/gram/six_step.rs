@@ -13,7 +13,7 @@
 //! on the order of the frequencies. Twiddles are products of two factors from tables of O(√n). Cost O(n log
 //! n), memory about 5n numbers with the buffers of a product.
 
-use crate::numeric::parallel;
+use crate::numeric::{is_smooth, parallel};
 use rayon::prelude::*;
 use realfft::num_complex::Complex;
 use rustfft::{Fft, FftPlanner};
@@ -86,16 +86,6 @@ fn shape(n: usize) -> (usize, usize) {
     (rows, BLOCK * blocks)
 }
 
-/// True if n has no prime factor above 5.
-fn is_smooth(mut n: usize) -> bool {
-    for prime in [2, 3, 5] {
-        while n.is_multiple_of(prime) {
-            n /= prime;
-        }
-    }
-    n == 1
-}
-
 impl SixStep {
     /// The length 2 n₁ n₂ of a circulant, at least `least`.
     pub(crate) fn length(least: usize) -> usize {
@@ -136,10 +126,6 @@ impl SixStep {
     pub(crate) fn workspace(&self) -> SixStepWorkspace {
         let n = self.rows * self.columns;
         SixStepWorkspace { blocks: vec![C::default(); n], pairs: vec![C::default(); n] }
-    }
-
-    pub(crate) fn bytes(&self) -> usize {
-        16 * (self.symbol.len() + self.roots.fine.len() + self.roots.coarse.len() + self.rows + self.columns)
     }
 
     /// Adds the first entries of C x to y, where x is extended by zeros; neither is longer than the circulant.

@@ -96,10 +96,6 @@ impl Toeplitz {
         y[last] += ends[1].value() + self.end_row[last] * x[0];
         Ok(())
     }
-
-    pub(crate) fn bytes(&self) -> usize {
-        self.circulant.bytes() + 8 * self.end_row.len()
-    }
 }
 
 /// The multiples h, 2h, ... as sums.

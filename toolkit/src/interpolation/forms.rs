@@ -15,9 +15,10 @@
 use super::elements::ElementMesh;
 use crate::constant::UnitOrder;
 use crate::error::{Error, Result};
+use crate::gram::{gram_linears, mass_form, tridiagonal};
 use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
-use crate::{Mesh, Order, gram_linears, mass_linears};
+use crate::{Mesh, Order};
 use nalgebra::DMatrix;
 
 /// Largest number of cells for which dense matrices are built.
@@ -31,20 +32,6 @@ pub(super) fn hat_integrals(cells: &Mesh, range: std::ops::Range<usize>) -> Vec<
         integrals[i + 1] += 0.5 * cells.lengths()[i];
     }
     integrals
-}
-
-/// The Gram matrix of L².
-pub(super) fn mass_form(cells: &Mesh) -> DMatrix<f64> {
-    let (diagonal, off_diagonal) = mass_linears(cells);
-    tridiagonal(&diagonal, &off_diagonal)
-}
-
-fn tridiagonal(diagonal: &[f64], off_diagonal: &[f64]) -> DMatrix<f64> {
-    DMatrix::from_fn(diagonal.len(), diagonal.len(), |i, j| match i.abs_diff(j) {
-        0 => diagonal[i],
-        1 => off_diagonal[i.min(j)],
-        _ => 0.0,
-    })
 }
 
 /// |v|_r²: ‖v‖₀² for r = 0, ‖v'‖₀² for r = 1, and the double integral of (1.1) for 0 < r < 1.

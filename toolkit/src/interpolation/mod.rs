@@ -97,6 +97,13 @@ pub fn interpolation_constant(
     }
 }
 
+/// The value at x of the continuous piecewise linear function on a mesh of (0, 1).
+fn linear_at(cells: &Mesh, values: &[f64], x: f64) -> Option<f64> {
+    let cell = cell_of(cells, x)?;
+    let t = (x - cells.from_left()[cell]) / cells.lengths()[cell];
+    Some(values[cell] * (1.0 - t) + values[cell + 1] * t)
+}
+
 /// The cell of a mesh of (0, 1) that contains x.
 fn cell_of(cells: &Mesh, x: f64) -> Option<usize> {
     let is_inside = (0.0..=1.0).contains(&x);

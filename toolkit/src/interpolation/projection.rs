@@ -141,12 +141,8 @@ fn on_mesh(mesh: &Mesh, norm: ErrorNorm, r: UnitOrder, tolerance: Tolerance) -> 
         .map_err(|error| error.carry("projection constant", |best| best.times(factor)))?;
     let constant = found.root.times(factor)?;
     let unit = total.powf(r.value() - 0.5);
-    let value = move |x: f64| {
-        let cell = super::cell_of(found.mesh.cells(), x / total)?;
-        let start = found.mesh.cells().from_left()[cell];
-        let t = (x / total - start) / found.mesh.cells().lengths()[cell];
-        Some(unit * (found.values[cell] * (1.0 - t) + found.values[cell + 1] * t))
-    };
-    Ok(BestConstant::new(constant, constant, None)
-        .with_extremal(move |point| point.first().and_then(|&x| value(x)).unwrap_or(f64::NAN)))
+    let value = move |x: f64| super::linear_at(found.mesh.cells(), &found.values, x / total);
+    Ok(BestConstant::new(constant, constant, None).with_extremal(move |point| {
+        point.first().and_then(|&x| value(x)).map_or(f64::NAN, |value| unit * value)
+    }))
 }

@@ -50,17 +50,3 @@ pub(crate) fn require_entry(
 fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<(), Error> {
     if value.is_nan() { Err(Error::NotFinite { name, index, value }) } else { Ok(()) }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_is_wrong_is_named() {
-        assert!(require_values("gap", &[1.0, 2.0], 2).is_ok());
-        let short = require_values("gap", &[1.0], 2);
-        assert_eq!(short, Err(Error::LengthMismatch { name: "gap", given: 1, expected: 2 }));
-        let infinite = require_finite("gap", &[1.0, f64::INFINITY]);
-        assert_eq!(infinite, Err(Error::NotFinite { name: "gap", index: 1, value: f64::INFINITY }));
-    }
-}

@@ -41,13 +41,6 @@ pub(crate) fn series_with_slope(coefficients: impl IntoIterator<Item = f64>, x: 
     (sum, derivative)
 }
 
-/// The quotients (P_k(b) − P_k(a))/(b − a) for k < `count`, as [`fill_with_quotients`].
-pub(crate) fn difference_quotients(count: usize, a: f64, b: f64) -> Vec<f64> {
-    let mut quotients = vec![0.0; count];
-    fill_with_quotients(&mut vec![0.0; count], &mut quotients, a, b);
-    quotients
-}
-
 /// Fills the slices with P_k(a) and (P_k(b) − P_k(a))/(b − a), from the recurrence itself and so without
 /// cancellation: (k+1) Q_{k+1} = (2k+1)(b Q_k + P_k(a)) − k Q_{k−1}.
 pub(crate) fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: f64, b: f64) {
@@ -59,29 +52,5 @@ pub(crate) fn fill_with_quotients(values: &mut [f64], quotients: &mut [f64], a: 
         let following = ((2.0 * n + 1.0) * (b * quotient + current) - n * previous) / (n + 1.0);
         (previous, quotient) = (quotient, following);
         (before, current) = (current, next(k, a, current, before));
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn low_degrees_slopes_and_quotients() {
-        let (a, b) = (-0.3, 0.7);
-        let mut values = [0.0; 4];
-        fill(&mut values, a);
-        let exact = [1.0, a, 0.5 * (3.0 * a * a - 1.0), 0.5 * (5.0 * a * a - 3.0) * a];
-        assert!(values.iter().zip(exact).all(|(v, e)| (v - e).abs() < 1e-15));
-        let c = [0.2, -1.0, 0.5, 2.0];
-        let (sum, slope) = series_with_slope(c, a);
-        assert!((sum - series(c, a)).abs() < 1e-15);
-        let exact_slope = -1.0 + 0.5 * 3.0 * a + 2.0 * 0.5 * (15.0 * a * a - 3.0);
-        assert!((slope - exact_slope).abs() < 1e-14);
-        let mut others = [0.0; 4];
-        fill(&mut others, b);
-        for (k, q) in difference_quotients(4, a, b).into_iter().enumerate() {
-            assert!((q - (others[k] - values[k]) / (b - a)).abs() < 1e-14, "{k}");
-        }
     }
 }

@@ -6,11 +6,11 @@
 //! | units that are powers of two | [`scale`] |
 //! | checks of lengths and of finite values | [`check`] |
 //! | available memory | [`memory`] |
+//! | caches of the last value | `last` |
 //! | remaining evaluations | `budget` |
 //! | bisection, golden-section search | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
-//! | seeded random numbers | [`random`] |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | parallel maps | `parallel` |
@@ -25,14 +25,23 @@ pub(crate) mod check;
 pub(crate) mod conjugate_gradients;
 pub(crate) mod dense;
 pub(crate) mod gamma;
+pub(crate) mod last;
 pub(crate) mod legendre;
 pub(crate) mod memory;
 pub(crate) mod parallel;
 pub(crate) mod pencil;
-#[cfg(test)]
-pub(crate) mod random;
 pub(crate) mod scale;
 pub(crate) mod search;
 pub(crate) mod sum;
 
 use crate::error::Error;
+
+/// True if n has no prime factor above 5: Fourier transforms of such lengths are fast.
+pub(crate) fn is_smooth(mut n: usize) -> bool {
+    for prime in [2, 3, 5] {
+        while n.is_multiple_of(prime) {
+            n /= prime;
+        }
+    }
+    n == 1
+}

@@ -1,6 +1,6 @@
 //! Convolutions on a rectangle of cells by Fourier transforms on a torus of at least twice its size.
 
-use crate::numeric::parallel;
+use crate::numeric::{is_smooth, parallel};
 use rustfft::num_complex::Complex64;
 use rustfft::{Fft, FftPlanner};
 use std::sync::Arc;
@@ -81,14 +81,5 @@ fn turn(field: &[Complex64], n: usize, m: usize) -> Vec<Complex64> {
 
 /// The smallest number from n upwards without prime factors above 5.
 fn smooth(n: usize) -> usize {
-    let is_smooth = |&k: &usize| {
-        let mut rest = k;
-        for p in [2, 3, 5] {
-            while rest.is_multiple_of(p) {
-                rest /= p;
-            }
-        }
-        rest == 1
-    };
-    (n.max(1)..).find(is_smooth).unwrap_or(n)
+    (n.max(1)..).find(|&n| is_smooth(n)).unwrap_or(n)
 }

@@ -82,13 +82,6 @@ impl GridOperator {
         (self.squares[0] + 1) * (self.squares[1] + 1)
     }
 
-    /// The memory that is held, in bytes: the transforms, ten complex numbers for every point of a torus of
-    /// about four times as many points as squares, and sixteen numbers for every square.
-    pub(crate) fn bytes(&self) -> usize {
-        let spectra: usize = self.spectra.iter().map(|(_, spectrum)| size_of_val(spectrum.as_slice())).sum();
-        spectra + size_of_val(self.own.as_slice())
-    }
-
     /// The product A w.
     ///
     /// # Errors

@@ -240,28 +240,19 @@ fn require_count(count: usize) -> Result<()> {
 mod tests {
     use super::*;
     use crate::Mesh;
+    use crate::Order;
     use crate::estimate::{Estimate, Tolerance};
+    use crate::gram::{gram_linears, mass_form};
     use crate::numeric::pencil::Factored;
     use crate::poincare::constant::gamma;
     use crate::poincare::constraint::{Condition, Constraint};
     use crate::poincare::mean::largest_mean;
-    use crate::{Order, gram_linears, mass_linears};
     use nalgebra::DMatrix;
-
-    impl Condition {
-        /// The constraint of this condition on a zone.
-        pub(crate) fn on(self, zones: impl Given<Zones>) -> Result<Constraint> {
-            match self {
-                Self::MeanZero => Constraint::mean_zero_on(zones),
-                Self::Vanishing => Constraint::vanishing_on(zones),
-            }
-        }
-    }
 
     const CONDITIONS: [Condition; 2] = [Condition::MeanZero, Condition::Vanishing];
 
     fn found(nu: f64, zones: impl Given<Zones>, condition: Condition) -> Estimate {
-        gamma(Order::new(nu).unwrap(), condition.on(zones), Tolerance::new(1e-6).unwrap()).unwrap().constant
+        gamma(nu, Constraint::on_zones(&zones.given().unwrap(), condition), 1e-6).unwrap().constant
     }
 
     #[test]
@@ -306,8 +297,7 @@ mod tests {
         let nodes = partition.nodes();
         let inside =
             |x: f64| zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12);
-        let (size, gram) = (nodes.len(), gram_linears(&partition, order));
-        let (diagonal, beside) = mass_linears(&partition);
+        let (size, gram, mass) = (nodes.len(), gram_linears(&partition, order), mass_form(&partition));
         let mut mean = vec![0.0; size];
         for (k, pair) in nodes.windows(2).enumerate() {
             if inside(0.5 * (pair[0] + pair[1])) {
@@ -322,20 +312,15 @@ mod tests {
         let kept: Vec<usize> =
             (0..size).filter(|&k| if vanishes { !inside(nodes[k]) } else { k != pivot }).collect();
         let slope = |k: usize| if vanishes { 0.0 } else { -mean[kept[k]] / mean[pivot] };
-        let mass = |i: usize, j: usize| match i.abs_diff(j) {
-            0 => diagonal[i],
-            1 => beside[i.min(j)],
-            _ => 0.0,
-        };
-        let form = |entry: &dyn Fn(usize, usize) -> f64| {
+        let form = |of: &DMatrix<f64>| {
             DMatrix::from_fn(kept.len(), kept.len(), |i, j| {
-                entry(kept[i], kept[j])
-                    + slope(i) * entry(pivot, kept[j])
-                    + slope(j) * entry(kept[i], pivot)
-                    + slope(i) * slope(j) * entry(pivot, pivot)
+                of[(kept[i], kept[j])]
+                    + slope(i) * of[(pivot, kept[j])]
+                    + slope(j) * of[(kept[i], pivot)]
+                    + slope(i) * slope(j) * of[(pivot, pivot)]
             })
         };
-        let factored = Factored::new(&form(&|i, j| gram[(i, j)])).unwrap();
+        let factored = Factored::new(&form(&gram)).unwrap();
         factored.largest_eigenvalue(&form(&mass)).unwrap().0.sqrt()
     }
 
@@ -386,11 +371,11 @@ mod tests {
         let zones = Zones::union(&[0.1..0.12, 0.3..0.4, 0.8..0.85]).unwrap();
         let (order, tolerance) = (Order::new(0.4).unwrap(), Tolerance::new(1e-6).unwrap());
         for condition in CONDITIONS {
-            let (value, function) = gamma(order, condition.on(zones.clone()), tolerance)
-                .map(|found| (found.constant, found.extremal()))
-                .unwrap();
-            let norm = largest_mean(order, &condition.on(&zones).unwrap(), tolerance).unwrap();
-            assert!(norm.value > 0.0 && norm.value < value.value);
+            let constraint = Constraint::on_zones(&zones, condition);
+            let norm = largest_mean(order, &constraint, tolerance).unwrap();
+            let found = gamma(order, constraint, tolerance).unwrap();
+            let function = found.extremal();
+            assert!(norm.value > 0.0 && norm.value < found.constant.value);
             let mean: f64 = zones
                 .intervals()
                 .iter()

@@ -290,7 +290,7 @@ mod tests {
 
     #[test]
     fn legendre_is_jacobi_without_weight() {
-        for n in [1, 2, 7, 30] {
+        for n in [1, 2, 7, 30, 64, 65, 200] {
             let (legendre, jacobi) =
                 (Rule::gauss_legendre(n).unwrap(), Rule::gauss_jacobi(n, 0.0, 0.0).unwrap());
             for ((s, v), (t, w)) in legendre.iter().zip(jacobi.iter()) {
@@ -317,21 +317,6 @@ mod tests {
             let rule = Rule::gauss_legendre(n).unwrap();
             for (s, t) in rule.points().iter().zip(on_unit_interval(n)) {
                 assert!((s - t).abs() < 5e-16, "{n}: {s} {t}");
-            }
-        }
-    }
-
-    /// The weights by the formula of `gauss-quad`, which is a different one.
-    #[test]
-    fn weights_agree_with_another_formula() {
-        for n in (1..=64).chain([100, 127, 200]) {
-            let mut pairs: Vec<(f64, f64)> = GaussLegendre::new(n.try_into().unwrap())
-                .iter()
-                .map(|&(x, w)| (0.5 + 0.5 * x, 0.5 * w))
-                .collect();
-            pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
-            for (v, (_, w)) in Rule::gauss_legendre(n).unwrap().weights().iter().zip(pairs) {
-                assert!((v / w - 1.0).abs() < 1e-12, "{n}: {v} {w}");
             }
         }
     }

@@ -117,34 +117,3 @@ fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64
     let scale = energy.sqrt().recip().copysign(at_end);
     vector.iter().map(|c| c * scale).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::{Function, Mesh};
-
-    #[test]
-    fn the_extremal_function_attains_its_constant() {
-        for nu in [0.1, 0.5, 0.9] {
-            for norm in [ErrorNorm::L2, ErrorNorm::Derivative] {
-                let order = Order::new(nu).unwrap();
-                let h = 2.0;
-                let found = on_interval(h, norm, UnitOrder::Inner(order), Tolerance::balanced()).unwrap();
-                let of = |x: f64| found.extremal().unwrap().value(&[x.min(h)]);
-                // interpolated on a graded mesh: functions of another kind, other quadrature
-                let mesh = Mesh::graded(&[0.0, h], 12, 0.4).unwrap();
-                let error = Function::interpolate(&mesh, 9, of).unwrap();
-                let basis = extremal(norm, h, order, Tolerance::balanced()).unwrap();
-                let unit = h.powf(nu - 0.5);
-                let slope = |x: f64| unit * basis.at(&[x.min(h)], h).0;
-                let slope = Function::interpolate(&mesh, 9, slope).unwrap();
-                let seminorm = slope.seminorm(order, 1e-8).unwrap().value;
-                assert!((seminorm - 1.0).abs() < 1e-8, "nu {nu}: {seminorm}");
-                let norm = if norm == ErrorNorm::L2 { error.norm(0.0, 1e-8) } else { slope.norm(0.0, 1e-8) };
-                let share = norm.unwrap().value / found.constant.value;
-                assert!((share - 1.0).abs() < 1e-8, "nu {nu}: {share}");
-                assert!(of(0.0).abs() < 1e-15 && of(h).abs() < 1e-15 && of(-1.0).is_nan());
-            }
-        }
-    }
-}

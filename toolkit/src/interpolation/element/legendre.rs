@@ -25,12 +25,14 @@ pub(in crate::interpolation) fn seminorm_gram(
     let outer = Rule::gauss_jacobi(top, 1.0, order.one_minus_twice())?;
     let inner = Rule::gauss_legendre(top)?;
     let mut quotients = DMatrix::<f64>::zeros(top * top, degrees.len());
+    let (mut values, mut all) = (vec![0.0; top + 1], vec![0.0; top + 1]);
     let mut row = 0;
     for (r, w) in outer.iter() {
         for (s, v) in inner.iter() {
             let y = (1.0 - r) * s;
             let weight = (2.0 * w * v).sqrt();
-            let all = legendre::difference_quotients(top + 1, 2.0 * y - 1.0, 2.0 * (y + r) - 1.0);
+            let [from, to] = [2.0 * y - 1.0, 2.0 * (y + r) - 1.0];
+            legendre::fill_with_quotients(&mut values, &mut all, from, to);
             for (column, &k) in degrees.iter().enumerate() {
                 // The factor 2 is d(2x − 1)/dx.
                 quotients[(row, column)] = 2.0 * (weight * (2.0 * k as f64 + 1.0).sqrt() * all[k]);

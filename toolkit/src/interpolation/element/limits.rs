@@ -75,19 +75,3 @@ pub(in crate::interpolation) fn pointwise(t: f64) -> Result<Estimate> {
     let value = ((t * t * t + rest * rest * rest) / 3.0).sqrt();
     Estimate::new(value, 4.0 * f64::EPSILON * value, Work::default())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn both_ends_have_their_closed_forms() {
-        assert!((at_zero(ErrorNorm::Derivative, 1.0).unwrap().value - 0.5).abs() < 1e-12);
-        assert!((one(ErrorNorm::L2, 1.0).unwrap().value - PI.powi(-2)).abs() < 1e-15);
-        assert!((zero(ErrorNorm::L2, 1.0).unwrap().value - PI.recip()).abs() < 1e-15);
-        assert!((pointwise(0.5).unwrap().value - 0.5 / 3f64.sqrt()).abs() < 1e-15);
-        for bad in [-0.1, 1.1, f64::NAN] {
-            assert!(pointwise(bad).is_err());
-        }
-    }
-}

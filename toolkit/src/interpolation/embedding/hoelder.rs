@@ -3,15 +3,16 @@
 
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
-use crate::interpolation::forms::mass_form;
+use crate::gram::{gram_linears, mass_form};
 use crate::numeric::dense::{Cholesky, transpose_times};
+use crate::numeric::last::Last;
 use crate::quadrature::Rule;
-use crate::{Mesh, Order, gram_linears};
+use crate::{Mesh, Order};
 use nalgebra::DMatrix;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Cache of the last increments, for other values of α on the same mesh.
-static LAST: Mutex<Option<Arc<EndIncrements>>> = Mutex::new(None);
+static LAST: Last<EndIncrements> = Last::none();
 
 /// The norms N(0, θ) at the nodes θ of a mesh.
 ///
@@ -36,14 +37,7 @@ impl EndIncrements {
     /// # Errors
     /// As [`EndIncrements::new`].
     pub(super) fn on(mesh: &Mesh) -> Result<Arc<Self>> {
-        let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        if let Some(found) = last.filter(|found| found.nodes == mesh.from_left()[1..]) {
-            return Ok(found);
-        }
-        // Not under the lock: the matrix is assembled in parallel.
-        let found = Arc::new(Self::new(mesh)?);
-        *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(&found));
-        Ok(found)
+        LAST.get(|found| found.nodes == mesh.from_left()[1..], || Self::new(mesh))
     }
 
     /// The increments at the nodes of a mesh of (0, 1).

@@ -5,13 +5,14 @@ mod hoelder;
 mod trial;
 mod upper;
 
+use super::linear_at;
 use crate::Order;
 use crate::constant::BestConstant;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::order::SobolevOrder;
 use hoelder::EndIncrements;
-use trial::{EmbeddingSpace, Trial};
+use trial::EmbeddingSpace;
 use upper::upper_bound;
 
 /// The space into which H^s(0, 1) is embedded. A plain number q denotes L^q.
@@ -145,8 +146,10 @@ pub fn embedding_constant(
         Embedding::Lq(order, q) => {
             let found = EmbeddingSpace::of(order, q)?.climb(q, tolerance)?;
             let between = between(found.quotient, upper)?;
-            Ok(BestConstant::new(between, found.quotient, Some(upper))
-                .with_extremal(move |point| point.first().map_or(f64::NAN, |&x| value(&found, x))))
+            Ok(BestConstant::new(between, found.quotient, Some(upper)).with_extremal(move |point| {
+                let value = |&x: &f64| linear_at(&found.mesh, &found.values, x);
+                point.first().and_then(value).unwrap_or(f64::NAN)
+            }))
         }
         Embedding::Hoelder(alpha) => {
             let mesh = trial::graded((1.0 - alpha).recip())?;
@@ -164,11 +167,4 @@ fn between(lower: Estimate, upper: Estimate) -> Result<Estimate> {
     }
     let [low, high] = [lower.value - lower.error, upper.value];
     Estimate::new(0.5 * (low + high), 0.5 * (high - low), work)
-}
-
-fn value(found: &Trial, x: f64) -> f64 {
-    super::cell_of(&found.mesh, x).map_or(f64::NAN, |cell| {
-        let t = (x - found.mesh.from_left()[cell]) / found.mesh.lengths()[cell];
-        found.values[cell] * (1.0 - t) + found.values[cell + 1] * t
-    })
 }

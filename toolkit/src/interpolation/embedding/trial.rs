@@ -3,12 +3,13 @@
 use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::interpolation::forms::mass_form;
+use crate::gram::{gram_linears, mass_form};
 use crate::numeric::dense::{Cholesky, product};
+use crate::numeric::last::Last;
 use crate::quadrature::Rule;
-use crate::{Function, Mesh, Order, gram_linears};
+use crate::{Function, Mesh, Order};
 use nalgebra::DMatrix;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 /// Largest number of steps of the ascent; some dozen steps suffice if the maximum is isolated.
 const STEPS: usize = 400;
@@ -27,9 +28,9 @@ const LARGEST_CRITICAL: f64 = 800.0;
 /// Smallest exponent for which the layers at ν = 1/2 are chosen.
 const USUAL: f64 = 200.0;
 
-/// Cache of the last space with its order and layers, whose factorized matrix is reused for other exponents
+/// Cache of the last space, whose factorized matrix is reused for other exponents
 /// q.
-static LAST: Mutex<Option<(usize, Arc<EmbeddingSpace>)>> = Mutex::new(None);
+static LAST: Last<EmbeddingSpace> = Last::none();
 
 /// Grading towards the end of the interval.
 const RATIO: f64 = 0.6;
@@ -61,6 +62,7 @@ pub(super) struct Trial {
 #[derive(Debug, Clone)]
 pub(super) struct EmbeddingSpace {
     order: Order,
+    layers: usize,
     partition: Mesh,
     norm: DMatrix<f64>,
     factor: Cholesky,
@@ -80,14 +82,8 @@ impl EmbeddingSpace {
         } else {
             layers(q)
         };
-        let last = LAST.lock().unwrap_or_else(PoisonError::into_inner).clone();
-        if let Some((_, space)) = last.filter(|(kept, space)| *kept == layers && space.order == order) {
-            return Ok(space);
-        }
-        // Not under the lock: the matrix is assembled in parallel.
-        let space = Arc::new(Self::new(order, layers, RATIO)?);
-        *LAST.lock().unwrap_or_else(PoisonError::into_inner) = Some((layers, Arc::clone(&space)));
-        Ok(space)
+        let is_same = |space: &Self| space.layers == layers && space.order == order;
+        LAST.get(is_same, || Self::new(order, layers, RATIO))
     }
 
     /// The space on elements that shrink by `ratio` from 1/4 to 1/4 ratio^layers towards the end 0, and equal
@@ -104,7 +100,7 @@ impl EmbeddingSpace {
         let pivot = partition.len();
         let factor = Cholesky::new(&norm)
             .ok_or(Error::NotPositiveDefinite { what: "Gram matrix of the norm", pivot })?;
-        Ok(Self { order, partition, norm, factor })
+        Ok(Self { order, layers, partition, norm, factor })
     }
 
     /// The best quotient obtained by ascents from functions concentrated at 0 to several degrees, and from u =

@@ -5,8 +5,8 @@ use super::strong_basis::{BASIS, Collocation, LEFT, collocate};
 use super::weight::Moment;
 use crate::Order;
 use crate::error::{Error, Result};
+use crate::numeric::last::Last;
 use crate::poincare::slopes::kernel::exp_quotient;
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// Columns whose norm falls below this fraction when they are orthogonalised count as combinations of the
 /// previous ones; then v has nine correct digits, and the bounds, which are stationary in v, have the full
@@ -16,20 +16,12 @@ const DEPENDENT: f64 = 1e-7;
 const QUADRATURE: f64 = 1e-10;
 
 /// Cache of the last strong form.
-static LAST: Mutex<Option<(Order, Arc<StrongForm>)>> = Mutex::new(None);
+static LAST: Last<StrongForm> = Last::none();
 
 /// Lower and upper bound of sup ∫ m w / |w|_ν over the functions w that vanish beyond the distance `length`
 /// from the free end.
 pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result<[f64; 2]> {
-    let kept = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
-    let last = kept().as_ref().filter(|(of, _)| *of == order).map(|(_, form)| Arc::clone(form));
-    let form = match last {
-        Some(form) => form,
-        // Not under the lock: the parallel loop may steal a task that asks for it.
-        None => Arc::new(StrongForm::new(order)?),
-    };
-    *kept() = Some((order, Arc::clone(&form)));
-    form.moment(length, moment)
+    LAST.get(|form| form.order == order, || StrongForm::new(order))?.moment(length, moment)
 }
 
 /// The strong form for one order, for all zones.
@@ -53,7 +45,7 @@ pub(super) fn strong_bounds(order: Order, length: f64, moment: Moment) -> Result
 /// gap between them is 1e-15 to 3e-9 of M in experiments (the latter at ν = 0.001, where the basis is nearly
 /// dependent). Cost: a million evaluations of basis functions for each ν, for all e together.
 struct StrongForm {
-    nu: f64,
+    order: Order,
     points: Vec<Collocation>,
 }
 
@@ -66,7 +58,7 @@ impl StrongForm {
         let nu = order.value();
         let inside = (1e-3 - 1e-12..=1.0 - 1e-3 + 1e-12).contains(&nu);
         Error::require("nu", nu, "[0.001, 0.999]", inside)?;
-        Ok(Self { nu, points: collocate(nu, 2.0 * order.offset())? })
+        Ok(Self { order, points: collocate(nu, 2.0 * order.offset())? })
     }
 
     /// Bounds of sup ∫ m w / |w|_ν over the functions w that vanish beyond the distance `length` from the free
@@ -76,7 +68,7 @@ impl StrongForm {
     /// [`Error::OutOfRange`] unless 0.01 ≤ length ≤ 0.99.
     fn moment(&self, length: f64, moment: Moment) -> Result<[f64; 2]> {
         Error::require("length", length, "[0.01, 0.99]", (0.01..=0.99).contains(&length))?;
-        let p = -2.0 * self.nu;
+        let p = -2.0 * self.order.value();
         let end = 1.0 / length - 1.0;
         let (mut columns, mut fitted) = (Columns::default(), Fit::default());
         let weights: Vec<[f64; 3]> = self
@@ -109,7 +101,7 @@ impl StrongForm {
         // Left of the first panel v is its value at 0.
         let rest = (-f64::from(LEFT)).exp();
         lower += fitted.at_zero * rest * moment.weight(0.5 * rest, 1.0);
-        let scale = length.powi(1 + 2 * moment.degree()) * length.powf(2.0 * self.nu);
+        let scale = length.powi(1 + 2 * moment.degree()) * length.powf(2.0 * self.order.value());
         let off = QUADRATURE * lower;
         Ok([((lower - off) * scale).sqrt(), ((lower + gap + off) * scale).sqrt()])
     }
