@@ -3,12 +3,12 @@
 use super::bracket::bracket;
 use super::constant::gamma;
 use super::constraint::Constraint;
-use super::limits::interior_limit;
 use super::mellin::end_limit;
 use super::uniform::UniformLaw;
 use crate::Order;
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::{Estimate, Tolerance, Work};
+use std::f64::consts::PI;
 
 /// Distance below 1/2 within which the law through 1/2 is used, since the power law would hold only for
 /// extremely short lengths.
@@ -187,4 +187,16 @@ impl Law {
     fn no_formula(&self, range: &'static str) -> Error {
         Error::OutOfRange { name: "nu", value: self.order.value(), range }
     }
+}
+
+/// Relative rounding error of a tangent, two products and a square root; 1/2 − ν is known exactly.
+const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
+
+/// The limit of θ^{1/2−ν} γ_θ for a zone in the interior of (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
+fn interior_limit(order: Order) -> Result<Estimate> {
+    Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
+    // tan(πν) = cot(π(1/2 − ν))
+    let tangent = 1.0 / (PI * -order.offset()).tan();
+    let limit = (tangent / (2.0 * PI * (1.0 + 2.0 * order.value()))).sqrt();
+    Estimate::new(limit, CLOSED_FORM * limit, Work { points: 1, ..Work::default() })
 }

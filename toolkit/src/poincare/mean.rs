@@ -5,7 +5,7 @@ use super::constraint::Constraint;
 use super::discrete::Discrete;
 use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
-use super::spaces::{continued, refine_until};
+use super::spaces::supremum;
 use crate::Order;
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -17,23 +17,15 @@ pub(super) fn largest_mean(order: Order, constraint: &Constraint, tolerance: Tol
     if constraint.is_whole() {
         return Estimate::new(0.0, 0.0, Work::default());
     }
-    continued(order, constraint, tolerance, |order, tolerance| {
-        refine_until(order, constraint, tolerance, |model| {
-            let discrete = Discrete::new(order, constraint, model)?;
-            Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
-        })
+    supremum(order, constraint, tolerance, |order, model| {
+        let discrete = Discrete::new(order, constraint, model)?;
+        Ok((discrete.dual_norm()?.square.sqrt() * discrete.factor, discrete.work))
     })
 }
 
 /// N², ‖r‖₀² and ⟨T²r, r⟩ for a zone (0,θ), where r is the representer, with mean zero, of the dual norm and T
 /// the operator of ‖·‖₀².
-pub(crate) struct DualMoments {
-    pub(crate) square: Estimate,
-    pub(crate) representer: Estimate,
-    pub(crate) image: Estimate,
-}
-
-pub(crate) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Result<DualMoments> {
+pub(super) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Result<[Estimate; 3]> {
     let constraint = Constraint::mean_zero_on(0.0..theta)?;
     let moments = |model: &MeshModel| -> Result<([f64; 3], Work)> {
         let discrete = Discrete::new(order, &constraint, model)?;
@@ -48,7 +40,7 @@ pub(crate) fn dual_moments(order: Order, theta: f64, tolerance: Tolerance) -> Re
     let estimate = |k: usize| {
         Estimate::new(fine[k], (fine[k] - coarse[k]).abs() + 2.0 * ROUNDING * fine[k], work + more)
     };
-    Ok(DualMoments { square: estimate(0)?, representer: estimate(1)?, image: estimate(2)? })
+    Ok([estimate(0)?, estimate(1)?, estimate(2)?])
 }
 
 #[cfg(test)]

@@ -13,7 +13,6 @@ mod continuation;
 mod discrete;
 mod extremal;
 mod law;
-mod limits;
 mod mean;
 mod mellin;
 mod mesh;

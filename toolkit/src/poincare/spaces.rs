@@ -31,39 +31,32 @@ pub(super) struct Attained {
 /// The constant γ with a function that attains it.
 pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
     let direct = |order, tolerance| on_two_spaces(order, constraint, tolerance);
-    let larger = Continuation::to(order, constraint.shortest(), tolerance);
-    let continued = |larger: &Continuation| {
+    continued(order, constraint, tolerance, direct, |larger| {
         let at = |order, tolerance| direct(order, tolerance).map(|found| (found.constant, found.function));
         let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(at)?.into_iter().unzip();
         let function = SlopeSum::combined(&larger.all_weights(), functions);
         Ok(Attained { constant: larger.value(&values)?, function, spaces: None })
-    };
-    let digits = rounding(order, constraint) <= tolerance.relative();
-    match larger {
-        Some(larger) if !digits => continued(&larger),
-        Some(larger) => match direct(order, tolerance) {
-            Err(Error::ToleranceNotMet { .. }) => continued(&larger),
-            result => result,
-        },
-        None => direct(order, tolerance),
-    }
+    })
 }
 
 /// The result of `direct`; for small orders, where all digits cancel, its extrapolation from larger ones.
-pub(super) fn continued(
+fn continued<R>(
     order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
-    direct: impl Fn(Order, Tolerance) -> Result<Estimate> + Sync,
-) -> Result<Estimate> {
-    let larger = Continuation::to(order, constraint.shortest(), tolerance);
-    if let Some(larger) = larger.as_ref().filter(|_| rounding(order, constraint) > tolerance.relative()) {
-        return larger.value(&larger.at_points(direct)?);
+    direct: impl Fn(Order, Tolerance) -> Result<R>,
+    extrapolated: impl Fn(&Continuation) -> Result<R>,
+) -> Result<R> {
+    let Some(larger) = Continuation::to(order, constraint.shortest(), tolerance) else {
+        return direct(order, tolerance);
+    };
+    if rounding(order, constraint) <= tolerance.relative() {
+        match direct(order, tolerance) {
+            Err(Error::ToleranceNotMet { .. }) => {}
+            found => return found,
+        }
     }
-    match (direct(order, tolerance), larger) {
-        (Err(Error::ToleranceNotMet { .. }), Some(larger)) => larger.value(&larger.at_points(direct)?),
-        (result, _) => result,
-    }
+    extrapolated(&larger)
 }
 
 /// The constant γ and its function, both from the same one of the two spaces that are compared.
@@ -85,19 +78,23 @@ fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) ->
 }
 
 /// A supremum over spaces, computed on two spaces that are refined until their difference meets the
-/// tolerance.
-pub(crate) fn refine_until(
+/// tolerance; for small orders its extrapolation from larger ones.
+pub(super) fn supremum(
     order: Order,
     constraint: &Constraint,
     tolerance: Tolerance,
-    solve: impl Fn(&MeshModel) -> Result<(f64, Work)> + Sync,
+    solve: impl Fn(Order, &MeshModel) -> Result<(f64, Work)> + Sync,
 ) -> Result<Estimate> {
-    let rounding = rounding(order, constraint);
-    let join = |fine: (f64, Work), coarse: (f64, Work)| {
-        let value = fine.0.max(coarse.0);
-        Estimate::new(value, (fine.0 - coarse.0).abs() + rounding * value, fine.1 + coarse.1)
+    let direct = |order, tolerance| {
+        let rounding = rounding(order, constraint);
+        let join = |fine: (f64, Work), coarse: (f64, Work)| {
+            let value = fine.0.max(coarse.0);
+            Estimate::new(value, (fine.0 - coarse.0).abs() + rounding * value, fine.1 + coarse.1)
+        };
+        refine(order, rounding, tolerance, |model| solve(order, model), join, |found| *found)
     };
-    refine(order, rounding, tolerance, solve, join, |found| *found)
+    let extrapolated = |larger: &Continuation| larger.value(&larger.at_points(direct)?);
+    continued(order, constraint, tolerance, direct, extrapolated)
 }
 
 /// The combined result from two spaces, refined until its relative error meets the tolerance.

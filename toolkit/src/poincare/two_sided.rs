@@ -38,67 +38,41 @@ pub struct GammaBounds {
     pub dual_norm: Estimate,
 }
 
-/// The bounds from the results on two spaces, with the dual norm on each of them.
+/// The bounds from the results on two spaces, with the dual norm on each of them. For orders at which all digits of
+/// the quotient cancel: γ less its error, and √(γ₁² + N²) plus the errors of γ₁ and N.
 pub(super) fn two_sided(
     order: Order,
     constraint: &Constraint,
     found: &Attained,
     tolerance: Tolerance,
 ) -> Result<GammaBounds> {
+    let (gamma, rounding) = (found.constant, rounding(order, constraint));
     let whole = || attained(order, &Constraint::mean_zero(), tolerance).map(|found| found.constant);
-    match &found.spaces {
-        Some(spaces) => {
-            let [fine, coarse] = spaces.as_ref();
-            let duals = || rayon::join(|| fine.dual_norm(), || coarse.dual_norm());
-            let (whole, (fine_dual, coarse_dual)) = rayon::join(whole, duals);
-            let whole = whole?;
-            let sides = [Sides::new(fine, &fine_dual?, &whole), Sides::new(coarse, &coarse_dual?, &whole)];
-            GammaBounds::of_sides(found.constant, rounding(order, constraint), sides, whole)
-        }
+    let Some(spaces) = &found.spaces else {
         // At small orders that have no digits of their own both are continued from larger ones.
-        None => {
-            let whole = whole()?;
-            Ok(GammaBounds::of_estimates(found.constant, whole, largest_mean(order, constraint, tolerance)?))
-        }
-    }
-}
-
-impl GammaBounds {
-    /// The bounds for orders at which all digits of the quotient cancel: γ less its error, and √(γ₁² + N²) plus
-    /// the errors of γ₁ and N.
-    fn of_estimates(gamma: Estimate, whole: Estimate, dual_norm: Estimate) -> Self {
+        let (whole, dual_norm) = (whole()?, largest_mean(order, constraint, tolerance)?);
         let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
         let upper = upper.max(gamma.value + gamma.error);
-        Self { gamma, lower: gamma.value - gamma.error, upper, whole, dual_norm }
-    }
-
-    fn of_sides(gamma: Estimate, rounding: f64, [fine, coarse]: [Sides; 2], whole: Estimate) -> Result<Self> {
-        let estimate =
-            |a: f64, b: f64| Estimate::new(a.max(b), (a - b).abs() + rounding * a.max(b), gamma.work);
-        let dual_norm = estimate(fine.norm, coarse.norm)?;
-        let upper = estimate(fine.upper, coarse.upper)?;
-        Ok(Self {
-            gamma,
-            lower: gamma.value * (1.0 - rounding),
-            upper: upper.value + upper.error + dual_norm.error,
-            whole,
-            dual_norm,
-        })
-    }
-}
-
-/// The upper bound and N on one space.
-struct Sides {
-    upper: f64,
-    norm: f64,
-}
-
-impl Sides {
-    fn new(discrete: &Discrete, dual: &DualNorm, whole: &Estimate) -> Self {
-        let whole_here = (whole.value + whole.error) / discrete.factor;
-        Self {
-            upper: dual.upper_bound(whole_here * whole_here).sqrt() * discrete.factor,
-            norm: dual.square.sqrt() * discrete.factor,
-        }
-    }
+        return Ok(GammaBounds { gamma, lower: gamma.value - gamma.error, upper, whole, dual_norm });
+    };
+    let [fine, coarse] = spaces.as_ref();
+    let duals = || rayon::join(|| fine.dual_norm(), || coarse.dual_norm());
+    let (whole, (of_fine, of_coarse)) = rayon::join(whole, duals);
+    let (whole, of_fine, of_coarse) = (whole?, of_fine?, of_coarse?);
+    let on_both = |quantity: &dyn Fn(&Discrete, &DualNorm) -> f64| {
+        let (a, b) = (quantity(fine, &of_fine), quantity(coarse, &of_coarse));
+        Estimate::new(a.max(b), (a - b).abs() + rounding * a.max(b), gamma.work)
+    };
+    let dual_norm = on_both(&|space, dual| dual.square.sqrt() * space.factor)?;
+    let upper = on_both(&|space, dual| {
+        let whole_here = (whole.value + whole.error) / space.factor;
+        dual.upper_bound(whole_here * whole_here).sqrt() * space.factor
+    })?;
+    Ok(GammaBounds {
+        gamma,
+        lower: gamma.value * (1.0 - rounding),
+        upper: upper.value + upper.error + dual_norm.error,
+        whole,
+        dual_norm,
+    })
 }

@@ -2,13 +2,16 @@
 
 use super::constant::gamma;
 use super::constraint::Constraint;
-use super::limits::END_SLOPE;
-use super::mean::{DualMoments, dual_moments};
+use super::mean::dual_moments;
 use super::mellin;
 use super::slopes::kernel::exp_quotient;
 use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use std::f64::consts::PI;
+
+/// A = 3/(2π²), the slope of γ² with respect to ln(1/θ) at ν = 1/2 for a zone at an end.
+const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 
 /// Lengths at which the constants are determined: relative remainders are below 1e-12, and N² is still of order
 /// one.
@@ -65,19 +68,18 @@ impl UniformLaw {
         Error::require("nu", order.value(), "[0.4, 0.6]", order.offset().abs() <= 0.1)?;
         let p = order.one_minus_twice();
         let growth = |theta: f64| exp_quotient(p, -theta.ln());
-        let near = dual_moments(order, SHORT, tolerance)?;
+        let [square, representer, image] = dual_moments(order, SHORT, tolerance)?;
         let slope = if order.offset() == 0.0 {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
         } else if p > NEAR_HALF {
             let limit = mellin::reached(order, Tolerance::reference())?;
             Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
         } else {
-            let far = dual_moments(order, SHORTER, tolerance)?;
+            let [far, ..] = dual_moments(order, SHORTER, tolerance)?;
             let span = growth(SHORTER) - growth(SHORT);
-            let error = (near.square.error + far.square.error) / span;
-            Estimate::new((far.square.value - near.square.value) / span, error, far.square.work)?
+            let error = (square.error + far.error) / span;
+            Estimate::new((far.value - square.value) / span, error, far.work)?
         };
-        let DualMoments { square, representer, image } = near;
         let constant = Estimate::new(
             square.value - slope.value * growth(SHORT),
             square.error + slope.error * growth(SHORT),

@@ -75,18 +75,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn three_constants_of_thirty_digits_and_both_limits() {
-        // 4 s²/((2s−1) D(s)) by mpmath.
-        let squares = [
-            ("0.6", 9.828_149_853_218_818),
-            ("0.8", 1.178_387_131_293_67),
-            ("0.99", 0.040_416_295_790_515_6),
-        ];
-        for (s, square) in squares {
-            let found = half_plane_trace(s.parse::<Order>().unwrap()).unwrap();
-            let error = (found.value - f64::sqrt(square)).abs();
-            assert!(error < 1e-13 * found.value && found.relative_error() < 1e-13, "{s}: {found}");
-        }
+    fn near_order_one_the_normalised_constant_is_that_of_the_gradient() {
         let near_one = Order::new(1.0 - 1e-8).unwrap();
         let normalised =
             half_plane_trace(near_one).unwrap().value * (0.5 * PI / near_one.complement()).sqrt();
@@ -119,12 +108,5 @@ mod tests {
         let [a, b, c] = [y - h, y, y + h].map(|y| extension_profile(order, y).unwrap());
         let rest = (a - 2.0 * b + c) / (h * h) + 0.4 / y * (c - a) / (2.0 * h) - b;
         assert!(rest.abs() < 1e-6, "{rest}");
-    }
-
-    #[test]
-    fn no_trace_up_to_one_half() {
-        assert!(half_plane_trace(Order::HALF).is_err());
-        assert!(extension_profile(Order::new(0.3).unwrap(), 1.0).is_err());
-        assert!(extension_profile(Order::new(0.8).unwrap(), f64::NAN).is_err());
     }
 }

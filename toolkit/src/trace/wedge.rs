@@ -134,19 +134,7 @@ pub(super) fn quotient_at_one(angle: f64, tau: f64) -> Result<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::half_plane::half_plane_trace;
     use super::*;
-
-    #[test]
-    fn the_half_plane_has_its_constant_in_every_mode() {
-        for (s, tau) in [(0.55, 0.0), (0.6, 8.0), (0.75, 0.5), (0.9, 2.0), (0.97, 0.0)] {
-            let order = Order::new(s).unwrap();
-            let exact = half_plane_trace(order).unwrap().value.powi(2);
-            let found = WedgeTrace::half_plane(order).unwrap().quotient(tau).unwrap();
-            let error = (found.value - exact).abs();
-            assert!(error < found.error && error < 5e-6 * exact, "{s} {tau}: {found} {exact}");
-        }
-    }
 
     #[test]
     fn near_one_the_corner_is_that_of_the_dirichlet_integral() {
@@ -171,13 +159,5 @@ mod tests {
         }
         let [below, above] = [0.999e-3, 1.001e-3].map(|x| quotient_at_one(1.0, x / PI).unwrap());
         assert!((below / above - 1.0).abs() < 1e-8);
-    }
-
-    #[test]
-    fn what_the_meshes_do_not_resolve_is_an_error() {
-        let order = Order::new(0.75).unwrap();
-        assert!(WedgeTrace::corner(order, 0.01).is_err() && WedgeTrace::corner(order, f64::NAN).is_err());
-        assert!(WedgeTrace::corner(Order::HALF, 1.0).is_err());
-        assert!(WedgeTrace::half_plane(order).unwrap().quotient(1e4).is_err());
     }
 }

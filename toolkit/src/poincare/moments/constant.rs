@@ -8,12 +8,11 @@ use crate::constant::Extremal;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::poincare::constraint::{Condition, Constraint};
-use crate::poincare::continuation::Continuation;
 use crate::poincare::discrete::Discrete;
 use crate::poincare::extremal::SlopeSum;
 use crate::poincare::mesh::MeshModel;
 use crate::poincare::slopes::space::{SlopeSpace, legendre_primitives};
-use crate::poincare::spaces::refine_until;
+use crate::poincare::spaces::supremum;
 use crate::poincare::zones::Zones;
 use crate::quadrature::Rule;
 
@@ -70,7 +69,12 @@ pub fn moment(
     let admissible = (SHORTEST..=LONGEST).contains(&given);
     Error::require(name, given, "[1e-300, 1 - 1e-15]", admissible)?;
     let place = Place { zone, length, at_right };
-    let constant = on(order, &place.constraint(), moment, tolerance)?;
+    let constraint = place.constraint();
+    let constant = supremum(order, &constraint, tolerance, |order, model| {
+        let discrete = Discrete::new(order, &constraint, model)?;
+        let (value, _) = solve(&discrete, moment, model)?;
+        Ok((value, discrete.work))
+    })?;
     Ok(MomentConstant { constant, order, place, moment, tolerance })
 }
 
@@ -160,20 +164,6 @@ impl MomentConstant {
     pub fn closed_form(&self) -> Result<Estimate> {
         Error::require("nu", self.order.value(), "{1/2}", self.order.offset() == 0.0)?;
         half_order_moment(self.place.length, self.moment)
-    }
-}
-
-fn on(order: Order, constraint: &Constraint, moment: Moment, tolerance: Tolerance) -> Result<Estimate> {
-    let direct = |order, tolerance| {
-        refine_until(order, constraint, tolerance, |model| {
-            let discrete = Discrete::new(order, constraint, model)?;
-            let (value, _) = solve(&discrete, moment, model)?;
-            Ok((value, discrete.work))
-        })
-    };
-    match (direct(order, tolerance), Continuation::to(order, constraint.shortest(), tolerance)) {
-        (Err(Error::ToleranceNotMet { .. }), Some(larger)) => larger.value(&larger.at_points(direct)?),
-        (result, _) => result,
     }
 }
 

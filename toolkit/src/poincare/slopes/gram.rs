@@ -234,7 +234,7 @@ impl<'a> Assembly<'a> {
         let right = space.panel_right[j] + space.panels[j].right_distance(1.0 - xi);
         match (self.local, self.classes(i, j)) {
             (Some(local), (true, true)) => {
-                local.of_further(local.position(space, j, xi)) + self.inner(local.unit(), size)
+                local.of_further(local.position(space, j, xi)) + self.inner(local.unit, size)
             }
             (Some(local), (false, true)) => local.of_further(local.position(space, j, xi)),
             (Some(local), (true, false)) => self.inner(local.position(space, j, xi), size),

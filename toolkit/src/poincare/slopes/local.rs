@@ -18,7 +18,7 @@
 
 use super::kernel::{exp_quotient, kernel, ln_ratio};
 use super::space::SlopeSpace;
-use std::ops::{Range, RangeInclusive};
+use std::ops::Range;
 
 /// The group is used for zones shorter than this fraction of their distance from the ends ...
 pub(crate) const SHORT: f64 = 0.05;
@@ -121,11 +121,6 @@ impl Local {
         self.has_hats && self.contains(cell)
     }
 
-    /// The distance at which the shifted kernel vanishes, up to terms that depend on one point alone.
-    pub(crate) fn unit(&self) -> f64 {
-        self.unit
-    }
-
     /// The signed distance from P of the point ξ of a panel.
     pub(crate) fn position(&self, space: &SlopeSpace, panel: usize, xi: f64) -> f64 {
         let (offset, shape) = (self.panel_offsets[panel], &space.panels[panel]);
@@ -193,31 +188,19 @@ impl Local {
         near < ratio * far
     }
 
-    /// True if no basis function with a step of cell c interacts with one of cell d; a hat function joins
-    /// at most three cells.
+    /// True if no basis function with a step of cell c interacts with one of cell d, by the distances from P; a
+    /// hat function joins at most three cells. The last step of G has an increment and interacts with all larger
+    /// functions, and so does a function outside G.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
             let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
             if self.contains(cell) { low..=high } else { cell..=cell }
         };
-        self.are_apart(self.range(space, around(c)), self.range(space, around(d)), (around(c), around(d)))
-    }
-
-    /// True if the ranges of distances (low, high) are so far apart that hat functions do not interact. The
-    /// last step of G has an increment and interacts with all larger functions, and so does a function outside
-    /// G.
-    fn are_apart(
-        &self,
-        first: (f64, f64),
-        second: (f64, f64),
-        cells: (RangeInclusive<usize>, RangeInclusive<usize>),
-    ) -> bool {
-        let is_local = |cells: &RangeInclusive<usize>| {
-            // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
-            self.contains(*cells.start()) && *cells.end() < self.last()
-        };
-        (is_local(&cells.0) && self.is_apart(first.1, second.0))
-            || (is_local(&cells.1) && self.is_apart(second.1, first.0))
+        // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
+        let is_local =
+            |cell: usize| self.contains(*around(cell).start()) && *around(cell).end() < self.last();
+        let [first, second] = [c, d].map(|cell| self.range(space, around(cell)));
+        (is_local(c) && self.is_apart(first.1, second.0)) || (is_local(d) && self.is_apart(second.1, first.0))
     }
 
     /// The cell whose step is kept.
