@@ -51,10 +51,11 @@ impl Factored {
         let largest = |i: &usize| (0..size).map(|j| symmetric(*i, j).abs()).fold(0.0, f64::max);
         let kept: Vec<usize> = (0..size).filter(|i| largest(i) > INSIGNIFICANT).collect();
         let essential = DMatrix::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
-        let first = dominant(&essential).ok_or(indefinite(size))?;
+        let (values, vectors) = symmetric_eigen(&essential).ok_or(indefinite(size))?;
+        let last = values.len().checked_sub(1).ok_or(indefinite(size))?;
         let mut vector = DMatrix::zeros(size, 1);
         for (i, &row) in kept.iter().enumerate() {
-            vector[(row, 0)] = first[i];
+            vector[(row, 0)] = vectors[(i, last)];
         }
         self.factor.backward(&mut vector);
         let quadratic = |matrix: &DMatrix<f64>| {
@@ -73,13 +74,6 @@ impl Factored {
         let x = self.factor.solve(&DMatrix::from_fn(size, 1, |i, _| b[i] / self.scale[i]));
         (0..size).map(|i| x[(i, 0)] / self.scale[i]).collect()
     }
-}
-
-/// The unit eigenvector for the largest eigenvalue.
-fn dominant(a: &DMatrix<f64>) -> Option<Vec<f64>> {
-    let (values, vectors) = symmetric_eigen(a)?;
-    let last = values.len().checked_sub(1)?;
-    Some((0..values.len()).map(|i| vectors[(i, last)]).collect())
 }
 
 fn indefinite(pivot: usize) -> Error {

@@ -24,40 +24,21 @@ pub(super) struct CornerGram {
     pub(super) powers: DMatrix<f64>,
 }
 
-/// One rule in τ with the radial functions and their differences.
-struct Radial {
-    points: Vec<(f64, f64)>,
+/// (R(τ) − R(τq), R(τq)) at the points τ of a rule, as matrices of functions by points.
+fn radials(set: Polynomials, rule: &Rule, epsilon: f64) -> Result<[DMatrix<f64>; 2]> {
+    let shape = (set.index().len(), rule.points().len());
+    let (mut differences, mut values) = (DMatrix::zeros(shape.0, shape.1), DMatrix::zeros(shape.0, shape.1));
+    for (j, &tau) in rule.points().iter().enumerate() {
+        differences.column_mut(j).copy_from_slice(&set.radial_differences(tau, epsilon)?);
+        values.column_mut(j).copy_from_slice(&set.radials(tau * (1.0 - epsilon)));
+    }
+    Ok([differences, values])
 }
 
-impl Radial {
-    fn new(count: usize, power: f64) -> Result<Self> {
-        Ok(Self { points: Rule::gauss_jacobi(count, 0.0, power)?.iter().collect() })
-    }
-
-    /// (R(τ) − R(τq), R(τq)) as matrices of functions by points.
-    fn at(&self, set: Polynomials, epsilon: f64) -> Result<[DMatrix<f64>; 2]> {
-        let size = set.index().len();
-        let (mut differences, mut values) =
-            (DMatrix::zeros(size, self.points.len()), DMatrix::zeros(size, self.points.len()));
-        for (j, (tau, _)) in self.points.iter().enumerate() {
-            let (difference, value) =
-                (set.radial_differences(*tau, epsilon)?, set.radials(tau * (1.0 - epsilon)));
-            for i in 0..size {
-                differences[(i, j)] = difference[i];
-                values[(i, j)] = value[i];
-            }
-        }
-        Ok([differences, values])
-    }
-
-    fn product(&self, a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-        let weighted = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| self.points[j].1 * a[(i, j)]);
-        times_transpose(&weighted, b)
-    }
-
-    fn sums(&self, a: &DMatrix<f64>) -> Vec<f64> {
-        (0..a.nrows()).map(|i| (0..a.ncols()).map(|j| self.points[j].1 * a[(i, j)]).sum()).collect()
-    }
+/// The matrix of ∫ a_i b_j by the weights of the rule.
+fn integrals(rule: &Rule, a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let weighted = DMatrix::from_fn(a.nrows(), a.ncols(), |i, j| rule.weights()[j] * a[(i, j)]);
+    times_transpose(&weighted, b)
 }
 
 impl CornerGram {
@@ -77,8 +58,8 @@ impl CornerGram {
         let angular: Vec<usize> = set.index().iter().map(|(k, _)| *k).collect();
         let (size, all) = (angular.len(), count.max(set.0 + 1));
         let power = 1.0 - 2.0 * order.value();
-        let plain = Radial::new(set.0 + 4, power)?;
-        let singular = Radial::new(set.0 + 4, power + exponent - 1.0)?;
+        let plain = Rule::gauss_jacobi(set.0 + 4, 0.0, power)?;
+        let singular = Rule::gauss_jacobi(set.0 + 4, 0.0, power + exponent - 1.0)?;
         let over = 0.5 / (exponent - order.value());
         let part = |&(epsilon, weight): &(f64, f64)| -> Result<Self> {
             let ring = directions(shape, apex, order, all, epsilon)?;
@@ -89,8 +70,8 @@ impl CornerGram {
                 |i: usize, j: usize| ring[(all + i, all + j)],
             );
             let polynomials = if is_first {
-                let [u, v] = plain.at(set, epsilon)?;
-                let (uu, uv, vv) = (plain.product(&u, &u), plain.product(&u, &v), plain.product(&v, &v));
+                let [u, v] = radials(set, &plain, epsilon)?;
+                let [uu, uv, vv] = [(&u, &u), (&u, &v), (&v, &v)].map(|(a, b)| integrals(&plain, a, b));
                 DMatrix::from_fn(size, size, |i, j| {
                     let (k, l) = (angular[i], angular[j]);
                     let first = uu[(i, j)] * aa(k, l) + uv[(i, j)] * ad(k, l);
@@ -99,8 +80,10 @@ impl CornerGram {
             } else {
                 DMatrix::zeros(size, size)
             };
-            let [u, v] = singular.at(set, epsilon)?;
-            let (u, v) = (singular.sums(&u), singular.sums(&v));
+            let [u, v] = radials(set, &singular, epsilon)?.map(|values| -> Vec<f64> {
+                let sum = |i| values.row(i).iter().zip(singular.weights()).map(|(value, w)| w * value).sum();
+                (0..size).map(sum).collect()
+            });
             let there = (1.0 - epsilon).powf(exponent - 1.0);
             let change = -((exponent - 1.0) * (-epsilon).ln_1p()).exp_m1();
             let mixed = DMatrix::from_fn(size, count, |i, l| {
