@@ -23,7 +23,7 @@ use crate::mesh::Mesh;
 use crate::numeric::budget::Budget;
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::order::Order;
-use crate::quadrature::{PowerWeightRule, Rule};
+use crate::quadrature::Rule;
 use crate::root::{ENTRY_ROUNDING, accept, root_of_squares};
 use rayon::prelude::*;
 use std::borrow::Cow;
@@ -277,8 +277,8 @@ impl<'a> CurveFormula<'a> {
             noise: &noise,
             ends: &ends,
             rule,
-            own: PowerWeightRule::new(2 * n, kernel.two_minus)?,
-            radial: PowerWeightRule::new(2 * n, kernel.three_minus)?,
+            own: Rule::power_weight(2 * n, kernel.two_minus)?,
+            radial: Rule::power_weight(2 * n, kernel.three_minus)?,
             budget: Budget::new(most, 0.0),
         };
         let sum =
@@ -298,8 +298,8 @@ struct Pairs<'a> {
     ends: &'a [End],
     rule: Rule,
     /// rules for the weights z^{1−2ν} and ξ^{2−2ν}
-    own: PowerWeightRule,
-    radial: PowerWeightRule,
+    own: Rule,
+    radial: Rule,
     /// evaluations for subdivided elements
     budget: Budget,
 }

@@ -13,11 +13,8 @@ use crate::kernel::power::{GaussRules, PowerKernel};
 use crate::mesh::Mesh;
 use crate::numeric::parallel;
 use crate::order::Order;
-use crate::piecewise::{Cell, Piece, PolynomialPairs};
-use crate::quadrature::Rule;
+use crate::piecewise::{Cell, DegreeRules, Piece};
 
-/// Number of points of a rule in addition to the degree: half the number of points of a cluster, plus one.
-const MOMENT_POINTS: usize = 15;
 /// Number of parts fitted by one thread.
 const TOGETHER: usize = 256;
 
@@ -90,21 +87,17 @@ fn singular(difference: &Difference, part: &Part, tolerance: f64) -> Result<Samp
 /// The cells with the rules for their degrees.
 pub(super) struct FieldEnergies<'a> {
     cells: &'a FieldCells,
-    pub(super) pairs: Vec<PolynomialPairs>,
-    rules: Vec<Rule>,
+    pub(super) rules: DegreeRules,
     gauss: GaussRules,
     kernel: PowerKernel,
 }
 
 impl<'a> FieldEnergies<'a> {
     pub(super) fn new(cells: &'a FieldCells, order: Order, target: f64) -> Result<Self> {
-        let (degrees, target) = (0..=cells.degree(), 0.1 * target);
-        let pairs = |d: usize| PolynomialPairs::new(order, d.max(1), target);
         Ok(Self {
             cells,
-            pairs: degrees.clone().map(pairs).collect::<Result<_>>()?,
-            rules: degrees.map(|d| Rule::gauss_legendre(d + MOMENT_POINTS)).collect::<Result<_>>()?,
-            gauss: GaussRules::to(cells.degree().max(1), target),
+            rules: DegreeRules::new(order, cells.degree(), target)?,
+            gauss: GaussRules::to(cells.degree().max(1), 0.1 * target),
             kernel: PowerKernel::new(order),
         })
     }
@@ -152,11 +145,7 @@ impl Samples for FieldEnergies<'_> {
 
     fn sample(&self, cell: usize, shift: f64, visit: &mut dyn FnMut(f64, f64, f64)) {
         match &self.cells.contents[cell] {
-            Content::Smooth { piece, .. } => {
-                for (t, w) in self.rules[piece.degree()].iter() {
-                    visit(t, w, piece.value_above(shift, t));
-                }
-            }
+            Content::Smooth { piece, .. } => self.rules.sample(piece, shift, visit),
             Content::Singular(sampled) => {
                 for (&(t, w), value) in sampled.points.iter().zip(&sampled.values) {
                     visit(t, w, value - shift);
@@ -176,14 +165,8 @@ impl CellEnergies for FieldEnergies<'_> {
             (Content::Singular(sampled), _) => self.sampled(e, sampled, f, gap),
             (_, Content::Singular(sampled)) => self.sampled(f, sampled, e, gap),
             (Content::Smooth { piece: left, .. }, Content::Smooth { piece: right, .. }) => {
-                let pairs = &self.pairs[left.degree().max(right.degree())];
-                let [left, right] =
-                    [(e, left), (f, right)].map(|(k, piece)| Cell { length: self.length(k), piece });
-                match f - e {
-                    0 => pairs.own(left),
-                    1 => pairs.touching(left, right, self.cells.jumps[f]),
-                    _ => pairs.separate(left, right, gap),
-                }
+                let cells = [(e, left), (f, right)].map(|(k, piece)| Cell { length: self.length(k), piece });
+                self.rules.near(cells, f - e, gap, || self.cells.jumps[f])
             }
         }
     }

@@ -20,7 +20,7 @@ use super::interpolant::Interpolant;
 use super::level::{ArmValue, Level};
 use crate::error::{Error, Result};
 use crate::kernel::power::PowerKernel;
-use crate::quadrature::{Limit, PowerWeightRule, Rule, extrapolate};
+use crate::quadrature::{Limit, Rule, extrapolate};
 use std::mem;
 
 /// Largest width of a cell in τ.
@@ -93,7 +93,7 @@ impl<'a> DeepTail<'a> {
     ) -> Result<Self> {
         let rule = Rule::gauss_legendre(level.points)?;
         let mut own = Vec::new();
-        for (node, w) in PowerWeightRule::new(level.points + 6, kernel.two_minus)?.iter() {
+        for (node, w) in Rule::power_weight(level.points + 6, kernel.two_minus)?.iter() {
             let s = NEAR * node;
             let stretch = s.exp_m1() / s;
             own.push((s, w * NEAR.powf(kernel.two_minus) * s.exp() / stretch * stretch.powf(-kernel.twice)));

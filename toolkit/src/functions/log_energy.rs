@@ -5,7 +5,7 @@
 //! x = c_a ± δ(t), y = c_b ± ε(t′).
 //!
 //! On the side of x itself the integrand is singular like s^{1-2ν} as s = t − t′ → 0 and is integrated by
-//! [`PowerWeightRule`] with the difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a
+//! [`Rule::power_weight`] with the difference quotient; all other pairs are smooth functions of (t, t′). Each ℓ_a
 //! is smooth for t > 0, and its decay depends on u at the breakpoint ([`super::arm_integral`]). Distances have
 //! full relative accuracy: δ(e^s − 1) on one side, δ + ε across a breakpoint, R(1−e^{-t}) + R(1−e^{-t′}) across
 //! a midpoint.
@@ -19,7 +19,7 @@ use super::resolution::missed;
 use crate::error::Result;
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
-use crate::quadrature::{PowerWeightRule, Rule};
+use crate::quadrature::Rule;
 
 /// Depth of a point at which other breakpoints are effectively infinitely far in t.
 const NEAR_DEPTH: f64 = 3.0;
@@ -42,10 +42,10 @@ pub(crate) struct LogEnergy<'a> {
     samples: Vec<Vec<CellSamples>>,
     kernel: PowerKernel,
     rule: Rule,
-    near: PowerWeightRule,
+    near: Rule,
     /// rule away from the other breakpoints, whose distance is e^t δ: with fewer points, not so close to s = 0,
     /// fewer digits are lost
-    near_deep: PowerWeightRule,
+    near_deep: Rule,
     level: Level,
     /// S, the unit of all lengths: the length of the longest side
     unit: f64,
@@ -72,8 +72,8 @@ impl<'a> LogEnergy<'a> {
             arms,
             kernel,
             rule: Rule::gauss_legendre(level.points)?,
-            near: PowerWeightRule::new(level.points + 6, kernel.two_minus)?,
-            near_deep: PowerWeightRule::new(level.points / 2 + 3, kernel.two_minus)?,
+            near: Rule::power_weight(level.points + 6, kernel.two_minus)?,
+            near_deep: Rule::power_weight(level.points / 2 + 3, kernel.two_minus)?,
             level,
             points: 0,
         })
@@ -257,7 +257,7 @@ impl<'a> LogEnergy<'a> {
     }
 
     /// The same by the given rule.
-    fn near_by(&self, x: Outer, reach: f64, rule: &PowerWeightRule) -> Result<Density> {
+    fn near_by(&self, x: Outer, reach: f64, rule: &Rule) -> Result<Density> {
         let arm = self.arms[x.arm];
         let (mut sum, mut rounding) = (0.0, 0.0);
         for (node, w) in rule.iter() {

@@ -16,7 +16,7 @@
 //! scale of the integral, so that t^{-2ν} remains in the range of binary64 over 300 decades of t, and is then
 //! multiplied by S^{1-2ν}.
 
-use super::power::{PowerKernel, gauss_for, graded_gauss};
+use super::power::{GaussRules, PowerKernel};
 use crate::numeric::scale::power_between;
 use crate::order::Order;
 
@@ -35,8 +35,6 @@ pub(crate) struct Touching {
     pub(crate) difference_squared: f64,
     /// f = (t/q)(s/p − t/q)
     pub(crate) first: f64,
-    /// f = (s/p)(t/q − s/p)
-    pub(crate) second: f64,
 }
 
 impl CellPairs {
@@ -73,13 +71,12 @@ impl CellPairs {
     }
 
     fn far(&self, p: f64, q: f64, d: f64) -> [f64; 4] {
-        let (s_points, s_weights) = gauss_for(p / d);
-        let (t_points, t_weights) = gauss_for(q / d);
+        let [along_p, along_q] = [p / d, q / d].map(|ratio| GaussRules::EXACT.simple(ratio));
         let mut sums = [0.0; 4];
-        for (&s, &v) in s_points.iter().zip(s_weights) {
+        for (s, v) in along_p.iter() {
             let start = d + p * s;
             let (mut near, mut far) = (0.0, 0.0);
-            for (&t, &w) in t_points.iter().zip(t_weights) {
+            for (t, w) in along_q.iter() {
                 let value = w * self.kernel.at(start + q * t);
                 near += (1.0 - t) * value;
                 far += t * value;
@@ -95,7 +92,7 @@ impl CellPairs {
     /// The same for p ≤ q, with the outer integral over p.
     fn near(&self, p: f64, q: f64, d: f64) -> [f64; 4] {
         let mut sums = [0.0; 4];
-        graded_gauss(d, p, |s, w| {
+        GaussRules::EXACT.graded(d, p, |s, w| {
             // w and s/p may both be tiny, the hats huge: their product is formed in this order.
             let [near, far] = self.kernel.hats(d + s, q).map(|hat| w * hat);
             let (left, right) = ((p - s) / p, s / p);
@@ -114,14 +111,12 @@ impl CellPairs {
             let mut sum = 0.0;
             if q <= d {
                 // The closed inner integral costs two powers, a short rule less.
-                let (points, weights) = gauss_for(q / d);
-                graded_gauss(d, p, |s, v| {
-                    let inner: f64 =
-                        points.iter().zip(weights).map(|(&t, &w)| w * self.kernel.at(d + s + q * t)).sum();
-                    sum += v * q * inner;
+                let rule = GaussRules::EXACT.simple(q / d);
+                GaussRules::EXACT.graded(d, p, |s, v| {
+                    sum += v * q * rule.integrate(|t| self.kernel.at(d + s + q * t));
                 });
             } else {
-                graded_gauss(d, p, |s, w| sum += w * self.kernel.whole(d + s, q));
+                GaussRules::EXACT.graded(d, p, |s, w| sum += w * self.kernel.whole(d + s, q));
             }
             [sum]
         });
@@ -138,7 +133,7 @@ impl CellPairs {
 
     /// The quadratic integrals over two touching cells.
     pub(crate) fn touching(&self, p: f64, q: f64) -> Touching {
-        let [product, difference_squared, first, second] = self.scaled([p, q], [p, q], |[p, q]| {
+        let [product, difference_squared, first] = self.scaled([p, q], [p, q], |[p, q]| {
             // [(1-η)², 2η(1-η), η²] along the far side of each triangle
             let along_q = self.kernel.squares(p, q);
             let along_p = self.kernel.squares(q, p);
@@ -149,10 +144,9 @@ impl CellPairs {
                 scale * (p * far_q + q * far_p),
                 scale * (p * along_q[0] + q * along_p[0]),
                 scale * (p * 0.5 * along_q[1] - q * (along_p[0] + 0.5 * along_p[1])),
-                scale * (q * 0.5 * along_p[1] - p * (along_q[0] + 0.5 * along_q[1])),
             ]
         });
-        Touching { product, difference_squared, first, second }
+        Touching { product, difference_squared, first }
     }
 
     /// ∫∫ (s/p)² (s+t)^{-1-2ν} over touching cells: a squared hat function that vanishes at the common point,
@@ -170,7 +164,7 @@ impl CellPairs {
     pub(crate) fn weighted_against_constant(&self, p: f64, q: f64, d: f64) -> [f64; 2] {
         self.scaled([d, d.max(p)], [p, q, d], |[p, q, d]| {
             let mut sums = [0.0; 2];
-            graded_gauss(d, p, |s, w| {
+            GaussRules::EXACT.graded(d, p, |s, w| {
                 let value = w * self.kernel.whole(d + s, q) * ((p - s) / p);
                 sums[0] += value * ((p - s) / p);
                 sums[1] += value * (s / p);
@@ -189,7 +183,7 @@ impl CellPairs {
         }
         self.scaled([d, d.max(p)], [p, d], |[p, d]| {
             let mut sums = [0.0; 3];
-            graded_gauss(d, p, |s, w| {
+            GaussRules::EXACT.graded(d, p, |s, w| {
                 let value = w * self.kernel.tail(d + s);
                 let (near, far) = ((p - s) / p, s / p);
                 sums[0] += value * near * near;

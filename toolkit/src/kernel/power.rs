@@ -20,7 +20,7 @@ pub(crate) const GAUSS_REACH: f64 = 2.0;
 
 /// n-point Gauss-Legendre rules on (0, 1) and the largest ℓ/x for which each is exact to rounding.
 struct GaussTable {
-    rules: Vec<(Vec<f64>, Vec<f64>)>,
+    rules: Vec<Rule>,
     reach: Vec<f64>,
 }
 
@@ -31,34 +31,13 @@ fn gauss_table() -> &'static GaussTable {
         for n in 1..=MAX_POINTS {
             // n >= 1, so the rule exists
             let Ok(rule) = Rule::gauss_legendre(n) else { continue };
-            table.rules.push((rule.points().to_vec(), rule.weights().to_vec()));
+            table.rules.push(rule);
             // The error is about ρ^{-2n} with ρ + 1/ρ = 2 (1 + 2 x/ℓ): ρ^{-2n} = 1e-17
             let rho = 10f64.powf(17.0 / (2.0 * n as f64));
             table.reach.push(2.0 / (0.5 * (rho + 1.0 / rho) - 1.0));
         }
         table
     })
-}
-
-/// Points and weights on (0, 1) of the Gauss rule exact to rounding for (x + ℓη)^{-1-2ν} times a quadratic,
-/// ratio = ℓ/x ≤ 2.
-pub(crate) fn gauss_for(ratio: f64) -> (&'static [f64], &'static [f64]) {
-    gauss_to(ratio, 1, 1.0)
-}
-
-/// As [`gauss_for`], for the kernel times a polynomial of degree 2 `degree` and for a `share` of the digits:
-/// that many points in addition to those for the kernel, whose number follows from the error ρ^{-2n}.
-fn gauss_to(ratio: f64, degree: usize, share: f64) -> (&'static [f64], &'static [f64]) {
-    let table = gauss_table();
-    let exact = table.reach.partition_point(|&reach| reach < ratio) as f64;
-    let needed = (exact * share).ceil() as usize + degree;
-    let (points, weights) = &table.rules[needed.min(MAX_POINTS - 1)];
-    (points, weights)
-}
-
-/// Σ w f over pieces of (0, ℓ) that grow away from a singularity at −x, each by a rule exact to rounding.
-pub(crate) fn graded_gauss(x: f64, length: f64, f: impl FnMut(f64, f64)) {
-    graded_gauss_to(x, length, 1, 1.0, f);
 }
 
 /// The rules for the kernel times polynomials of degree 2 `degree`, to a share of all digits.
@@ -70,37 +49,39 @@ pub(crate) struct GaussRules {
 }
 
 impl GaussRules {
+    /// The rules exact to rounding for the kernel times a quadratic.
+    pub(crate) const EXACT: Self = Self { degree: 1, share: 1.0 };
+
     /// The rules for the relative accuracy `target` of a positive integral.
     pub(crate) fn to(degree: usize, target: f64) -> Self {
         Self { degree, share: (-target.log10() / 17.0).clamp(0.1, 1.0) }
     }
 
-    /// As [`gauss_for`].
-    pub(crate) fn simple(self, ratio: f64) -> (&'static [f64], &'static [f64]) {
-        gauss_to(ratio, self.degree, self.share)
+    /// The rule on (0, 1) for (x + ℓη)^{-1-2ν}, ratio = ℓ/x ≤ 2: `degree` points in addition to those for the
+    /// kernel, whose number follows from the error ρ^{-2n}.
+    pub(crate) fn simple(self, ratio: f64) -> &'static Rule {
+        let table = gauss_table();
+        let exact = table.reach.partition_point(|&reach| reach < ratio) as f64;
+        let needed = (exact * self.share).ceil() as usize + self.degree;
+        &table.rules[needed.min(MAX_POINTS - 1)]
     }
 
-    /// As [`graded_gauss`].
-    pub(crate) fn graded(self, x: f64, length: f64, f: impl FnMut(f64, f64)) {
-        graded_gauss_to(x, length, self.degree, self.share, f);
-    }
-}
-
-fn graded_gauss_to(x: f64, length: f64, degree: usize, share: f64, mut f: impl FnMut(f64, f64)) {
-    let mut start = 0.0;
-    loop {
-        let rest = length - start;
-        let reach = GAUSS_REACH * (x + start);
-        // A last piece slightly too long is cheaper than a sliver.
-        let (piece, last) = if rest <= reach { (rest, true) } else { (reach, false) };
-        let (points, weights) = gauss_to(piece / (x + start), degree, share);
-        for (&point, &weight) in points.iter().zip(weights) {
-            f(start + piece * point, piece * weight);
+    /// Σ w f over pieces of (0, ℓ) that grow away from a singularity at −x, each by its rule.
+    pub(crate) fn graded(self, x: f64, length: f64, mut f: impl FnMut(f64, f64)) {
+        let mut start = 0.0;
+        loop {
+            let rest = length - start;
+            let reach = GAUSS_REACH * (x + start);
+            // A last piece slightly too long is cheaper than a sliver.
+            let (piece, last) = if rest <= reach { (rest, true) } else { (reach, false) };
+            for (point, weight) in self.simple(piece / (x + start)).iter() {
+                f(start + piece * point, piece * weight);
+            }
+            if last {
+                return;
+            }
+            start += piece;
         }
-        if last {
-            return;
-        }
-        start += piece;
     }
 }
 
@@ -191,9 +172,8 @@ impl PowerKernel {
     /// ∫_0^ℓ w(t) (x+t)^{-1-2ν} dt for w = 1 − t/ℓ and w = t/ℓ.
     pub(crate) fn hats(&self, x: f64, length: f64) -> [f64; 2] {
         if length <= GAUSS_REACH * x {
-            let (points, weights) = gauss_for(length / x);
             let (mut near, mut far) = (0.0, 0.0);
-            for (&t, &w) in points.iter().zip(weights) {
+            for (t, w) in GaussRules::EXACT.simple(length / x).iter() {
                 let value = w * self.over(length, x + length * t);
                 near += (1.0 - t) * value;
                 far += t * value;
@@ -210,9 +190,8 @@ impl PowerKernel {
     /// [`PowerKernel::whole`].
     pub(crate) fn squares(&self, x: f64, length: f64) -> [f64; 3] {
         if length <= GAUSS_REACH * x {
-            let (points, weights) = gauss_for(length / x);
             let mut sums = [0.0; 3];
-            for (&t, &w) in points.iter().zip(weights) {
+            for (t, w) in GaussRules::EXACT.simple(length / x).iter() {
                 let value = w * self.over(length, x + length * t);
                 sums[0] += (1.0 - t) * (1.0 - t) * value;
                 sums[1] += 2.0 * t * (1.0 - t) * value;

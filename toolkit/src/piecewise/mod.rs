@@ -7,5 +7,5 @@ mod pairs;
 mod polynomial;
 mod squares;
 
-pub(crate) use pairs::{Cell, PolynomialPairs};
+pub(crate) use pairs::{Cell, DegreeRules};
 pub(crate) use polynomial::{Piece, PiecewisePolynomial, bubbles_of};

@@ -12,7 +12,7 @@ use crate::error::Result;
 use crate::kernel::power::{GaussRules, PowerKernel};
 use crate::numeric::scale::power_between;
 use crate::order::Order;
-use crate::quadrature::{PowerWeightRule, Rule};
+use crate::quadrature::Rule;
 
 /// An element with its polynomial.
 #[derive(Clone, Copy)]
@@ -28,8 +28,53 @@ pub(crate) struct PolynomialPairs {
     /// form of one element with itself, for the slope of the linear part and the bubbles
     own: Vec<Vec<f64>>,
     /// rule for the weights t^{1-2ν} and t^{2-2ν}
-    quotient_rule: PowerWeightRule,
-    square_rule: PowerWeightRule,
+    quotient_rule: Rule,
+    square_rule: Rule,
+}
+
+/// The rules for pairs of polynomials of every degree up to a largest one.
+pub(crate) struct DegreeRules {
+    pub(crate) pairs: Vec<PolynomialPairs>,
+    moments: Vec<Rule>,
+}
+
+/// Number of points of a rule in addition to the degree: half the number of points of a cluster, plus one.
+const MOMENT_POINTS: usize = 15;
+
+impl DegreeRules {
+    /// The rules for the relative accuracy `target` of the sum over all pairs.
+    pub(crate) fn new(order: Order, degree: usize, target: f64) -> Result<Self> {
+        let pairs = |d: usize| PolynomialPairs::new(order, d.max(1), 0.1 * target);
+        let moments = |d: usize| Rule::gauss_legendre(d + MOMENT_POINTS);
+        Ok(Self {
+            pairs: (0..=degree).map(pairs).collect::<Result<_>>()?,
+            moments: (0..=degree).map(moments).collect::<Result<_>>()?,
+        })
+    }
+
+    /// The integral over two elements; `apart` is the difference of their numbers, `jump` as in
+    /// [`PolynomialPairs::touching`].
+    pub(crate) fn near(
+        &self,
+        [left, right]: [Cell; 2],
+        apart: usize,
+        gap: f64,
+        jump: impl FnOnce() -> f64,
+    ) -> PairSum {
+        let pairs = &self.pairs[left.piece.degree().max(right.piece.degree())];
+        match apart {
+            0 => pairs.own(left),
+            1 => pairs.touching(left, right, jump()),
+            _ => pairs.separate(left, right, gap),
+        }
+    }
+
+    /// Points, weights and values of a polynomial minus `shift`, for its moments.
+    pub(crate) fn sample(&self, piece: &Piece, shift: f64, visit: &mut dyn FnMut(f64, f64, f64)) {
+        for (t, w) in self.moments[piece.degree()].iter() {
+            visit(t, w, piece.value_above(shift, t));
+        }
+    }
 }
 
 /// Rounding error of the form of one element, relative to its terms.
@@ -45,8 +90,8 @@ impl PolynomialPairs {
             kernel,
             rules: GaussRules::to(degree, target),
             own: Vec::new(),
-            quotient_rule: PowerWeightRule::new(points, kernel.two_minus)?,
-            square_rule: PowerWeightRule::new(points, kernel.three_minus)?,
+            quotient_rule: Rule::power_weight(points, kernel.two_minus)?,
+            square_rule: Rule::power_weight(points, kernel.three_minus)?,
         };
         pairs.own = pairs.own_form(degree, &Rule::gauss_legendre(degree + 1)?);
         Ok(pairs)
@@ -157,12 +202,11 @@ impl PolynomialPairs {
             sum.points += 1;
         };
         if p <= d && q <= d {
-            let (t_points, t_weights) = self.rules.simple(q / d);
-            let values: Vec<f64> = t_points.iter().map(|&t| right.piece.value(t)).collect();
-            let (s_points, s_weights) = self.rules.simple(p / d);
-            for (&s, &v) in s_points.iter().zip(s_weights) {
+            let [along_p, along_q] = [p / d, q / d].map(|ratio| self.rules.simple(ratio));
+            let values: Vec<f64> = along_q.points().iter().map(|&t| right.piece.value(t)).collect();
+            for (s, v) in along_p.iter() {
                 let value = left.piece.value(1.0 - s);
-                for ((&t, &w), &other) in t_points.iter().zip(t_weights).zip(&values) {
+                for ((t, w), &other) in along_q.iter().zip(&values) {
                     let distance = d + p * s + q * t;
                     add(distance, v * p * (w * q / distance), other - value);
                 }

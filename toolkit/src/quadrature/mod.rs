@@ -7,6 +7,5 @@ mod power_weight;
 mod rules;
 mod tail;
 
-pub(crate) use power_weight::PowerWeightRule;
 pub use rules::{Rule, gauss_jacobi, gauss_legendre};
 pub(crate) use tail::{Limit, extrapolate};

@@ -20,8 +20,8 @@ use std::sync::OnceLock;
 #[doc(alias("Gauss-Legendre", "Gauss-Jacobi", "quadrature"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rule {
-    points: Vec<f64>,
-    weights: Vec<f64>,
+    pub(super) points: Vec<f64>,
+    pub(super) weights: Vec<f64>,
 }
 
 /// The n-point Gauss-Legendre rule for ∫₀¹ f(t) dt.

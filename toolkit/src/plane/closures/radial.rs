@@ -7,7 +7,7 @@
 
 use crate::error::Result;
 use crate::order::Order;
-use crate::quadrature::{PowerWeightRule, Rule};
+use crate::quadrature::Rule;
 
 /// Points and weights.
 pub(super) type Points = Vec<(f64, f64)>;
@@ -32,7 +32,7 @@ pub(super) struct Approach {
 /// A rule for the weight t^{(β+1)−1}, given β + 1 > 0; with twice the points if they are extrapolated to 0.
 pub(super) fn weighted(n: usize, beta_plus_one: f64) -> Result<Points> {
     Ok(if beta_plus_one < CLOSE {
-        PowerWeightRule::new(2 * n, beta_plus_one)?.iter().collect()
+        Rule::power_weight(2 * n, beta_plus_one)?.iter().collect()
     } else {
         Rule::gauss_jacobi(n, 0.0, beta_plus_one - 1.0)?.iter().collect()
     })

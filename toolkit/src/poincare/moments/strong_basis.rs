@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::numeric::parallel;
 use crate::numeric::{legendre, search::sign_change};
 use crate::poincare::slopes::kernel::exp_quotient;
-use crate::quadrature::{PowerWeightRule, Rule};
+use crate::quadrature::Rule;
 use std::f64::consts::PI;
 
 /// Degrees of the three families, and the number of powers in the response of the zone.
@@ -137,7 +137,7 @@ impl Basis {
 
 /// Points d > 0 and weights for ∫ d^{−1−2ν} F(d) dd, F(d) = O(d²) analytic.
 fn inner_rule(nu: f64) -> Result<Vec<(f64, f64)>> {
-    let near = PowerWeightRule::new(INNER, 2.0 - 2.0 * nu)?;
+    let near = Rule::power_weight(INNER, 2.0 - 2.0 * nu)?;
     let far = Rule::gauss_legendre(INNER)?;
     let mut rule: Vec<(f64, f64)> = near.iter().map(|(d, w)| (d, w / (d * d))).collect();
     for k in 1..(f64::from(LEFT) + REACH) as i32 {
