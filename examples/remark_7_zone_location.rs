@@ -174,7 +174,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let Ok(constant) = solved(union) else { continue }; // rounding forbids three digits
         let over = constant / solved(end)?;
-        out.check("unions of intervals: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
+        out.check("unions: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;

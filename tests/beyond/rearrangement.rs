@@ -62,7 +62,7 @@ fn random_functions_of_each_family_lose_seminorm() {
 
 #[test]
 fn random_unions_are_no_worse_than_the_interval_at_the_end() {
-    holds(1, if crate::MANY { 1010 } else { 100 }, "unions-of-intervals-gamma-e-gamma-0-theta");
+    holds(1, if crate::MANY { 1010 } else { 100 }, "unions-gamma-e-gamma-0-theta");
 }
 
 #[test]
