@@ -18,10 +18,8 @@ fn read(path: &str) -> String {
 
 /// The cells of each row above the cards.
 fn rows(page: &str) -> Vec<Vec<String>> {
-    let lines = page
-        .lines()
-        .take_while(|line| !line.starts_with("## Cards"))
-        .filter(|line| line.starts_with("| ") && !line.starts_with("| label"));
+    let page = page.split("## Cards").next().unwrap_or(page);
+    let lines = page.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| label"));
     lines
         .filter(|line| !line.starts_with("| ---"))
         .map(|line| line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect())

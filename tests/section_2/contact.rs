@@ -4,7 +4,7 @@ use crate::reference_squares::check_against_reference;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::{Form, Lame};
-use signorini::mesh::{Hierarchy, SideParts, parse_msh, unit_square};
+use signorini::mesh::{Hierarchy, SideParts, Triangulation, parse_msh, unit_square};
 use signorini::problems::TestProblem;
 
 #[test]
@@ -36,6 +36,12 @@ fn nested_energy_errors_decrease() {
     assert!(errors[0] > 1.5 * errors[1] && errors[1] > 0.0 && errors[2] == 0.0, "{errors:?}");
 }
 
+/// A body of E = 5/2 under the volume load (0, f).
+fn pressed(mesh: Triangulation, f: f64, poisson: f64) -> ContactProblem {
+    let load = [0.0, f].repeat(mesh.nodes().len());
+    ContactProblem::new(mesh, Form::elastic(Lame::plane_strain(2.5, poisson).unwrap()), &load).unwrap()
+}
+
 /// Forces of a body hanging from its top, pressed down by f = (0, −1): load, reaction and floor add up to zero, to the
 /// rounding that is stated for the material. Near ν = 1/2 it exceeds eight digits.
 #[test]
@@ -43,17 +49,10 @@ fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
     /// Standard deviations.
     const ROUNDINGS: f64 = 8.0;
     let imbalances = [0.25, 0.4999, 0.499_999_9, 0.499_999_999].map(|poisson| {
-        let mesh = unit_square(16, SideParts::HANGING).unwrap();
-        let load = [0.0, -1.0].repeat(mesh.nodes().len());
-        let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
-        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let problem = pressed(unit_square(16, SideParts::HANGING).unwrap(), -1.0, poisson);
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         let imbalance = (solution.reaction[1] + solution.contact_force - 1.0).abs();
-        assert!(
-            imbalance <= ROUNDINGS * solution.force_rounding,
-            "{poisson}: {imbalance:e}, {:e}",
-            solution.force_rounding
-        );
+        assert!(imbalance <= ROUNDINGS * solution.force_rounding, "{poisson}: {imbalance:e}");
         (imbalance, solution.force_rounding)
     });
     // It grows with λ/μ = 2ν/(1 − 2ν), and is no excuse elsewhere.
@@ -66,9 +65,7 @@ fn the_rounding_of_forces_is_stated_for_materials_that_hardly_compress() {
 fn an_interior_point_solution_that_is_lost_has_not_converged() {
     let lost = [0.25, 0.4999, 0.499_999_999_9].map(|poisson| {
         let mesh = parse_msh(include_str!("../../examples/data/l_shape.msh")).unwrap();
-        let load = [0.0, -0.05].repeat(mesh.nodes().len());
-        let form = Form::elastic(Lame::plane_strain(2.5, poisson).unwrap());
-        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let problem = pressed(mesh, -0.05, poisson);
         let [direct, interior] = [Solver::ActiveSet, Solver::InteriorPoint]
             .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
         let allowed = 10.0 * direct.energy_rounding - 1e-8 * direct.energy;

@@ -8,7 +8,6 @@ mod proof_cases;
 mod rough_slopes;
 
 mod embeddings;
-mod figure_3_1;
 mod figure_3_2;
 mod rates;
 mod remark_2;

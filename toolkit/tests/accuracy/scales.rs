@@ -302,14 +302,10 @@ fn short_intervals_beside_long_ones_count() {
     }
     // 0 on (−1, 0), x/w on (0, w): the value nearest to 0 on the short side is no step on the long one.
     for w in [1e-210, 1e-250] {
-        let ramp = |at: Position| match at.anchor() {
-            1 if at.offset() > 0.0 => at.offset() / w,
-            2 => 1.0 + at.offset() / w,
-            _ => 0.0,
-        };
-        let u = Function::from_positions(&[-1.0, 0.0, w], ramp).unwrap();
-        let mesh = Mesh::from_lengths(&[1.0, w]).unwrap();
-        let exact = Function::linears(&mesh, &[0.0, 0.0, 1.0]).unwrap().seminorm(0.05, 1e-12).unwrap();
+        let (nodes, lengths, values) = ([-1.0, 0.0, w], [1.0, w], [0.0, 0.0, 1.0]);
+        let u = Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at)).unwrap();
+        let mesh = Mesh::from_lengths(&lengths).unwrap();
+        let exact = Function::linears(&mesh, &values).unwrap().seminorm(0.05, 1e-12).unwrap();
         assert_near("ramp", u.seminorm(0.05, 1e-7), exact.value, 1e-7);
     }
 }
