@@ -142,7 +142,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs());
             out.check(format!("C, {cone} cone")).at_most(rounded(constant), 2.0, "Young's inequality");
             let ratio = rounded((error - 2.0 * second) / (interpolation + 2.0 * consistency));
-            out.check("ratio of ‖u−v‖²+2∫σ(v−u), v=u^h to v=I^h u").at_most(ratio, 1.0, "u^h minimises it");
+            out.check("‖u−v‖²+2∫σ(v−u): value at u^h/at I^h u").at_most(ratio, 1.0, "u^h minimises it");
             let excess = (second - part_one - part_two) / (error + interpolation);
             out.check("(4.8): left − right side, relative").at_most(excess, 1e-9, "πσ ≤ 0, πu^h ≤ 0");
             let sign = second / (error + interpolation); // over squares, as the excess

@@ -48,12 +48,12 @@ example! { seconds "Figure 3.1, introduction", "(E1)-(E4), (N1), (N2) hold;  (E2
 fn bounds(tau: f64) -> Vec<(&'static str, f64)> {
     match tau {
         ..=1.5 => vec![("(E1)", tau - 1.0)],
-        2.0 => vec![("(E3)", 0.75), ("(N2)", 1.0), ("(E3), finite", 1.0)],
+        2.0 => vec![("(E3)", 0.75), ("(N2)", 1.0), ("(E3), finitely many", 1.0)],
         2.0.. => vec![("(E4)", 1.0)],
         _ => vec![
             ("(E2)", 0.5 * tau - 0.25),
             ("(N1)", tau * tau - 2.5 * tau + 2.0),
-            ("(E2), finite", tau - 1.0),
+            ("(E2), finitely many", tau - 1.0),
         ],
     }
 }

@@ -5,7 +5,8 @@
 //!
 //! Law as θ → 0 (Mellin transform): γ ~ B θ^(ν−1/2), γ² ~ 3/(2π²) ln(1/θ) + const at ν = 1/2, γ ~ γ₀, some B, γ₀. As θ → 1 γ tends to
 //! the γ₁ of mean zero on (0, 1), (5.2) to 0. Refuted if between the last two zones the growth is off the law by 0.01 (or its
-//! next term), if γ passes √(γ₁² + N²), or if `by_definition` gives another γ by 0.5 %.
+//! next term), if γ passes √(γ₁² + N²), N the largest mean over (0, θ) of u with mean zero and |u|_ν = 1, or if `by_definition`
+//! gives another γ by 0.5 %.
 // `at_most(x, b)`: x + its ± ≤ b; `near(x, b, t)`: |x − b| + its ± ≤ t; the worst call counts; `not_sharp`, `as_printed`: status.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};

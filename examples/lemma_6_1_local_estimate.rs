@@ -3,9 +3,9 @@
 //! |v|²_ν = ∬ (v(x) − v(y))² / |x − y|^(1+2ν) dx dy over the interval, 0 < ν < 1. The lemma:
 //! ‖u − I u‖₀ ≤ h^(1+ν) |u|_(1+ν) and ‖u − I u‖₁ ≤ h^ν |u|_(1+ν).
 //!
-//! ‖u − I u‖₀ and |u − I u|₁ = ‖(u − I u)'‖₀ scale in h as their bounds do: best constants C₀, C₁ on (0, 1). The full norm
-//! ‖·‖₁² = ‖·‖₀² + |·|₁² does not; its best constant is at least h C₀, so that the second line fails for h > 1/C₀.
-//! Refuted if C₀ or C₁ is above 1, or if the matrices of `by_definition` give others by 0.3 %. ν = 1e-300 stands for ν → 0.
+//! ‖u − I u‖₀ and |u − I u|₁ = ‖(u − I u)'‖₀ scale in h as their bounds do: best constants C₀, C₁ on (0, 1). The full norm ‖·‖₁² =
+//! ‖·‖₀² + |·|₁² does not; its best constant is at least h C₀: the second line fails for h > 1/C₀, and holds for h ≤ h₁ = √(1 −
+//! C₁²)/C₀. Refuted if C₀ or C₁ is above 1, or if the matrices of `by_definition` give others by 0.3 %. ν = 1e-300 stands for ν → 0.
 // `at_most(x, b)` asks x + its ± ≤ b, `near(x, b, t)` |x − b| + its ± ≤ t; the worst call counts; `as_printed` may fail.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain::Interval, ErrorNorm, Gram, Mesh, interpolation_constant};

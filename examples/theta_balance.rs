@@ -113,7 +113,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let quotient = second(theta) / (first(h, theta) * logarithm);
         let reference = *coarsest.get_or_insert(quotient);
         let compared = quotient / reference;
-        out.check("ratio of bounds at printed θ/at h = 1/8").near(compared, 1.0, 1e-9, "independent of h");
+        out.check("printed θ: ratio of bounds/value at h = 1/8").near(
+            compared,
+            1.0,
+            1e-9,
+            "independent of h",
+        );
         out.check("supremum/bound at equal bounds").at_most(best / second(at), 1.0, "upper bound");
         out.check("supremum/sharpened bound at equal bounds").at_most(
             best / second(at_sharp),
@@ -129,7 +134,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("exponent of h in the bound, printed θ").near(printed, claimed, 1e-9, "2τ² − 5τ + 4");
         out.check("exponent of h where both bounds are equal").near(there, claimed, 1e-9, "2τ² − 5τ + 4");
         let half_loss = (tau - 1.5) * (2.0 - tau);
-        out.stronger("gain in the exponent by the sharpened bound").near(
+        out.stronger("gain in exponent from the sharpened bound").near(
             sharp - printed,
             half_loss,
             1e-9,

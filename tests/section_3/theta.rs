@@ -46,7 +46,7 @@ fn exponents_of_printed_sharpened_and_true() {
         assert!(found.status().is_confirmed(), "tau {tau}: {}", found.text(false));
     }
     let found = outcome(1.75);
-    let gained = found.check("gain-in-the-exponent-by-the-sharpened-bound").unwrap().value.value;
+    let gained = found.check("gain-in-exponent-from-the-sharpened-bound").unwrap().value.value;
     assert!((gained - 1.0 / 16.0).abs() < 1e-9, "{gained}");
 }
 
