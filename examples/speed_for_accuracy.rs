@@ -11,7 +11,7 @@
 //! Refuted if one error passes its tolerance, or one passes what was stated, v* being exact to 1e-14, or if the count
 //! of evaluations, factorizations and iterations grows when ε does.
 //!
-//! `cargo run --release --example speed_for_accuracy -- --case gamma`
+//! `cargo run --release --example speed_for_accuracy -- --case γ`
 
 // `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
 // counts.

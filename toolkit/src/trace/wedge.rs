@@ -15,7 +15,7 @@ const FINENESS: [Fineness; 2] = [
     Fineness { degree: 7, points: 11, levels: 3, first: 1e-4 },
     Fineness { degree: 9, points: 14, levels: 4, first: 1e-5 },
 ];
-/// Rounding error of the matrix, relative to the energy, and its growth as 1 − s → 0, times 1/(1−s): changing
+/// Rounding error of the matrix, relative to its entries, and its growth as 1 − s → 0, times 1/(1−s): changing
 /// the quadrature points by one rounding error changes the quotient by 1.1e-11/(1−s) at 1 − s = 1e-8.
 const ROUNDING: f64 = 1e-12;
 const LOST: f64 = 2e-11;
@@ -73,8 +73,10 @@ impl WedgeTrace {
         require_tau(tau)?;
         let edge = self.edge(tau);
         let [coarse, fine] = FINENESS.map(|fineness| self.least_energy(tau, fineness));
-        let ((coarse, _), (fine, points)) = (coarse?, fine?);
-        let error = (fine - coarse).abs() + (ROUNDING + LOST / self.order.complement()) * fine;
+        let ((coarse, _, _), (fine, whole, points)) = (coarse?, fine?);
+        // Near s = 1/2 the least energy is a small difference of two terms.
+        let rounding = ROUNDING * whole.max(fine) + LOST / self.order.complement() * fine;
+        let error = (fine - coarse).abs() + rounding;
         let work = Work { points, factorizations: 2, ..Work::default() };
         Estimate::new(edge / fine, edge / fine * error / fine, work)
     }
@@ -88,25 +90,29 @@ impl WedgeTrace {
         }
         // Pairs on different sides: 2 ∫ (cosh((1−s)u) − cos(τu)) (2cosh(u/2))^{-2s} du, even in u.
         let step = PI * PI / (36.0 + PI * tau);
-        // The terms fall like e^{−(2s−1)u}.
-        let terms = (36.0 / (step * (2.0 * nu).max(1e-4))).ceil() as usize;
+        // From 36/(1−s) on a term is e^{−(2s−1)u}/4, a geometric sequence, and from 36/(2s−1) on it is nothing.
+        let terms = (36.0 / (step * (2.0 * nu).max(self.order.complement()))).ceil();
+        let rest = 0.25 * (-2.0 * nu * step * (terms + 1.0)).exp() / -(-2.0 * nu * step).exp_m1();
         let across = |k: usize| {
             let u = k as f64 * step;
-            let difference = (0.5 * (1.0 - s) * u).sinh().powi(2) + (0.5 * tau * u).sin().powi(2);
-            difference * (2.0 * (0.5 * u).cosh()).powf(-2.0 * s)
+            // sinh² times e^{−su} as e^{(1−2s)u} (1 − e^{−(1−s)u})²/4: near s = 1/2 sinh overflows.
+            let near_one = (-self.order.complement() * u).exp_m1();
+            let growing = 0.25 * near_one * near_one * (-2.0 * nu * u).exp();
+            let waving = (0.5 * tau * u).sin().powi(2) * (-s * u).exp();
+            (growing + waving) * (1.0 + (-u).exp()).powf(-2.0 * s)
         };
-        half + 8.0 * step * (1..=terms).map(across).sum::<f64>()
+        half + 8.0 * step * ((1..=terms as usize).map(across).sum::<f64>() + rest)
     }
 
-    /// The minimum of E_τ and the number of unknowns.
-    fn least_energy(&self, tau: f64, fineness: Fineness) -> Result<(f64, u64)> {
+    /// The minimum of E_τ, the term from which it is subtracted, and the number of unknowns.
+    fn least_energy(&self, tau: f64, fineness: Fineness) -> Result<(f64, f64, u64)> {
         let first = fineness.first / (1.0 + tau);
         let elements = WedgeElements::new(self.order, self.angle, Fineness { first, ..fineness })?;
         let kernel = AngularKernel::new(self.order, tau, elements.smallest());
         let form = elements.form(&kernel, self.mirrored)?;
         let best = Factored::new(&form.matrix)?.solve(&form.linear);
         let gain: f64 = best.iter().zip(&form.linear).map(|(x, b)| x * b).sum();
-        Ok((form.constant - gain, best.len() as u64))
+        Ok((form.constant - gain, form.constant, best.len() as u64))
     }
 }
 
@@ -159,5 +165,17 @@ mod tests {
         }
         let [below, above] = [0.999e-3, 1.001e-3].map(|x| quotient_at_one(1.0, x / PI).unwrap());
         assert!((below / above - 1.0).abs() < 1e-8);
+    }
+
+    #[test]
+    fn the_half_plane_has_its_closed_form_down_to_one_half() {
+        for distance in [1e-6, 1e-4, 1e-3, 1e-2] {
+            let order = Order::half_plus(distance).unwrap();
+            let closed = crate::trace_constant(crate::Domain::HalfPlane, order, 1e-8).unwrap().constant.value;
+            for tau in [0.0, 4.0, 64.0] {
+                let found = WedgeTrace::half_plane(order).unwrap().quotient(tau).unwrap();
+                assert!((found.value - closed * closed).abs() <= found.error, "{distance:e} {tau}: {found}");
+            }
+        }
     }
 }
