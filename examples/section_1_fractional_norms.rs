@@ -108,6 +108,8 @@ fn by_definition(example: &Example, nu: Order) -> Result<f64> {
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let are_powers = options.power.iter().all(|a| a.abs() >= 1e-100);
+    Error::unless(are_powers, "power", "nearer to 0 than 1e-100, where x^a is a constant")?;
     for example in functions(&options.power) {
         for &nu in &options.nu {
             // Near a breakpoint b: ∫ ℓ(t) dt, t = −ln|x − b|, ℓ the integral over the quotient of both distances from b.
