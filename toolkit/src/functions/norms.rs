@@ -8,7 +8,7 @@ use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
-use super::scales::{Logs, Profile, hidden, is_deep, is_endless};
+use super::scales::{Profile, hidden, is_deep, is_endless};
 use super::waves::OfWaves;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -87,7 +87,6 @@ impl SingularFunction<'_> {
         refine(self, tolerance, 2.0, is_constant, |level, tolerance| {
             LogEnergy::new(self, order, level)?.compute(tolerance)
         })
-        .map(|found| with_hidden(found, &logs, asked))
         .map_err(|error| error.carry("seminorm", root))
         .and_then(root)
     }
@@ -218,7 +217,11 @@ impl SingularFunction<'_> {
             Err(refused @ Error::ToleranceNotMet { .. }) if self.work_left() > 0 => {
                 by_scales().map_err(|_| refused)
             }
-            found => found.map(|found| with_hidden(found, &logs, asked)),
+            // A layer too small to count is seen by the samples only: what they see is part of the error, doubled.
+            found => found.map(|found| Estimate {
+                error: found.error + 2.0 * hidden(&logs, asked) * found.value.abs(),
+                ..found
+            }),
         }
     }
 
@@ -258,11 +261,6 @@ impl SingularFunction<'_> {
             Ok(LevelValue { value, tail, rounding, missed, of_rules, points })
         })
     }
-}
-
-/// A layer too small to count is seen by the samples only: what they see is part of the error, doubled.
-fn with_hidden(found: Estimate, logs: &Logs, asked: f64) -> Estimate {
-    Estimate { error: found.error + 2.0 * hidden(logs, asked) * found.value.abs(), ..found }
 }
 
 /// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance.

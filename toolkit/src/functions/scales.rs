@@ -164,11 +164,11 @@ pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
 /// Share of the whole in what lies behind a local minimum and does not count for [`is_deep`].
 pub(super) fn hidden(logs: &Logs, tolerance: f64) -> f64 {
     let whole = log_sum(logs);
-    let nothing = whole + tolerance.ln();
+    let (counts, nothing) = (whole + (COUNTS * tolerance).ln(), whole + tolerance.ln());
     let behind = |arm: &Vec<f64>| {
         let (mut lowest, mut sum) = (f64::INFINITY, 0.0);
         for (k, &here) in arm.iter().enumerate() {
-            if lowest < nothing && here > lowest + RISE {
+            if here <= counts && lowest < nothing && here > lowest + RISE {
                 sum += (here - whole).exp();
             }
             if place(k) > BEGUN {
