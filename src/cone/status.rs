@@ -4,7 +4,7 @@ use std::fmt;
 
 /// The status with which an iteration terminated. It is [`Status::Stalled`] also if the stopping rule was met
 /// but the largest KKT residual exceeds 1e-8 (for multigrid a limit derived from the error estimate; for the
-/// interior point method also if the forces do not balance to 1e-3).
+/// interior point method also if the forces do not balance to 1e-3, beyond rounding).
 ///
 /// ```
 /// use signorini::{cone::{Cone, Status}, contact::Solver, problems::TestProblem};

@@ -33,6 +33,9 @@ const LEFT: f64 = 100.0 * DUALITY_GAP;
 /// near 1/2 is so far above the loads that a residual of 1e-9 may leave nothing of the solution.
 const BALANCED: f64 = 1e-3;
 
+/// The same, in standard deviations of a sum of forces due to rounding.
+const ROUNDINGS: f64 = 1e3;
+
 /// Disabled criteria: absolute gaps, which have no scale here, and infeasibility, since the problem has a
 /// solution.
 const NEVER: f64 = 1e-300;
@@ -99,7 +102,10 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     if let Status::Stalled { residual } = &mut solution.status {
         *residual = solution.kkt.worst();
     }
-    if solution.status.is_converged() && solution.balance > BALANCED {
+    let loads = problem.load.iter().map(|force| force.abs()).sum::<f64>();
+    let forces = [solution.contact_force, solution.reaction[0], solution.reaction[1]];
+    let rounding = solution.force_rounding / forces.iter().fold(loads, |most, force| most.max(force.abs()));
+    if solution.status.is_converged() && solution.balance > BALANCED.max(ROUNDINGS * rounding) {
         solution.status = Status::Stalled { residual: solution.balance };
     }
     solution.seconds = Seconds {
