@@ -15,7 +15,8 @@ mod triangulation;
 
 pub use contact_edge::ContactEdge;
 pub use geometry::{BoundaryEdge, Part, Point};
-pub(crate) use geometry::{distance, doubled_area};
+pub(crate) use edges::Edges;
+pub(crate) use geometry::{distance, doubled_area, middle};
 pub(crate) use grid::Grid;
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};
