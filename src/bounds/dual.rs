@@ -22,7 +22,7 @@
 //! stresses are those of an Airy function in the reduced Hsieh-Clough-Tocher space (scalar: of a linear stream
 //! function), locally, and the minimum is the same.
 
-use super::element::{Equilibrated, Linear, Side, Value, add, pieces, side, traction};
+use super::element::{Equilibrated, FIELDS, Linear, Side, Value, add, pieces, side, traction};
 use super::rule::combine;
 use super::setting::{Border, Setting, SideOf};
 use crate::cone::{Cone, ContactSet, Ends};
@@ -33,9 +33,10 @@ use crate::mesh::{Part, Point, doubled_area, middle};
 use crate::numeric::scale::careful_dot;
 use rayon::prelude::*;
 
-/// Forces and fields of one triangle at most: three forces of each side; six fields without load, or three.
+/// Forces on one triangle at most: three on each side.
 const FORCES: usize = 9;
-const FIELDS: usize = 6;
+/// Edges of one task of the assembly.
+const CHUNK: usize = 4096;
 
 /// The equations of one triangle, solved for its fields.
 struct Local {
@@ -79,17 +80,8 @@ pub(super) struct Dual {
 }
 
 impl Setting<'_, '_> {
-    /// The basis on a triangle; with a reaction term also the field x − x_T, whose divergence is 2.
     fn basis(&self, t: usize) -> Equilibrated {
-        let corners = self.mesh.corners(t);
-        let mut basis = Equilibrated::new(self.components, corners);
-        if self.reaction() > 0.0 {
-            let centre = middle(corners);
-            basis.fields.push(
-                pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0])),
-            );
-        }
-        basis
+        Equilibrated::new(self.components, self.reaction() > 0.0, self.mesh.corners(t))
     }
 
     /// Forces of a field on the sides, in the order and orientation of the edges.
@@ -116,36 +108,42 @@ impl Setting<'_, '_> {
         let basis = self.basis(t);
         let (known, left_over) = self.known_field(t, &basis.slopes)?;
         let (corners, inner) = (self.mesh.corners(t), self.compliance(t));
-        let (count, rows) = (basis.fields.len(), 3 * self.per_edge());
+        let fields = basis.fields();
+        let (count, rows) = (fields.len(), 3 * self.per_edge());
         let area = 0.5 * doubled_area(corners);
         let mut compliance = [[0.0; FIELDS]; FIELDS];
-        let totals: Vec<[Value; 3]> = basis
-            .fields
-            .iter()
-            .map(|field| field.map(|v| [0, 1, 2].map(|c| v[0][c] + v[1][c] + v[2][c])))
-            .collect();
+        let mut totals = [[[0.0; 3]; 3]; FIELDS];
+        for (totals, field) in totals.iter_mut().zip(fields) {
+            *totals = field.map(|v| [0, 1, 2].map(|c| v[0][c] + v[1][c] + v[2][c]));
+        }
         for i in 0..count {
             for j in 0..=i {
                 // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the triangle.
                 let mut sum = 0.0;
                 for k in 0..3 {
-                    let (a, b) = (&basis.fields[i][k], &basis.fields[j][k]);
+                    let (a, b) = (&fields[i][k], &fields[j][k]);
                     sum += inner(&a[0], &b[0]) + inner(&a[1], &b[1]) + inner(&a[2], &b[2]);
                     sum += inner(&totals[i][k], &totals[j][k]);
                 }
                 compliance[i][j] = area / 36.0 * sum;
             }
         }
-        let mut shift = [0.0; FIELDS];
+        // ∫ of the known stress against the barycentric coordinates of the pieces.
+        let mut moments: Linear = [[[0.0; 3]; 3]; 3];
         self.at_points(t, |k, shares, point, weight| {
             let mut value: Value = combine(shares, &known[k]);
             let exact = self.exact_at(point);
-            (0..3).for_each(|c| value[c] += exact[c]);
-            for i in 0..count {
-                shift[i] += weight * inner(&combine(shares, &basis.fields[i][k]), &value);
+            for c in 0..3 {
+                value[c] = weight * (value[c] + exact[c]);
+                (0..3).for_each(|m| moments[k][m][c] += shares[m] * value[c]);
             }
             Ok(())
         })?;
+        let mut shift = [0.0; FIELDS];
+        for (shift, field) in shift.iter_mut().zip(fields) {
+            let pairs = field.as_flattened().iter().zip(moments.as_flattened());
+            *shift = pairs.map(|(value, moment)| inner(value, moment)).sum();
+        }
         let reaction = self.reaction();
         if reaction > 0.0 {
             // ½‖f + div q‖²/c: div of the last field is 2, of the others 0.
@@ -158,7 +156,7 @@ impl Setting<'_, '_> {
         }
         let sides = [0, 1, 2].map(|k| side(corners, k));
         let mut forces = [[0.0; FORCES]; FIELDS];
-        for (row, field) in forces.iter_mut().zip(&basis.fields) {
+        for (row, field) in forces.iter_mut().zip(fields) {
             *row = self.forces(field, &sides, &self.sides[t]);
         }
         let known_forces = self.forces(&known, &sides, &self.sides[t]);
@@ -197,37 +195,47 @@ impl Setting<'_, '_> {
     /// The matrix of the edges' equations, and their right-hand side without given forces.
     fn assembled(&self, locals: &[Local]) -> (BlockMatrix, Vec<f64>) {
         let c = self.per_edge();
-        let (mut offsets, mut columns, mut values) = (vec![0], Vec::<u32>::new(), Vec::<f64>::new());
-        let mut load = vec![0.0; c * self.edges()];
-        for edge in 0..self.edges() {
-            let start = columns.len();
-            for (t, _) in self.around[edge].into_iter().flatten() {
-                columns.extend(self.sides[t].map(|side| side.edge as u32));
-            }
-            columns[start..].sort_unstable();
-            let mut kept = start;
-            for k in start..columns.len() {
-                if kept == start || columns[kept - 1] != columns[k] {
-                    columns[kept] = columns[k];
-                    kept += 1;
+        let chunk = |first: usize| {
+            let (mut lengths, mut columns, mut values) = (Vec::new(), Vec::<u32>::new(), Vec::<f64>::new());
+            let last = self.edges().min(first + CHUNK);
+            let mut load = vec![0.0; c * (last - first)];
+            for edge in first..last {
+                let start = columns.len();
+                for (t, _) in self.around[edge].into_iter().flatten() {
+                    for side in self.sides[t] {
+                        if !columns[start..].contains(&(side.edge as u32)) {
+                            columns.push(side.edge as u32);
+                        }
+                    }
                 }
-            }
-            columns.truncate(kept);
-            offsets.push(kept);
-            values.resize(kept * c * c, 0.0);
-            for (t, k) in self.around[edge].into_iter().flatten() {
-                let local = &locals[t];
-                for a in 0..c {
-                    load[c * edge + a] += local.load(c * k + a);
-                }
-                for j in 0..3 {
-                    let other = self.sides[t][j].edge as u32;
-                    let at = start + columns[start..].partition_point(|&column| column < other);
-                    for (a, b) in (0..c).flat_map(|a| (0..c).map(move |b| (a, b))) {
-                        values[(at * c + a) * c + b] += local.stiffness(c * k + a, c * j + b);
+                columns[start..].sort_unstable();
+                lengths.push(columns.len() - start);
+                values.resize(columns.len() * c * c, 0.0);
+                for (t, k) in self.around[edge].into_iter().flatten() {
+                    let local = &locals[t];
+                    for a in 0..c {
+                        load[c * (edge - first) + a] += local.load(c * k + a);
+                    }
+                    for j in 0..3 {
+                        let other = self.sides[t][j].edge as u32;
+                        let at = start + columns[start..].partition_point(|&column| column < other);
+                        for (a, b) in (0..c).flat_map(|a| (0..c).map(move |b| (a, b))) {
+                            values[(at * c + a) * c + b] += local.stiffness(c * k + a, c * j + b);
+                        }
                     }
                 }
             }
+            (lengths, columns, values, load)
+        };
+        let chunks: Vec<_> = (0..self.edges()).into_par_iter().step_by(CHUNK).map(chunk).collect();
+        let (mut offsets, mut columns, mut values, mut load) = (vec![0], Vec::new(), Vec::new(), Vec::new());
+        for (lengths, more_columns, more_values, more_load) in chunks {
+            for length in lengths {
+                offsets.push(offsets[offsets.len() - 1] + length);
+            }
+            columns.extend(more_columns);
+            values.extend(more_values);
+            load.extend(more_load);
         }
         (BlockMatrix::new(c, offsets, columns, values), load)
     }
@@ -305,8 +313,8 @@ impl Setting<'_, '_> {
         let mut set = ContactSet::new(&guess);
         let mut steps = 0;
         let mut rounding = 0.0;
-        // Solution, one correction for its residual, and the size of the next correction.
-        for pass in 0..3 {
+        // Solution, and one correction for its residual; the energy norm of that bounds what rounding leaves.
+        for pass in 0..2 {
             let product = matrix.multiply(&multipliers);
             let mut residual: Vec<f64> = load.iter().zip(&product).map(|(f, k)| f - k).collect();
             for (&unknown, force) in kept.iter().zip(&pressure) {
@@ -335,8 +343,8 @@ impl Setting<'_, '_> {
                 edge.solve_with(&set)?
             };
             let correction = condensation.recover(&reduced, &state.displacement);
-            if pass == 2 {
-                // Energy of the correction, plus what a residual below its own rounding hides.
+            if pass == 1 {
+                // What a residual below its own rounding hides is added.
                 let work = careful_dot(&correction, &residual).abs();
                 let sizes = matrix.multiply_absolute(&multipliers);
                 let hidden: f64 = sizes
@@ -346,7 +354,6 @@ impl Setting<'_, '_> {
                     .map(|(i, size)| (f64::EPSILON * (size + load[i].abs())).powi(2) / matrix.diagonal(i))
                     .sum();
                 rounding = work.sqrt() + hidden.sqrt();
-                break;
             }
             for (i, value) in correction.iter().enumerate() {
                 if !prescribed[i] {
@@ -391,7 +398,7 @@ impl Setting<'_, '_> {
         let c = self.per_edge();
         let basis = self.basis(t);
         let (mut sum, _) = self.known_field(t, &basis.slopes)?;
-        for (i, field) in basis.fields.iter().enumerate() {
+        for (i, field) in basis.fields().iter().enumerate() {
             let own = |row: usize| multipliers[c * self.sides[t][row / c].edge + row % c];
             let moved: f64 = (0..local.rows).map(|row| local.response[i][row] * own(row)).sum();
             add(&mut sum, moved - local.offset[i], field);

@@ -34,6 +34,11 @@ pub(super) fn pieces(corners: [Point; 3]) -> [[Point; 3]; 3] {
     [0, 1, 2].map(|k| [corners[k], corners[(k + 1) % 3], centre])
 }
 
+/// Fields of one triangle at most.
+pub(super) const FIELDS: usize = 6;
+
+const ZERO: Linear = [[[0.0; 3]; 3]; 3];
+
 /// a + factor · b.
 pub(super) fn add(a: &mut Linear, factor: f64, b: &Linear) {
     for (a, b) in a.as_flattened_mut().iter_mut().zip(b.as_flattened()) {
@@ -72,19 +77,24 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
 
 /// The fields without load on one triangle.
 pub(super) struct Equilibrated {
-    /// Six stresses, or two fluxes.
-    pub(super) fields: Vec<Linear>,
+    /// Six stresses, or two fluxes; the third flux x − x_T, with divergence 2, is used with a reaction term.
+    fields: [Linear; FIELDS],
+    count: usize,
     /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the other sides.
     pub(super) slopes: [Linear; 3],
 }
 
 impl Equilibrated {
-    pub(super) fn new(components: usize, corners: [Point; 3]) -> Self {
-        if components == 1 { scalar(corners) } else { elastic(corners) }
+    pub(super) fn new(components: usize, reaction: bool, corners: [Point; 3]) -> Self {
+        if components == 1 { scalar(reaction, corners) } else { elastic(corners) }
+    }
+
+    pub(super) fn fields(&self) -> &[Linear] {
+        &self.fields[..self.count]
     }
 }
 
-fn scalar(corners: [Point; 3]) -> Equilibrated {
+fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
     let constant = |value: Value| [[value; 3]; 3];
     let doubled = doubled_area(corners);
     // ψ = L λ_a λ_b/2 up to sign has ψ_s = (1 − 2s)/2 on the side from a to b of length L.
@@ -103,10 +113,10 @@ fn scalar(corners: [Point; 3]) -> Equilibrated {
         let shares = |corner: usize| [f64::from(u8::from(corner == k)), f64::from(u8::from(corner == next))];
         [0, 1, 2].map(|piece| [at(shares(piece)), at(shares((piece + 1) % 3)), at([1.0 / 3.0; 2])])
     };
-    Equilibrated {
-        fields: vec![constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0])],
-        slopes: [0, 1, 2].map(slope),
-    }
+    let centre = middle(corners);
+    let radial = pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
+    let fields = [constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]), radial, ZERO, ZERO, ZERO];
+    Equilibrated { fields, count: if reaction { 3 } else { 2 }, slopes: [0, 1, 2].map(slope) }
 }
 
 /// Values and gradients of φ at the three vertices, and per side the second difference of ∂_n φ.
@@ -123,7 +133,7 @@ fn elastic(corners: [Point; 3]) -> Equilibrated {
     let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
     let local = corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]);
     let geometry = Geometry::new(local);
-    let fields = (3..9).map(|number| {
+    let fields = [3, 4, 5, 6, 7, 8].map(|number| {
         let mut airy = Airy::default();
         match number % 3 {
             0 => airy.value[number / 3] = 1.0,
@@ -138,7 +148,7 @@ fn elastic(corners: [Point; 3]) -> Equilibrated {
         airy.bulge[k] = 0.25 * geometry.lengths[k];
         geometry.stress(&airy)
     });
-    Equilibrated { fields: fields.collect(), slopes }
+    Equilibrated { fields, count: FIELDS, slopes }
 }
 
 /// The affine geometry of the three pieces.
@@ -227,13 +237,13 @@ mod tests {
     #[test]
     fn stresses_are_in_equilibrium_with_linear_normal_and_constant_tangential_traction() {
         for components in [1, 2] {
-            let found = Equilibrated::new(components, CORNERS);
-            for (number, field) in found.fields.iter().chain(&found.slopes).enumerate() {
+            let found = Equilibrated::new(components, false, CORNERS);
+            for (number, field) in found.fields().iter().chain(&found.slopes).enumerate() {
                 let mut resultant = [0.0; 3];
                 for k in 0..3 {
                     let side = side(CORNERS, k);
                     let [first, last] = ends(components, field, k);
-                    let slope = number.checked_sub(found.fields.len()) == Some(k);
+                    let slope = number.checked_sub(found.count) == Some(k);
                     let expected = if slope { 1.0 } else { 0.0 };
                     let of = if components == 1 { 0 } else { 1 };
                     assert!((last[of] - first[of] - expected).abs() < 1e-13, "{components} {number} {k}");
@@ -260,9 +270,9 @@ mod tests {
 
     #[test]
     fn normal_components_are_continuous_across_the_pieces() {
-        let found = Equilibrated::new(2, CORNERS);
+        let found = Equilibrated::new(2, false, CORNERS);
         let centre = middle(CORNERS);
-        for field in found.fields.iter().chain(&found.slopes) {
+        for field in found.fields().iter().chain(&found.slopes) {
             for i in 0..3 {
                 let step = [centre[0] - CORNERS[i][0], centre[1] - CORNERS[i][1]];
                 let across = Side { length: 1.0, normal: [step[1], -step[0]], tangent: step };

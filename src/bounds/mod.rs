@@ -1,6 +1,6 @@
 //! Two-sided energies and a guaranteed error of a body in contact.
 //!
-//! TODO
+//! See the module parts.
 mod boundary_values;
 mod dual;
 mod element;

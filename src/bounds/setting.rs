@@ -341,6 +341,7 @@ fn points_for(particular: &Particular, diameter: f64) -> usize {
         degree += 1;
         remainder *= 0.25 * waves / degree as f64;
     }
-    // A polynomial of low degree is integrated exactly, its square as well.
-    (degree + 2).div_ceil(2).max((particular.degree() + 1).min(4)).clamp(2, 10)
+    // A polynomial of low degree is integrated exactly, and its square.
+    let exact = particular.degree() + 1;
+    if exact <= 4 { exact.max(2) } else { (degree + 2).div_ceil(2).clamp(3, 10) }
 }
