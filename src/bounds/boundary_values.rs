@@ -5,11 +5,9 @@
 //! u^h it gives a function with the values u_D, of which the bound is one. u_D is taken as its polynomial of degree four
 //! on every edge.
 
-use super::element::Value;
-use super::setting::{Border, Setting};
 use crate::error::Result;
 use crate::fem::Element;
-use crate::mesh::{Part, Point, doubled_area};
+use crate::mesh::Point;
 
 /// A prescribed displacement whose deviation from its interpolant is below this multiple of it is linear.
 const LINEAR: f64 = 1e-13;
@@ -22,31 +20,8 @@ pub(super) struct Lift {
 }
 
 impl Lift {
-    /// z and its gradient (rows: components) at a point with the given barycentric coordinates.
-    fn at(&self, element: &Element, shares: [f64; 3]) -> ([f64; 2], [Point; 2]) {
-        let (a, b) = (self.side, (self.side + 1) % 3);
-        let (la, lb, ga, gb) = (shares[a], shares[b], element.gradients[a], element.gradients[b]);
-        let (product, r) = (la * lb, lb - la);
-        let of_product = [0, 1].map(|axis| la * gb[axis] + lb * ga[axis]);
-        let of_r = [0, 1].map(|axis| gb[axis] - ga[axis]);
-        let value = self.coefficients.map(|[c0, c1, c2]| product * (c0 + r * (c1 + r * c2)));
-        let gradient = self.coefficients.map(|[c0, c1, c2]| {
-            let (polynomial, slope) = (c0 + r * (c1 + r * c2), c1 + 2.0 * r * c2);
-            [0, 1].map(|axis| polynomial * of_product[axis] + product * slope * of_r[axis])
-        });
-        (value, gradient)
-    }
-}
-
-impl Setting<'_, '_> {
-    /// The lift of one edge, `None` if u_D is linear there.
-    pub(super) fn lift_of(&self, border: &Border) -> Result<Option<Lift>> {
-        if border.part != Part::Dirichlet {
-            return Ok(None);
-        }
-        let corners = self.mesh.corners(border.triangle);
-        let (a, b) = (corners[border.side], corners[(border.side + 1) % 3]);
-        let at = |s: f64| self.body.displacement_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
+    /// The lift of u_D on one side, given along it from 0 to 1; `None` if u_D is linear there.
+    pub(super) fn through(side: usize, at: impl Fn(f64) -> Result<Point>) -> Result<Option<Self>> {
         let (first, last) = (at(0.0)?, at(1.0)?);
         // e/(s(1 − s)) at r = −½, 0, ½.
         let mut samples = [[0.0; 3]; 2];
@@ -65,52 +40,21 @@ impl Setting<'_, '_> {
         }
         let coefficients =
             samples.map(|[low, middle, high]| [middle, high - low, 2.0 * (low + high - 2.0 * middle)]);
-        Ok(Some(Lift { side: border.side, coefficients }))
+        Ok(Some(Self { side, coefficients }))
     }
 
-    /// The stress of the lifts of a triangle at a point, and the value (scalar).
-    pub(super) fn lifted_at(&self, t: usize, shares: [f64; 3], element: &Element) -> Option<(Value, [f64; 2])> {
-        let mut sum: Option<(Value, [f64; 2])> = None;
-        for lift in self.lifts[t].iter() {
-            let (value, [gx, gy]) = lift.at(element, shares);
-            let stress = self.stress_from(t, [gx, gy]);
-            let (total, values) = sum.get_or_insert(([0.0; 3], [0.0; 2]));
-            (0..3).for_each(|c| total[c] += stress[c]);
-            (0..2).for_each(|c| values[c] += value[c]);
-        }
-        sum
-    }
-
-    /// J(v + z) − J(v) for the sum z of all lifts.
-    pub(super) fn lift_energy(&self, displacement: &[f64]) -> Result<f64> {
-        let mut sum = 0.0;
-        for (t, lifts) in self.lifts.iter().enumerate() {
-            if lifts.is_empty() {
-                continue;
-            }
-            let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
-            debug_assert!(doubled_area(corners) > 0.0);
-            let (element, inner) = (Element::new(corners), self.compliance(t));
-            let stress = self.stress_of(t, displacement);
-            let reaction = self.reaction();
-            self.at_points(t, |_, _, point, weight| {
-                let shares = element.barycentric(corners, point);
-                if let Some((own, value)) = self.lifted_at(t, shares, &element) {
-                    let load = self.body.load_at(self.mesh.region(t), point)?;
-                    let v: f64 = if reaction > 0.0 {
-                        (0..3).map(|i| shares[i] * displacement[nodes[i]]).sum()
-                    } else {
-                        0.0
-                    };
-                    sum += weight
-                        * (inner(&stress, &own) + 0.5 * inner(&own, &own)
-                            + reaction * value[0] * (v + 0.5 * value[0])
-                            - load[0] * value[0]
-                            - load[1] * value[1]);
-                }
-                Ok(())
-            })?;
-        }
-        Ok(sum)
+    /// z and its gradient (rows: components) at a point with the given barycentric coordinates.
+    pub(super) fn at(&self, element: &Element, shares: [f64; 3]) -> ([f64; 2], [Point; 2]) {
+        let (a, b) = (self.side, (self.side + 1) % 3);
+        let (la, lb, ga, gb) = (shares[a], shares[b], element.gradients[a], element.gradients[b]);
+        let (product, r) = (la * lb, lb - la);
+        let of_product = [0, 1].map(|axis| la * gb[axis] + lb * ga[axis]);
+        let of_r = [0, 1].map(|axis| gb[axis] - ga[axis]);
+        let value = self.coefficients.map(|[c0, c1, c2]| product * (c0 + r * (c1 + r * c2)));
+        let gradient = self.coefficients.map(|[c0, c1, c2]| {
+            let (polynomial, slope) = (c0 + r * (c1 + r * c2), c1 + 2.0 * r * c2);
+            [0, 1].map(|axis| polynomial * of_product[axis] + product * slope * of_r[axis])
+        });
+        (value, gradient)
     }
 }

@@ -22,14 +22,13 @@
 //! stresses are those of an Airy function in the reduced Hsieh-Clough-Tocher space (scalar: of a linear stream
 //! function), locally, and the minimum is the same.
 
-use super::element::{Equilibrated, FIELDS, Linear, Side, Value, add, pieces, side, traction};
-use super::rule::combine;
-use super::setting::{Border, Setting, SideOf};
+use super::element::{Equilibrated, FIELDS, Linear, Side, add, combine, side, traction};
+use super::setting::{Border, Sample, Setting, SideOf};
 use crate::cone::{Cone, ContactSet, Ends};
 use crate::contact::edge::{EdgeProblem, solve_on_edge};
 use crate::error::{Error, Result};
 use crate::fem::{BlockMatrix, Condensation};
-use crate::mesh::{Part, Point, doubled_area, middle};
+use crate::mesh::{Part, Point, doubled_area};
 use crate::numeric::scale::careful_dot;
 use rayon::prelude::*;
 
@@ -96,7 +95,8 @@ impl Setting<'_, '_> {
                 continue;
             }
             // q_N and q_T have the same sign on both sides of an edge, the force has not.
-            let (sign, [start, end]) = if of[k].flipped { (-half, [last, first]) } else { (half, [first, last]) };
+            let (sign, [start, end]) =
+                if of[k].flipped { (-half, [last, first]) } else { (half, [first, last]) };
             forces[3 * k] = sign * start[0];
             forces[3 * k + 1] = sign * end[0];
             forces[3 * k + 2] = sign * (first[1] + last[1]);
@@ -130,15 +130,14 @@ impl Setting<'_, '_> {
         }
         // ∫ of the known stress against the barycentric coordinates of the pieces.
         let mut moments: Linear = [[[0.0; 3]; 3]; 3];
-        self.at_points(t, |k, shares, point, weight| {
-            let mut value: Value = combine(shares, &known[k]);
-            let exact = self.exact_at(point);
+        let samples = self.samples(t);
+        for Sample { piece, shares, weight, exact, .. } in &samples {
+            let own = combine(shares, &known[*piece]);
             for c in 0..3 {
-                value[c] = weight * (value[c] + exact[c]);
-                (0..3).for_each(|m| moments[k][m][c] += shares[m] * value[c]);
+                let value = weight * (own[c] + exact[c]);
+                (0..3).for_each(|m| moments[*piece][m][c] += shares[m] * value);
             }
-            Ok(())
-        })?;
+        }
         let mut shift = [0.0; FIELDS];
         for (shift, field) in shift.iter_mut().zip(fields) {
             let pairs = field.as_flattened().iter().zip(moments.as_flattened());
@@ -148,11 +147,10 @@ impl Setting<'_, '_> {
         if reaction > 0.0 {
             // ½‖f + div q‖²/c: div of the last field is 2, of the others 0.
             compliance[count - 1][count - 1] += 4.0 * area / reaction;
-            self.at_points(t, |_, _, point, weight| {
-                let load = self.body.load_at(self.mesh.region(t), point)?[0];
+            for Sample { point, weight, .. } in &samples {
+                let load = self.body.load_at(self.mesh.region(t), *point)?[0];
                 shift[count - 1] += weight * 2.0 * load / reaction;
-                Ok(())
-            })?;
+            }
         }
         let sides = [0, 1, 2].map(|k| side(corners, k));
         let mut forces = [[0.0; FORCES]; FIELDS];
@@ -169,22 +167,6 @@ impl Setting<'_, '_> {
         }
         let offset = solve(&root, count, shift);
         Ok(Local { count, rows, forces, response, offset, known_forces, left_over })
-    }
-
-    /// Calls `visit(piece, shares, point, weight)` at the points of the rule on the three pieces.
-    pub(super) fn at_points(
-        &self,
-        t: usize,
-        mut visit: impl FnMut(usize, &[f64; 3], Point, f64) -> Result<()>,
-    ) -> Result<()> {
-        let corners = self.mesh.corners(t);
-        let share = doubled_area(corners) / 6.0;
-        for (k, piece) in pieces(corners).into_iter().enumerate() {
-            for (shares, weight) in &self.rule.points {
-                visit(k, shares, combine(shares, &piece), weight * share)?;
-            }
-        }
-        Ok(())
     }
 
     /// The equations of all triangles.
@@ -275,11 +257,7 @@ impl Setting<'_, '_> {
             // The forces that belong to the linear part of the traction.
             let given = match self.components {
                 1 => [0.5 * length * (first[0] + last[0]), 0.0, 0.0],
-                _ => [
-                    0.5 * length * first[0],
-                    0.5 * length * last[0],
-                    0.5 * length * (first[1] + last[1]),
-                ],
+                _ => [0.5 * length * first[0], 0.5 * length * last[0], 0.5 * length * (first[1] + last[1])],
             };
             match border.part {
                 Part::Dirichlet => {

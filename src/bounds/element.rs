@@ -48,6 +48,11 @@ pub(super) fn add(a: &mut Linear, factor: f64, b: &Linear) {
     }
 }
 
+/// Σ share · corner.
+pub(super) fn combine<const N: usize>(shares: &[f64; 3], corners: &[[f64; N]; 3]) -> [f64; N] {
+    std::array::from_fn(|c| shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c])
+}
+
 /// Length, outward normal and tangent of side k, from corner k to k + 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Side {

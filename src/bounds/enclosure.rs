@@ -1,13 +1,12 @@
 //! A solution with its guaranteed error: both problems on one mesh, and what follows from them.
 
 use super::dual::Dual;
-use super::element::{Linear, Value};
-use super::rule::combine;
+use super::element::Linear;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{Body, ContactProblem, ContactSolution, Settings, Solver, Start};
 use crate::error::Result;
-use crate::mesh::{Part, Point, Triangulation};
+use crate::mesh::{Part, Triangulation};
 
 /// Overlaps below this multiple of the largest displacement are rounding.
 const ROUNDED: f64 = 1e-14;
@@ -22,7 +21,7 @@ pub struct Interval {
 }
 
 impl Interval {
-    fn around(middle: f64, radius: f64) -> Self {
+    pub(super) fn around(middle: f64, radius: f64) -> Self {
         Self { lower: middle - radius, upper: middle + radius }
     }
 
@@ -74,7 +73,12 @@ pub struct Enclosure {
     pub dual_steps: usize,
     /// Pressure −q_N ≥ 0 of the equilibrated stress at both ends of every contact segment, in the order of the edge.
     pub pressure: Vec<[f64; 2]>,
-    pub(super) stress: Vec<Linear>,
+    /// The mean of the equilibrated stress on every triangle: (q_xx, q_yy, q_xy), or (q_x, q_y, 0) of a flux.
+    pub stress: Vec<[f64; 3]>,
+    /// J*(q), its energy; with oscillation it need not be a lower bound of J(u).
+    pub dual_energy: f64,
+    pub(super) fields: Vec<Linear>,
+    pub(super) at_borders: Vec<[f64; 2]>,
     pub(super) admissible: Vec<f64>,
     pub(super) reach: f64,
     pub(super) work: f64,
@@ -156,8 +160,10 @@ impl Setting<'_, '_> {
         if corrected.is_some() {
             // T11 for v that is not in K: |||d(v)|||² + |||w|||² + 2b + 2 osc |||u − v + w|||.
             let plain = self.parts(&solution.displacement, &dual)?;
-            let (distance, off) = (plain.distance.iter().sum::<f64>().sqrt() + dual.rounding, osc + dual.rounding);
-            let square = distance * distance + correction * correction + 2.0 * work + 2.0 * off * of_admissible;
+            let (distance, off) =
+                (plain.distance.iter().sum::<f64>().sqrt() + dual.rounding, osc + dual.rounding);
+            let square =
+                distance * distance + correction * correction + 2.0 * work + 2.0 * off * of_admissible;
             error = error.min(square.sqrt());
         }
         let upper = if corrected.is_some() { problem.energy_of(&admissible) } else { solution.energy };
@@ -183,7 +189,10 @@ impl Setting<'_, '_> {
             correction,
             dual_steps: dual.steps,
             pressure: self.in_order(&problem, &dual.pressure),
-            stress: dual.fields,
+            stress: parts.means,
+            dual_energy: -parts.complementary,
+            fields: dual.fields,
+            at_borders: dual.pressure,
             admissible,
             reach,
             work,
@@ -198,11 +207,7 @@ impl Setting<'_, '_> {
         let mut at = vec![0.0_f64; self.mesh.nodes().len()];
         for border in self.borders.iter().filter(|border| border.part == Part::Contact) {
             let nodes = [0, 1].map(|end| self.mesh.triangles()[border.triangle][(border.side + end) % 3]);
-            let normal = self.side(border.triangle, border.side).normal;
-            let values = nodes.map(|node| match self.components {
-                1 => displacement[node],
-                _ => displacement[2 * node] * normal[0] + displacement[2 * node + 1] * normal[1],
-            });
+            let values = self.normal_at(border, displacement);
             let [a, b] = nodes.map(|node| self.mesh.nodes()[node]);
             let off = |s: f64| -> Result<f64> {
                 let gap = self.body.gap_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])])?;
@@ -239,27 +244,9 @@ impl Setting<'_, '_> {
             .iter()
             .zip(pressure)
             .filter(|(border, _)| border.part == Part::Contact)
-            .map(|(border, &pressure)| {
-                (place[self.mesh.triangles()[border.triangle][border.side]], pressure)
-            })
+            .map(|(border, &pressure)| (place[self.mesh.triangles()[border.triangle][border.side]], pressure))
             .collect();
         found.sort_by_key(|(start, _)| *start);
         found.into_iter().map(|(_, pressure)| pressure).collect()
-    }
-
-    /// The equilibrated stress at a point of a triangle.
-    pub(super) fn equilibrated_at(&self, t: usize, fields: &[Linear], point: Point) -> Value {
-        let corners = self.mesh.corners(t);
-        let pieces = super::element::pieces(corners);
-        let inside = |k: &usize| {
-            let shares = crate::fem::Element::new(pieces[*k]).barycentric(pieces[*k], point);
-            shares.iter().fold(f64::INFINITY, |m, s| m.min(*s))
-        };
-        let k = (0..3).max_by(|a, b| inside(a).total_cmp(&inside(b))).unwrap_or(0);
-        let shares = crate::fem::Element::new(pieces[k]).barycentric(pieces[k], point);
-        let mut value = combine(&shares, &fields[t][k]);
-        let exact = self.exact_at(point);
-        (0..3).for_each(|c| value[c] += exact[c]);
-        value
     }
 }

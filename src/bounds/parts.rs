@@ -24,9 +24,8 @@
 //! and no moment.
 
 use super::dual::Dual;
-use super::element::Value;
-use super::rule::combine;
-use super::setting::Setting;
+use super::element::{Linear, Value, combine, pieces, traction};
+use super::setting::{Border, Sample, Setting};
 use crate::error::Result;
 use crate::fem::Element;
 use crate::mesh::{Part, Point, distance, doubled_area};
@@ -42,8 +41,19 @@ pub(super) struct Parts {
     pub(super) oscillation: Vec<f64>,
     /// ∫ |q_N| (g − v_N) of every contact segment, by number of the border.
     pub(super) contact: Vec<f64>,
-    /// −J*(q) of every triangle and segment, summed, for comparison.
+    /// −J*(q).
     pub(super) complementary: f64,
+    /// The mean of q on every triangle.
+    pub(super) means: Vec<Value>,
+}
+
+/// |||d|||*², osc, ½ ∫ q : 𝒜⁻¹q and the mean of q on a triangle.
+#[derive(Default)]
+struct OnTriangle {
+    distance: f64,
+    oscillation: f64,
+    energy: f64,
+    mean: Value,
 }
 
 impl Parts {
@@ -60,6 +70,18 @@ impl Parts {
 }
 
 impl Setting<'_, '_> {
+    /// v_N (scalar: v) at both ends of an edge of the boundary.
+    pub(super) fn normal_at(&self, border: &Border, displacement: &[f64]) -> [f64; 2] {
+        let normal = self.side(border.triangle, border.side).normal;
+        [0, 1].map(|end| {
+            let node = self.mesh.triangles()[border.triangle][(border.side + end) % 3];
+            match self.components {
+                1 => displacement[node],
+                _ => displacement[2 * node] * normal[0] + displacement[2 * node + 1] * normal[1],
+            }
+        })
+    }
+
     /// σ(v) of a P1 function on a triangle, or its gradient.
     pub(super) fn stress_of(&self, t: usize, displacement: &[f64]) -> Value {
         let element = Element::new(self.mesh.corners(t));
@@ -83,12 +105,12 @@ impl Setting<'_, '_> {
 
     /// The parts for a function given by its nodal values; v_N ≤ g is required.
     pub(super) fn parts(&self, displacement: &[f64], dual: &Dual) -> Result<Parts> {
-        let per_triangle: Vec<[f64; 3]> = (0..self.sides.len())
+        let per_triangle: Vec<OnTriangle> = (0..self.sides.len())
             .into_par_iter()
             .with_min_len(256)
             .map(|t| self.on_triangle(t, displacement, dual))
             .collect::<Result<_>>()?;
-        let mut complementary: f64 = per_triangle.iter().map(|part| part[2]).sum();
+        let mut complementary: f64 = per_triangle.iter().map(|part| part.energy).sum();
         let mut contact = vec![0.0; self.borders.len()];
         for (number, border) in self.borders.iter().enumerate() {
             let corners = self.mesh.corners(border.triangle);
@@ -99,16 +121,12 @@ impl Setting<'_, '_> {
                 if p == 0.0 && r == 0.0 {
                     continue;
                 }
-                let [i, j] = [0, 1].map(|end| self.mesh.triangles()[border.triangle][(border.side + end) % 3]);
-                let normal = |node: usize| match self.components {
-                    1 => displacement[node],
-                    _ => displacement[2 * node] * side.normal[0] + displacement[2 * node + 1] * side.normal[1],
-                };
+                let [first, last] = self.normal_at(border, displacement);
                 for (s, weight) in self.edge_rule.iter() {
                     let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
                     let gap = self.body.gap_at(point)?;
                     let pressure = weight * side.length * (p + s * (r - p));
-                    contact[number] += pressure * (gap - (1.0 - s) * normal(i) - s * normal(j));
+                    contact[number] += pressure * (gap - (1.0 - s) * first - s * last);
                     complementary += pressure * gap;
                 }
             }
@@ -121,9 +139,9 @@ impl Setting<'_, '_> {
                     }
                     let shares = [1.0 - s, s, 0.0];
                     let mut value = combine(&shares, &dual.fields[border.triangle][border.side]);
-                    let exact = self.exact_at(point);
+                    let exact = self.exact_at(&[point])[0];
                     (0..3).for_each(|c| value[c] += exact[c]);
-                    let [n, t] = super::element::traction(self.components, value, &side);
+                    let [n, t] = traction(self.components, value, &side);
                     let given = match self.components {
                         1 => n * x,
                         _ => {
@@ -136,51 +154,116 @@ impl Setting<'_, '_> {
             }
         }
         Ok(Parts {
-            distance: per_triangle.iter().map(|part| part[0]).collect(),
-            oscillation: per_triangle.iter().map(|part| part[1]).collect(),
+            distance: per_triangle.iter().map(|part| part.distance).collect(),
+            oscillation: per_triangle.iter().map(|part| part.oscillation).collect(),
+            means: per_triangle.iter().map(|part| part.mean).collect(),
             contact,
             complementary,
         })
     }
 
-    /// |||d|||*², osc and ½ ∫ q : 𝒜⁻¹ q of a triangle.
-    fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<[f64; 3]> {
-        let inner = self.compliance(t);
-        let (stress, field) = (self.stress_of(t, displacement), &dual.fields[t]);
+    /// d = σ(v) − q at a point, and c v − f − div q with a reaction term.
+    pub(super) fn distance_at(
+        &self,
+        t: usize,
+        sample: &Sample,
+        displacement: &[f64],
+        field: &Linear,
+    ) -> Result<(Value, f64)> {
+        let value = sample.stress(field);
+        let mut off = self.stress_of(t, displacement);
+        (0..3).for_each(|c| off[c] -= value[c]);
         let reaction = self.reaction();
-        let nodes = self.mesh.triangles()[t];
-        let corners = self.mesh.corners(t);
+        if self.lifts[t].is_empty() && reaction == 0.0 {
+            return Ok((off, 0.0));
+        }
+        let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
         let element = Element::new(corners);
-        let has_lift = !self.lifts[t].is_empty();
-        // div q is constant: that of the linear field on its first piece.
-        let divergence = if reaction > 0.0 { divergence(corners, field) } else { 0.0 };
-        let (mut distance, mut energy) = (0.0, 0.0);
-        self.at_points(t, |k, shares, point, weight| {
-            let mut value = combine(shares, &field[k]);
-            let exact = self.exact_at(point);
-            (0..3).for_each(|c| value[c] += exact[c]);
-            let mut off = [0, 1, 2].map(|c| stress[c] - value[c]);
-            energy += 0.5 * weight * inner(&value, &value);
-            let mut v = 0.0;
-            if has_lift || reaction > 0.0 {
-                let at = element.barycentric(corners, point);
-                if reaction > 0.0 {
-                    v = (0..3).map(|i| at[i] * displacement[nodes[i]]).sum();
-                }
-                if let Some((own, values)) = self.lifted_at(t, at, &element) {
-                    (0..3).for_each(|c| off[c] += own[c]);
-                    v += values[0];
-                }
-            }
-            distance += weight * inner(&off, &off);
+        let at = element.barycentric(corners, sample.point);
+        let mut v = if reaction > 0.0 { (0..3).map(|i| at[i] * displacement[nodes[i]]).sum() } else { 0.0 };
+        if let Some((own, values)) = self.lifted_at(t, at, &element) {
+            (0..3).for_each(|c| off[c] += own[c]);
+            v += values[0];
+        }
+        let residual = if reaction > 0.0 { reaction * v - self.source(t, sample, field)? } else { 0.0 };
+        Ok((off, residual))
+    }
+
+    /// f + div q at a point, for a problem with reaction term.
+    fn source(&self, t: usize, sample: &Sample, field: &Linear) -> Result<f64> {
+        let load = self.body.load_at(self.mesh.region(t), sample.point)?[0];
+        Ok(load + divergence(self.mesh.corners(t), field))
+    }
+
+    fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<OnTriangle> {
+        let (inner, field, reaction) = (self.compliance(t), &dual.fields[t], self.reaction());
+        let mut found = OnTriangle::default();
+        let mut area = 0.0;
+        for sample in self.samples(t) {
+            let (value, weight) = (sample.stress(field), sample.weight);
+            let (off, residual) = self.distance_at(t, &sample, displacement, field)?;
+            found.distance += weight * inner(&off, &off);
+            found.energy += 0.5 * weight * inner(&value, &value);
+            area += weight;
+            (0..3).for_each(|c| found.mean[c] += weight * value[c]);
             if reaction > 0.0 {
-                let source = self.body.load_at(self.mesh.region(t), point)?[0] + divergence;
-                distance += weight * (source - reaction * v).powi(2) / reaction;
-                energy += 0.5 * weight * source * source / reaction;
+                found.distance += weight * residual * residual / reaction;
+                found.energy += 0.5 * weight * self.source(t, &sample, field)?.powi(2) / reaction;
             }
-            Ok(())
-        })?;
-        Ok([distance, self.oscillation_of(t, dual.left_over[t]), energy])
+        }
+        found.mean.iter_mut().for_each(|mean| *mean /= area);
+        found.oscillation = self.oscillation_of(t, dual.left_over[t]);
+        Ok(found)
+    }
+
+    /// The stress of the lifts of a triangle at a point, and the value (scalar).
+    pub(super) fn lifted_at(
+        &self,
+        t: usize,
+        shares: [f64; 3],
+        element: &Element,
+    ) -> Option<(Value, [f64; 2])> {
+        let mut sum: Option<(Value, [f64; 2])> = None;
+        for lift in self.lifts[t].iter() {
+            let (value, [gx, gy]) = lift.at(element, shares);
+            let stress = self.stress_from(t, [gx, gy]);
+            let (total, values) = sum.get_or_insert(([0.0; 3], [0.0; 2]));
+            (0..3).for_each(|c| total[c] += stress[c]);
+            (0..2).for_each(|c| values[c] += value[c]);
+        }
+        sum
+    }
+
+    /// J(v + z) − J(v) for the sum z of all lifts.
+    pub(super) fn lift_energy(&self, displacement: &[f64]) -> Result<f64> {
+        let mut sum = 0.0;
+        for (t, lifts) in self.lifts.iter().enumerate() {
+            if lifts.is_empty() {
+                continue;
+            }
+            let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
+            let (element, inner) = (Element::new(corners), self.compliance(t));
+            let stress = self.stress_of(t, displacement);
+            let reaction = self.reaction();
+            for Sample { point, weight, .. } in self.samples(t) {
+                let shares = element.barycentric(corners, point);
+                if let Some((own, value)) = self.lifted_at(t, shares, &element) {
+                    let load = self.body.load_at(self.mesh.region(t), point)?;
+                    let v: f64 = if reaction > 0.0 {
+                        (0..3).map(|i| shares[i] * displacement[nodes[i]]).sum()
+                    } else {
+                        0.0
+                    };
+                    sum += weight
+                        * (inner(&stress, &own)
+                            + 0.5 * inner(&own, &own)
+                            + reaction * value[0] * (v + 0.5 * value[0])
+                            - load[0] * value[0]
+                            - load[1] * value[1]);
+                }
+            }
+        }
+        Ok(sum)
     }
 
     /// osc_T.
@@ -212,10 +295,8 @@ impl Setting<'_, '_> {
 }
 
 /// The divergence of a flux that is linear on the whole triangle.
-fn divergence(corners: [Point; 3], field: &super::element::Linear) -> f64 {
-    let piece = super::element::pieces(corners)[0];
+fn divergence(corners: [Point; 3], field: &Linear) -> f64 {
+    let piece = pieces(corners)[0];
     let element = Element::new(piece);
-    (0..3)
-        .map(|m| element.gradients[m][0] * field[0][m][0] + element.gradients[m][1] * field[0][m][1])
-        .sum()
+    (0..3).map(|m| element.gradients[m][0] * field[0][m][0] + element.gradients[m][1] * field[0][m][1]).sum()
 }

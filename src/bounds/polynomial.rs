@@ -15,6 +15,9 @@ use std::f64::consts::PI;
 /// Largest degree in each coordinate.
 const DEGREE: usize = 28;
 
+/// Points that are evaluated together.
+const LANES: usize = 8;
+
 /// Coefficients below this multiple of the largest value are rounding.
 const RESOLVED: f64 = 1e-14;
 
@@ -71,13 +74,23 @@ impl Particular {
         self.parts.iter().map(degree).max().unwrap_or(0)
     }
 
-    pub(super) fn at(&self, point: Point) -> Value {
-        let [x, y] = [0, 1].map(|axis| (point[axis] - self.low[axis]) / self.half[axis] - 1.0);
-        let mut value = [0.0; 3];
-        for (value, part) in value.iter_mut().zip(&self.parts) {
-            *value = part.at(x, y);
+    /// The stress at many points.
+    pub(super) fn at(&self, points: &[Point], values: &mut [Value]) {
+        for (points, values) in points.chunks(LANES).zip(values.chunks_mut(LANES)) {
+            let local = |axis: usize| -> [f64; LANES] {
+                std::array::from_fn(|j| {
+                    let point = points[j.min(points.len() - 1)];
+                    (point[axis] - self.low[axis]) / self.half[axis] - 1.0
+                })
+            };
+            let (x, y) = (local(0), local(1));
+            for (component, part) in self.parts.iter().enumerate() {
+                let found = part.at(&x, &y);
+                for (value, found) in values.iter_mut().zip(found) {
+                    value[component] = found;
+                }
+            }
         }
-        value
     }
 }
 
@@ -93,7 +106,9 @@ impl Series {
             .map(|k| {
                 let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
                 let scale = sign * if k == 0 { 1.0 } else { 2.0 } / count as f64;
-                (0..count).map(|j| scale * (PI * (k as f64) * (j as f64 + 0.5) / count as f64).cos()).collect()
+                (0..count)
+                    .map(|j| scale * (PI * (k as f64) * (j as f64 + 0.5) / count as f64).cos())
+                    .collect()
             })
             .collect();
         let transform = |rows: &[Vec<f64>]| -> Vec<Vec<f64>> {
@@ -151,9 +166,22 @@ impl Series {
         Self { coefficients: if axis == 0 { turned(&integrated) } else { integrated } }
     }
 
-    /// Clenshaw's recurrence in both coordinates.
-    fn at(&self, x: f64, y: f64) -> f64 {
-        clenshaw(self.coefficients.iter().map(|row| clenshaw(row.iter().copied(), y)), x)
+    /// Clenshaw's recurrence in both coordinates: b_k = c_k + 2x b_{k+1} − b_{k+2}, and the sum is b_0 − x b_1.
+    fn at(&self, x: &[f64; LANES], y: &[f64; LANES]) -> [f64; LANES] {
+        let (mut next, mut after) = ([0.0; LANES], [0.0; LANES]);
+        for row in self.coefficients.iter().rev() {
+            let (mut inner, mut beyond) = ([0.0; LANES], [0.0; LANES]);
+            for c in row.iter().rev() {
+                for j in 0..LANES {
+                    (inner[j], beyond[j]) = (c + 2.0 * y[j] * inner[j] - beyond[j], inner[j]);
+                }
+            }
+            for j in 0..LANES {
+                let value = inner[j] - y[j] * beyond[j];
+                (next[j], after[j]) = (value + 2.0 * x[j] * next[j] - after[j], next[j]);
+            }
+        }
+        std::array::from_fn(|j| next[j] - x[j] * after[j])
     }
 }
 
@@ -161,15 +189,6 @@ fn add_at(sum: &mut [f64], k: usize, value: f64) {
     if let Some(entry) = sum.get_mut(k) {
         *entry += value;
     }
-}
-
-/// Σ c_k T_k(x): b_k = c_k + 2x b_{k+1} − b_{k+2}, and the sum is b_0 − x b_1.
-fn clenshaw(coefficients: impl DoubleEndedIterator<Item = f64>, x: f64) -> f64 {
-    let (mut next, mut after) = (0.0, 0.0);
-    for c in coefficients.rev() {
-        (next, after) = (c + 2.0 * x * next - after, next);
-    }
-    next - x * after
 }
 
 #[cfg(test)]
@@ -187,7 +206,9 @@ mod tests {
                 -((1.3 * x).sin() - (-1.3_f64).sin()) / 1.3 * y * y,
                 (x.exp() * ((-0.7 * y).exp() - (-0.35_f64).exp())) / 0.7,
             ];
-            let value = found.at(point);
+            let mut values = [[0.0; 3]];
+            found.at(&[point], &mut values);
+            let [value] = values;
             assert!((value[0] - exact[0]).abs() < 1e-13, "{value:?} {exact:?}");
             assert!((value[1] - exact[1]).abs() < 1e-13, "{value:?} {exact:?}");
         }

@@ -22,8 +22,3 @@ impl TriangleRule {
         Ok(Self { points })
     }
 }
-
-/// Σ share · corner.
-pub(super) fn combine<const N: usize>(shares: &[f64; 3], corners: &[[f64; N]; 3]) -> [f64; N] {
-    std::array::from_fn(|c| shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c])
-}

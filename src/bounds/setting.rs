@@ -2,10 +2,10 @@
 //! carries and what is left to the triangles, and the tractions that remain on the boundary.
 
 use super::boundary_values::Lift;
-use super::element::{Linear, Side, Value, add, pieces, side, traction};
+use super::element::{Linear, Side, Value, add, combine, pieces, side, traction};
 use super::lift::lifted;
 use super::polynomial::Particular;
-use super::rule::{TriangleRule, combine};
+use super::rule::TriangleRule;
 use crate::contact::Body;
 use crate::error::{Error, Result};
 use crate::fem::{Form, Lame};
@@ -59,6 +59,24 @@ pub(super) struct Setting<'s, 'b> {
     local: bool,
     /// Prescribed displacements that are not linear on an edge, by triangle.
     pub(super) lifts: Vec<Vec<Lift>>,
+}
+
+/// A point of the rule: its piece, barycentric coordinates there, weight, and the exact stress.
+pub(super) struct Sample {
+    pub(super) piece: usize,
+    pub(super) shares: [f64; 3],
+    pub(super) point: Point,
+    pub(super) weight: f64,
+    pub(super) exact: Value,
+}
+
+impl Sample {
+    /// q at the point: the field of the triangle and the exact stress.
+    pub(super) fn stress(&self, field: &Linear) -> Value {
+        let mut value = combine(&self.shares, &field[self.piece]);
+        (0..3).for_each(|c| value[c] += self.exact[c]);
+        value
+    }
 }
 
 /// The load that a triangle carries by itself.
@@ -117,8 +135,11 @@ impl<'s, 'b> Setting<'s, 'b> {
             setting.border_of[edge] = Some(setting.borders.len());
             let (linear, left_over) = setting.border_data(triangle, side, border.part)?;
             let border = Border { edge, part: border.part, triangle, side, linear, left_over };
-            if let Some(lift) = setting.lift_of(&border)? {
-                setting.lifts[triangle].push(lift);
+            if border.part == Part::Dirichlet {
+                let corners = mesh.corners(triangle);
+                let (a, b) = (corners[side], corners[(side + 1) % 3]);
+                let at = |s: f64| body.displacement_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
+                setting.lifts[triangle].extend(Lift::through(side, at)?);
             }
             setting.borders.push(border);
         }
@@ -166,8 +187,31 @@ impl<'s, 'b> Setting<'s, 'b> {
     }
 
     /// The exact stress of the part of the load that is a polynomial.
-    pub(super) fn exact_at(&self, point: Point) -> Value {
-        self.particular.as_ref().map_or([0.0; 3], |particular| particular.at(point))
+    pub(super) fn exact_at(&self, points: &[Point]) -> Vec<Value> {
+        let mut values = vec![[0.0; 3]; points.len()];
+        if let Some(particular) = &self.particular {
+            particular.at(points, &mut values);
+        }
+        values
+    }
+
+    /// The points of the rule on the pieces of a triangle.
+    pub(super) fn samples(&self, t: usize) -> Vec<Sample> {
+        let corners = self.mesh.corners(t);
+        let share = doubled_area(corners) / 6.0;
+        let all = pieces(corners);
+        let points: Vec<Point> = all
+            .iter()
+            .flat_map(|piece| self.rule.points.iter().map(|(shares, _)| combine(shares, piece)))
+            .collect();
+        let exact = self.exact_at(&points);
+        let count = self.rule.points.len();
+        (0..points.len())
+            .map(|i| {
+                let (shares, weight) = self.rule.points[i % count];
+                Sample { piece: i / count, shares, point: points[i], weight: weight * share, exact: exact[i] }
+            })
+            .collect()
     }
 
     /// The load that is left to one triangle, if any.
@@ -259,7 +303,7 @@ impl<'s, 'b> Setting<'s, 'b> {
         let mut samples = Vec::with_capacity(EDGE_POINTS);
         for (s, weight) in self.edge_rule.iter() {
             let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-            let mut value = traction(self.components, self.exact_at(point), &side).map(|v| -v);
+            let mut value = traction(self.components, self.exact_at(&[point])[0], &side).map(|v| -v);
             if part == Part::Neumann {
                 let [x, y] = self.body.traction_at(point)?;
                 let ([nx, ny], [tx, ty]) = (side.normal, side.tangent);

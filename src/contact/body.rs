@@ -164,7 +164,8 @@ impl<'a> Body<'a> {
         let none = vec![0.0; mesh.nodes().len() * components];
         let mut problem = ContactProblem::new(mesh.clone(), self.form.clone(), &none)?;
         let rule = Cubature::new(POINTS)?;
-        let load = load_by_triangles(mesh, components, &rule, &|t, point| self.load_at(mesh.region(t), point))?;
+        let load =
+            load_by_triangles(mesh, components, &rule, &|t, point| self.load_at(mesh.region(t), point))?;
         problem.add_load(&load)?;
         if !self.tractions.is_empty() {
             problem.add_boundary_load(Part::Neumann, &|point, _| self.traction_at(point))?;

@@ -14,8 +14,8 @@ mod structured;
 mod triangulation;
 
 pub use contact_edge::ContactEdge;
-pub use geometry::{BoundaryEdge, Part, Point};
 pub(crate) use edges::Edges;
+pub use geometry::{BoundaryEdge, Part, Point};
 pub(crate) use geometry::{distance, doubled_area, middle};
 pub(crate) use grid::Grid;
 pub use hierarchy::Hierarchy;
