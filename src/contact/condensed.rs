@@ -8,11 +8,12 @@
 use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::cascade;
 use super::edge_problem::EdgeProblem;
+use super::interior_point;
 use super::problem::ContactProblem;
 use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
-use crate::error::Result;
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Condensation, Reduced};
 use crate::numeric::scale::careful_dot;
 use fractional_sobolev::Work;
@@ -52,9 +53,21 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
+/// A body without Dirichlet edge whose floors cannot balance the load.
+const NO_EQUILIBRIUM: &str = "a body without Dirichlet edge is not in equilibrium: its load must press it onto its floors, \
+                              with a resultant that they can carry without friction";
+
 /// The solution by the active set method from the given initial guess.
 pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-    by_edge(problem, cone, |edge| solve_on_edge(edge, guess))
+    by_edge(problem, cone, |edge| match solve_on_edge(edge, guess) {
+        // Too few constraints to keep the body in place: start from those of the interior point method.
+        Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })) if problem.floats => {
+            let off = |_| Error::Solver { reason: NO_EQUILIBRIUM.into() };
+            let set = interior_point::solve(problem, cone)?.contact_set;
+            solve_on_edge(edge, set).map_err(off)
+        }
+        found => found,
+    })
 }
 
 /// The solution by the active set method, with an initial guess from coarser functions on the edge.
