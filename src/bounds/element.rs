@@ -49,8 +49,13 @@ pub(super) fn add(a: &mut Linear, factor: f64, b: &Linear) {
 }
 
 /// Σ share · corner.
+#[inline]
 pub(super) fn combine<const N: usize>(shares: &[f64; 3], corners: &[[f64; N]; 3]) -> [f64; N] {
-    std::array::from_fn(|c| shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c])
+    let mut sum = [0.0; N];
+    for c in 0..N {
+        sum[c] = shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c];
+    }
+    sum
 }
 
 /// Length, outward normal and tangent of side k, from corner k to k + 1.

@@ -53,21 +53,26 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
+/// Largest relative imbalance of the forces on a body without Dirichlet edge.
+const BALANCED: f64 = 1e-8;
+
 /// A body without Dirichlet edge whose floors cannot balance the load.
 const NO_EQUILIBRIUM: &str = "a body without Dirichlet edge is not in equilibrium: its load must press it onto its floors, \
                               with a resultant that they can carry without friction";
 
 /// The solution by the active set method from the given initial guess.
 pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-    by_edge(problem, cone, |edge| match solve_on_edge(edge, guess) {
+    let off = || Error::Solver { reason: NO_EQUILIBRIUM.into() };
+    let found = by_edge(problem, cone, |edge| match solve_on_edge(edge, guess) {
         // Too few constraints to keep the body in place: start from those of the interior point method.
         Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })) if problem.floats => {
-            let off = |_| Error::Solver { reason: NO_EQUILIBRIUM.into() };
             let set = interior_point::solve(problem, cone)?.contact_set;
-            solve_on_edge(edge, set).map_err(off)
+            solve_on_edge(edge, set).map_err(|_| off())
         }
         found => found,
-    })
+    })?;
+    // Nearly singular equations of too few constraints show in the resultants.
+    if problem.floats && found.balance > BALANCED { Err(off()) } else { Ok(found) }
 }
 
 /// The solution by the active set method, with an initial guess from coarser functions on the edge.

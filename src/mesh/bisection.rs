@@ -11,18 +11,21 @@ use super::geometry::{BoundaryEdge, distance};
 use super::triangulation::Triangulation;
 use crate::error::Result;
 
-/// The triangulation with the marked triangles refined, and the parents of its new nodes.
-pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+/// A refined triangulation, the parents of its new nodes, and the triangle from which every triangle comes.
+pub(super) type Refined = (Triangulation, Vec<[usize; 2]>, Vec<u32>);
+
+/// The triangulation with the marked triangles refined.
+pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<Refined> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
     let turned = turned_to_longest(coarse, &edges)?;
     let halved = closure(&turned, marked, edges.pairs().len());
     refined(coarse, (&edges, &turned), &halved, cut)
 }
 
-/// One red refinement, and the parents of the new nodes.
+/// One red refinement.
 ///
 /// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
-pub(super) fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+pub(super) fn red(coarse: &Triangulation) -> Result<Refined> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
     let sides =
         |&[a, b, c]: &[usize; 3]| Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]));
@@ -39,14 +42,13 @@ pub(super) fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 
     )
 }
 
-/// The triangulation with the given edges bisected and every triangle cut at its midpoints by `cut`, and the parents
-/// of its new nodes.
+/// The triangulation with the given edges bisected and every triangle cut at its midpoints by `cut`.
 fn refined(
     coarse: &Triangulation,
     (edges, turned): (&Edges, &[Turned]),
     halved: &[bool],
     cut: impl Fn([usize; 3], [Option<usize>; 3], &mut Vec<[usize; 3]>),
-) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+) -> Result<Refined> {
     let mut nodes = coarse.nodes().to_vec();
     let mut parents = Vec::new();
     let mut middles = vec![None; halved.len()];
@@ -56,10 +58,11 @@ fn refined(
         nodes.push([0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]);
         parents.push([a, b]);
     }
-    let (mut triangles, mut regions) = (Vec::new(), Vec::new());
+    let (mut triangles, mut regions, mut origins) = (Vec::new(), Vec::new(), Vec::new());
     for (t, &(corners, sides)) in turned.iter().enumerate() {
         cut(corners, sides.map(|edge| middles[edge]), &mut triangles);
         regions.resize(triangles.len(), coarse.region(t) as u32);
+        origins.resize(triangles.len(), t as u32);
     }
     let mut boundary = Vec::new();
     for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
@@ -70,7 +73,7 @@ fn refined(
     }
     let fine = Triangulation::trusted(nodes, triangles, boundary);
     let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(&regions)? };
-    Ok((fine, parents))
+    Ok((fine, parents, origins))
 }
 
 /// A triangle (a, b, c) with longest edge ab, and its edges ab, bc, ca.
