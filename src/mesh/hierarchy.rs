@@ -155,7 +155,11 @@ impl Hierarchy {
     #[must_use]
     pub fn up_to(&self, level: usize) -> Self {
         let last = level.min(self.levels.len() - 1);
-        Self { levels: self.levels[..=last].to_vec(), parents: self.parents[..last].to_vec(), origins: Vec::new() }
+        Self {
+            levels: self.levels[..=last].to_vec(),
+            parents: self.parents[..last].to_vec(),
+            origins: Vec::new(),
+        }
     }
 
     /// The triangle of the level before from which every triangle of the finest level comes.
