@@ -6,8 +6,9 @@
 
 use super::check;
 use super::geometry::{BoundaryEdge, Part, Point, distance};
+use super::grouped::in_numbers;
 use super::names::{Interface, Names};
-use crate::error::{Error, Result, ToolkitError};
+use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
 
 /// A conforming triangulation with labelled boundary.
@@ -113,13 +114,19 @@ impl Triangulation {
         Ok(self)
     }
 
-    /// The same triangulation with these curves inside, and these sentences about the file it was read from.
-    pub(super) fn with_interfaces(mut self, interfaces: Vec<Interface>, remarks: Vec<String>) -> Self {
-        (self.names.interfaces, self.names.remarks) = (interfaces, remarks);
+    /// The same triangulation with these curves inside.
+    pub(super) fn with_interfaces(mut self, interfaces: Vec<Interface>) -> Self {
+        self.names.interfaces = interfaces;
         self
     }
 
-    /// All names of a triangulation, and those of the refinement with the given groups of its edges and interfaces.
+    /// The same triangulation with further sentences about the file it was read from.
+    pub(super) fn with_remarks(mut self, remarks: Vec<String>) -> Self {
+        self.names.remarks.extend(remarks);
+        self
+    }
+
+    /// All names of the triangulation.
     pub(super) fn names(&self) -> &Names {
         &self.names
     }
@@ -177,7 +184,7 @@ impl Triangulation {
 
     /// An error about a node or an edge, by the numbers of the file.
     pub(super) fn in_own_numbers(&self, error: Error) -> Error {
-        in_numbers(error, |node| self.number(node))
+        in_numbers(error, |node| self.number(node), |triangle| triangle)
     }
 
     /// For every node, the smallest number of a node connected to it by triangles with common nodes. Cost: at most
@@ -296,18 +303,5 @@ impl Triangulation {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;
         Ok(self)
-    }
-}
-
-/// An error about a node or an edge with other numbers of the nodes.
-pub(super) fn in_numbers(error: Error, number: impl Fn(usize) -> usize) -> Error {
-    match error {
-        Error::Toolkit(ToolkitError::Node { node, reason }) => {
-            Error::Toolkit(ToolkitError::Node { node: number(node), reason })
-        }
-        Error::Toolkit(ToolkitError::Edge { nodes, reason }) => {
-            Error::Toolkit(ToolkitError::Edge { nodes: nodes.map(number), reason })
-        }
-        other => other,
     }
 }
