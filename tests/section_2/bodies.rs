@@ -188,6 +188,29 @@ fn bad_bodies_are_refused_in_one_clear_line() {
 }
 
 #[test]
+fn a_mesh_without_a_clamp_or_a_floor_is_refused_with_what_to_do() {
+    let directory = std::env::temp_dir().join(format!("signorini-groups-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    let body = directory.join("body.msh");
+    for (group, why) in [
+        (
+            "clamped",
+            "no curve is clamped: add Physical Curve(\"clamped\") = {..}; the groups are contact, free",
+        ),
+        (
+            "contact",
+            "no curve is in contact: add Physical Curve(\"contact\") = {..}; the groups are free, clamped",
+        ),
+    ] {
+        std::fs::write(&body, L_SHAPE.replace(&format!("\"{group}\""), "\"free\"")).unwrap();
+        let options = Options { mesh: Some(body.clone()), load: "0, 1".to_owned(), ..Default::default() };
+        let error = outcome(&options).unwrap_err();
+        assert!(error.contains(why), "{error}");
+    }
+    std::fs::remove_dir_all(&directory).unwrap();
+}
+
+#[test]
 fn the_file_holds_the_contact_edges() {
     let directory = std::env::temp_dir().join(format!("signorini-own-{}", std::process::id()));
     let options = Options {

@@ -1,6 +1,7 @@
 //! Mesh files as people bring them: what is read gives the body of the reference bit by bit, what is not is refused
 //! with what to do, as the table of the page says.
 
+use crate::common::SplitMix;
 use signorini::Error;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
@@ -497,4 +498,37 @@ fn parts_are_given_to_groups_with_other_names() {
     assert!(wrong.to_string().contains("no boundary group 'cieling': it has Wall, floor, free"), "{wrong}");
     let wrong = mesh(&[named[0], named[1], ("free", Part::Contact)]).unwrap_err().to_string();
     assert!(wrong.contains("boundary part 'contact for the group free'"), "{wrong}");
+}
+
+#[test]
+fn binary_files_with_wrong_bytes_are_read_or_refused_in_one_line() {
+    let binary = |how: How| written(How { binary: true, ..how });
+    let old = How { version: "2.2", ..TEXT };
+    let seeds = [
+        binary(TEXT),
+        binary(How { partitioned: true, parametric: true, ..TEXT }),
+        binary(How { version: "4.0", swapped: true, ..TEXT }),
+        binary(old),
+        binary(How { parametric: true, second_order: true, ..old }),
+    ];
+    let mut random = SplitMix::new(54);
+    let mut refused = 0;
+    for _ in 0..if crate::MANY { 200_000 } else { 5_000 } {
+        let mut bytes = seeds[random.below(seeds.len())].clone();
+        for _ in 0..=random.below(3) {
+            let at = random.below(bytes.len());
+            match random.below(4) {
+                0 => bytes.truncate(at + 1),
+                1 => bytes[at] = random.below(256) as u8,
+                2 => bytes[at] ^= 1 << random.below(8),
+                _ => drop(bytes.splice(at..(at + 8).min(bytes.len()), [255; 8])),
+            }
+        }
+        if let Err(error) = parse_msh(&bytes) {
+            let text = error.to_string();
+            assert!(text.lines().count() == 1 && text.len() < 300, "{text}");
+            refused += 1;
+        }
+    }
+    assert!(refused > 1000, "{refused}");
 }
