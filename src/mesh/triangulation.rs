@@ -141,7 +141,9 @@ impl Triangulation {
     /// Refinements keep the names.
     pub fn group(&self, edge: usize) -> &str {
         let named = self.names.of_edges.get(edge).and_then(|&group| self.names.groups.get(group as usize));
-        named.map(String::as_str).unwrap_or_else(|| self.boundary.get(edge).map_or("", |edge| edge.part.name()))
+        named
+            .map(String::as_str)
+            .unwrap_or_else(|| self.boundary.get(edge).map_or("", |edge| edge.part.name()))
     }
 
     /// The names of the boundary groups, in the order in which they appear among the boundary edges.

@@ -162,7 +162,8 @@ fn with_line(text: &str, answer: Result<String, Error>) -> Answer {
             _ => return Err(format!("no line: {error}")),
         };
         // Of a file without a line the error is about line 0.
-        if line > text.lines().count() || line == 0 && !text.trim_start_matches('\u{feff}').trim().is_empty() {
+        if line > text.lines().count() || line == 0 && !text.trim_start_matches('\u{feff}').trim().is_empty()
+        {
             return Err(format!("{line} of {} lines: {error}", text.lines().count()));
         }
         let said = error.to_string();
