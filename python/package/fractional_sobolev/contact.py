@@ -75,7 +75,6 @@ class Solution:
         self.energy = solved.energy
         self.contact_force = solved.contact_force
         self.residual = solved.residual
-        self.converged = solved.converged
         self._solved = solved
 
     def __repr__(self) -> str:
@@ -209,6 +208,11 @@ def solve(
     -------
     Solution
         The discrete solution.
+
+    Raises
+    ------
+    SobolevError
+        Invalid data, or an iteration that did not converge.
 
     Examples
     --------
