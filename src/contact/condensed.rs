@@ -100,7 +100,7 @@ fn by_edge(
     let (reduced, bound) = iterate.remainder()?;
     let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
     iterate.add(&reduced, &correction.displacement, &correction.multiplier);
-    let iterations = outcome.history.len() as u64;
+    let iterations = outcome.steps.len() as u64;
     let mut solution = conclude(
         problem,
         cone,
@@ -110,11 +110,14 @@ fn by_edge(
             multiplier: iterate.multiplier,
             contact_set: outcome.set,
             status: outcome.status,
-            history: outcome.history,
+            steps: outcome.steps,
             work: Work { iterations, factorizations: 1, ..Work::default() },
             accepted: ACCEPTED,
         },
     )?;
+    // The energies of the steps are those of the edge: they differ from J by a constant.
+    let interior = solution.energy - solution.steps.last().map_or(0.0, |last| last.energy);
+    solution.steps.iter_mut().for_each(|step| step.energy += interior);
     let (assembly, recovery) = (problem.assembly_seconds(), start.elapsed().as_secs_f64());
     solution.seconds = Seconds { assembly, factorization, contact, recovery };
     Ok(solution)

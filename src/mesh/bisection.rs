@@ -8,6 +8,7 @@
 
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, distance};
+use super::names::{Interface, Names};
 use super::triangulation::Triangulation;
 use crate::error::Result;
 
@@ -64,14 +65,22 @@ fn refined(
         regions.resize(triangles.len(), coarse.region(t) as u32);
         origins.resize(triangles.len(), t as u32);
     }
+    let pieces = |[a, b]: [usize; 2]| -> Result<Vec<[usize; 2]>> {
+        Ok(middles[edges.find(a, b)?].map_or_else(|| vec![[a, b]], |m| vec![[a, m], [m, b]]))
+    };
     let mut boundary = Vec::new();
-    for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
-        match middles[edges.find(a, b)?] {
-            None => boundary.push(BoundaryEdge { nodes: [a, b], part }),
-            Some(m) => boundary.extend([[a, m], [m, b]].map(|nodes| BoundaryEdge { nodes, part })),
+    // The names of groups pass to the halves of edges and triangles.
+    let mut names = Names { of_edges: Vec::new(), ..coarse.names().clone() };
+    for (edge, &BoundaryEdge { nodes, part }) in coarse.boundary().iter().enumerate() {
+        boundary.extend(pieces(nodes)?.into_iter().map(|nodes| BoundaryEdge { nodes, part }));
+        if let Some(&group) = coarse.names().of_edges.get(edge) {
+            names.of_edges.resize(boundary.len(), group);
         }
     }
-    let fine = Triangulation::trusted(nodes, triangles, boundary);
+    for Interface { edges, .. } in &mut names.interfaces {
+        *edges = edges.iter().map(|&edge| pieces(edge)).collect::<Result<Vec<_>>>()?.concat();
+    }
+    let fine = Triangulation::trusted(nodes, triangles, boundary).with_names(names);
     let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(&regions)? };
     Ok((fine, parents, origins))
 }
@@ -166,6 +175,40 @@ mod tests {
         assert!(mesh.triangles().len() < 1500, "{}", mesh.triangles().len());
         let at_point = mesh.nodes().iter().map(|&p| distance(p, [0.25, 0.0])).filter(|&d| d > 0.0);
         assert_eq!(at_point.fold(f64::INFINITY, f64::min), 0.25 * 0.5_f64.powi(20));
+    }
+
+    #[test]
+    fn names_pass_to_the_halves() {
+        // The diagonal is a curve inside; regions are the two sides of it.
+        let square = unit_square(1, SideParts::HANGING).unwrap();
+        let [a, c] = [[0.0, 0.0], [1.0, 1.0]].map(|p| square.nodes().iter().position(|&q| q == p).unwrap());
+        let diagonal = Interface { name: "weld".to_owned(), edges: vec![[a, c]] };
+        let square = square.with_groups(&["floor", "right", "ceiling", "left"]).unwrap();
+        let square = square.with_regions(&[0, 1]).unwrap().with_region_names(&["low", "high"]).unwrap();
+        let mut hierarchy = Hierarchy::new(square.with_interfaces(vec![diagonal], Vec::new()));
+        hierarchy.refine().unwrap();
+        hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&[0.0, 0.0])).unwrap();
+        let mesh = hierarchy.finest();
+        let name = |[x, y]: [f64; 2]| match (x, y) {
+            (_, 0.0) => "floor",
+            (1.0, _) => "right",
+            (_, 1.0) => "ceiling",
+            _ => "left",
+        };
+        for (edge, sides) in mesh.boundary().iter().enumerate() {
+            let [p, q] = mesh.ends(sides);
+            assert_eq!(mesh.group(edge), name([0, 1].map(|k| 0.5 * (p[k] + q[k]))));
+        }
+        for t in 0..mesh.triangles().len() {
+            let [a, b, c] = mesh.corners(t);
+            let above = a[1] + b[1] + c[1] > a[0] + b[0] + c[0];
+            assert_eq!(mesh.region_names()[mesh.region(t)] == "high", above);
+        }
+        let inside = &mesh.interfaces()[0];
+        let length = |&[a, b]: &[usize; 2]| distance(mesh.nodes()[a], mesh.nodes()[b]);
+        assert!((inside.edges.iter().map(length).sum::<f64>() - 2f64.sqrt()).abs() < 1e-15);
+        assert_eq!(inside.edges.len(), 3);
+        assert!(inside.edges.iter().flatten().all(|&k| mesh.nodes()[k][0] == mesh.nodes()[k][1]));
     }
 
     #[test]
