@@ -185,7 +185,7 @@ mod tests {
         let diagonal = Interface { name: "weld".to_owned(), edges: vec![[a, c]] };
         let square = square.with_groups(&["floor", "right", "ceiling", "left"]).unwrap();
         let square = square.with_regions(&[0, 1]).unwrap().with_region_names(&["low", "high"]).unwrap();
-        let mut hierarchy = Hierarchy::new(square.with_interfaces(vec![diagonal], Vec::new()));
+        let mut hierarchy = Hierarchy::new(square.with_interfaces(vec![diagonal]));
         hierarchy.refine().unwrap();
         hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&[0.0, 0.0])).unwrap();
         let mesh = hierarchy.finest();
