@@ -12,7 +12,8 @@
 //! the contact edge (at τ = 2 |u|₂ for |∇u|_s). C(s), A: interpolation on the right isosceles triangle, ‖∇(u − I u)‖ ≤
 //! C(s) |∇u|_s; A h |u|₂ for legs h, 1/A + tan(1/A) = 0 (Kikuchi, Liu 2006). c(ν) in E: K/2, midpoint cone, ‖σ_N‖₁ ‖u_N'‖₁ ≤ K
 //! |σ_N|_ν |u_N'|_ν on the unit interval if one of the two is zero at each point; nodal cone: the smaller one of K and
-//! ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν). The latter, and c in C, 2/27 and 1/8, are proved (page `segment_constants`). P: the L² distance to constants on the unit interval, `by_definition`.
+//! ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν). The latter, and c in C, 2/27 and 1/8, are proved (page `segment_constants`). P: the L²
+//! distance to constants on the unit interval, `by_definition`.
 //! M = 2μ + 2 max(λ, 0), S = (λ² + (λ + 2μ)²)^(1/2), B = φ/√(2μ + 2 min(λ, 0)), φ the golden ratio; Laplacian: 1, 1, 1.
 //!
 //! (3.1) has h^(τ² − 5τ/2 + 2) in place of h^(τ−1), (3.2) h |ln h|^(1/2) in place of h: larger for h ≤ 1/4. So E is a

@@ -271,3 +271,24 @@ fn both_parts_have_the_order_of_the_theorem() {
         assert!(moved > order - 0.2, "{ratio}: {moved} {order}");
     }
 }
+
+/// ∫ σ M u − Σ ū ∫ σ = Σ (ū_i − ū_(i−1)) ∫ σ G_i, M u linear between the averages of neighbouring means, ∫ G_i = 0.
+#[test]
+fn averages_differ_from_means_by_oscillations() {
+    let mut random = Random(4);
+    for (cells, pressure, _) in random_edges().take(300) {
+        let segments = pressure.len() / cells;
+        let means: Vec<f64> = (0..segments).map(|_| random.next()).collect();
+        let averages =
+            (0..=segments).map(|i| 0.5 * (means[i.saturating_sub(1)] + means[i.min(segments - 1)]));
+        let averages: Vec<f64> = averages.collect();
+        let forces = forces(&pressure, cells);
+        let linear = |i: usize, [a, b]: [f64; 2]| a * forces[i].resultant + (b - a) * forces[i].moment;
+        let all: f64 = (0..segments).map(|i| linear(i, [averages[i], averages[i + 1]])).sum();
+        let by_means: f64 = (0..segments).map(|i| linear(i, [means[i]; 2])).sum();
+        let oscillation =
+            |i: usize| (means[i] - means[i - 1]) * (linear(i - 1, [0.0, 0.5]) + linear(i, [-0.5, 0.0]));
+        let rest: f64 = (1..segments).map(oscillation).sum();
+        assert!((all - by_means - rest).abs() < 1e-12 * (1.0 + all.abs()), "{all} {by_means} {rest}");
+    }
+}
