@@ -27,6 +27,7 @@ chapters! {
     theorem_4_1_rates: "theorem_4_1_rates.md",
     theta_balance: "theta_balance.md",
     worst_contact_set: "worst_contact_set.md",
+    two_sided_energies: "two_sided_energies.md",
     finite_contact_set: "finite_contact_set.md",
     bound_from_the_data: "bound_from_the_data.md",
     section_1_norms: "section_1_norms.md",
