@@ -6,8 +6,9 @@
 //! |u − u_h|₁² ≤ C(s)² h^{2s} |∇u|_s² + 2 c(ν) h^{2τ−2} |σ_N|_ν |u_N'|_ν + b²,
 //!
 //! C(s) of [`interpolation_constant`] on the triangle, value plus error; the sum over triangles of |∇u|²_{s,T} is at
-//! most the square of the seminorm over a half disc that contains Ω. c(ν) = K(ν) of [`super::product_constant`] for
-//! the nodal cone and half of it for the midpoint cone, value plus error, for every contact set. b = 0 for the nodal
+//! most the square of the seminorm over a half disc that contains Ω. For every contact set c(ν) = min(K(ν), c₂(ν)) for
+//! the nodal cone, K/2 for the midpoint cone, K of [`super::product_constant`], value plus error, and
+//! c₂ = ½ (1+2ν)^(1+2ν) / (2+2ν)^(2+2ν), proved by pairs of points (page `segment_constants`). b = 0 for the nodal
 //! cone; for the midpoint cone b² = (θ/π) h Σ_T ‖σ_N − πσ_N‖²_T ≤ (θ/π) P(ν)² h^{2τ−2} |σ_N|_ν², θ = coth π, P of
 //! [`projection_constant`], as in [`super::ExplicitBound`], steps 1 and 4. On a segment of length h the product
 //! ‖σ_N‖_{L¹} ‖u_N'‖_{L¹} scales like h^{1+2ν} |σ_N|_ν |u_N'|_ν, and 1 + 2ν = 2τ − 2; the sums of squared seminorms
@@ -48,10 +49,18 @@ pub struct TheoremConstants {
     pub order: Order,
     /// C(τ − 1); M^{1/2} C(τ − 1) for elasticity.
     pub interpolation: f64,
-    /// K(ν), the constant of the consistency term for the nodal cone; half of it for the midpoint cone.
+    /// K(ν); half of it is the constant of the consistency term for the midpoint cone.
     pub segment: f64,
+    /// min(K(ν), c₂(ν)), the constant of the consistency term for the nodal cone.
+    pub nodal: f64,
     /// (θ/π)^{1/2} P(ν); B (θ/π)^{1/2} P(ν) for elasticity.
     pub projection: f64,
+}
+
+/// c₂(ν) = ½ max x^(1+2ν) (1 − x) over 0 < x < 1.
+fn by_pairs(order: Order) -> f64 {
+    let power = 1.0 + 2.0 * order.value();
+    0.5 * (power / (power + 1.0)).powf(power) / (power + 1.0)
 }
 
 fn up(estimate: Estimate) -> f64 {
@@ -77,11 +86,13 @@ impl TheoremConstants {
         let unit = Domain::Interval(1.0);
         let projection = projection_constant(unit, ErrorNorm::L2, order.value(), asked)?.constant;
         let theta = 1.0 / PI.tanh();
+        let segment = up(product_constant(order, asked)?.value);
         Ok(Self {
             tau,
             order,
             interpolation,
-            segment: up(product_constant(order, asked)?.value),
+            segment,
+            nodal: segment.min(ROUND_UP * by_pairs(order)),
             projection: (theta / PI).sqrt() * up(projection),
         })
     }
@@ -101,13 +112,13 @@ impl TheoremConstants {
     /// |σ_N|_{ν,T}
     /// |u_N'|_{ν,T}, and of |σ_N|_ν.
     ///
-    /// (x² + 2 c h^{2τ−2} p + b² h^{2τ−2} s²)^{1/2}, x = `interpolation`, p = `product`, s = `pressure`, c = K(ν) and b = 0
-    /// for the nodal cone, c = K(ν)/2 and b = [`projection`](Self::projection) for the midpoint cone; rounded
+    /// (x² + 2 c h^{2τ−2} p + b² h^{2τ−2} s²)^{1/2}, x = `interpolation`, p = `product`, s = `pressure`, c = [`nodal`](Self::nodal)
+    /// and b = 0 for the nodal cone, c = K(ν)/2 and b = [`projection`](Self::projection) for the midpoint cone; rounded
     /// up.
     pub fn bound(&self, cone: Cone, h: f64, interpolation: f64, product: f64, pressure: f64) -> f64 {
         let scale = h.powf(self.tau - 1.0);
         let (segment, projection) = match cone {
-            Cone::Nodal => (self.segment, 0.0),
+            Cone::Nodal => (self.nodal, 0.0),
             Cone::Midpoint => (0.5 * self.segment, self.projection),
         };
         let term = scale * (2.0 * segment * product).sqrt();

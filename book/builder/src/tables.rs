@@ -9,6 +9,10 @@ use std::path::Path;
 
 /// The chapters of the book in their order.
 const SUMMARY: &str = "book/src/SUMMARY.md";
+/// The page of what is proved, what is seen, what is open.
+const CERTAINTY: &str = "book/src/what_is_proved.md";
+/// Most rows that fit on one screen.
+const ONE_SCREEN: usize = 24;
 /// Every chapter as a documentation test.
 const CHAPTERS: &str = "src/book.rs";
 
@@ -36,6 +40,9 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
         table("src/with_contact.md", None, contents_table(&all));
         for (group, members) in &groups {
             table("book/src/every_label.md", Some(group), cards_table(members));
+        }
+        if labels.iter().any(Label::is_judged) {
+            table(CERTAINTY, None, certainty_table(labels));
         }
     }
     let mut list = |file, begin: &str, end, lines, source| {
@@ -122,6 +129,16 @@ fn cards_table(labels: &[&Label]) -> String {
     text
 }
 
+/// One row for each label that says what is proved, seen or open.
+fn certainty_table(labels: &[Label]) -> String {
+    let mut text = "| statement | proved | seen | open |\n| --- | --- | --- | --- |\n".to_owned();
+    for label in labels.iter().filter(|label| label.is_judged()) {
+        let Label { label: name, page, proved, seen, open, .. } = label;
+        let _ = writeln!(text, "| [{name}]({page}.md) | {proved} | {seen} | {open} |");
+    }
+    text
+}
+
 /// The README, then the chapters in the order of the summary.
 fn chapters(repository: &Path) -> Result<String> {
     let summary = read(&repository.join(SUMMARY))?;
@@ -147,6 +164,11 @@ fn bounds(text: &str, (begin, end): &(String, &str)) -> Option<(usize, usize)> {
 /// [`Error::File`]; [`Error::Data`] for a file without the lines that mark a region.
 pub fn stale(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
     let mut found = Vec::new();
+    let rows = labels.iter().filter(|label| label.is_judged()).count();
+    if rows > ONE_SCREEN {
+        let what = format!("{rows} rows, at most {ONE_SCREEN} fit on one screen");
+        found.push(Fault::new(Path::new(CERTAINTY), 1, "too long", &what));
+    }
     each(labels, repository, |region, text, (start, end)| {
         if text[start..end] != *region.lines {
             let line = crate::scan::line_at(text, start);
@@ -196,7 +218,8 @@ mod tests {
     const LABELS: &str = "[[label]]\nlabel = \"Lemma 1\"\ngroup = \"tools\"\nwords = \"so\"\nexample = \"ex\"\n\
         test = \"lemma::it_holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\nitems = [\"a::f\"]\n\
         [[label]]\nlabel = \"Remark\"\ngroup = \"rest\"\nwords = \"more\"\nnote = \"none\"\n\
-        [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\n";
+        [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\npage = \"two\"\n\
+        proved = \"yes\"\nopen = \"the constant\"\n";
 
     fn repository() -> tempfile::TempDir {
         let directory = tempfile::tempdir().unwrap();
@@ -206,6 +229,7 @@ mod tests {
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
         put("CONTRIBUTING.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
         put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
+        put(CERTAINTY, "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
         put("book/src/every_label.md", &format!("{cards}<!-- end of labels -->\n"));
@@ -221,7 +245,10 @@ mod tests {
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
         let cards = "book/src/every_label.md";
-        assert_eq!(stale_files(), ["CONTRIBUTING.md", "src/with_contact.md", cards, cards, CHAPTERS]);
+        assert_eq!(
+            stale_files(),
+            ["CONTRIBUTING.md", "src/with_contact.md", cards, cards, CERTAINTY, CHAPTERS]
+        );
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
@@ -229,9 +256,11 @@ mod tests {
         assert!(contents.contains("| Lemma 1: so | [`a::f`] |\n<!-- end"), "{contents}");
         let readme = text("CONTRIBUTING.md");
         let row = "| Lemma 1: so | [ex](examples/ex.rs) | [lemma](tests/lemma.rs): it holds | \
-                   [lemma](book/src/lemma.md) | [a.rs](src/a.rs) |\n| Lemma 2: so too |  |  |  |  |\n| Remark";
+                   [lemma](book/src/lemma.md) | [a.rs](src/a.rs) |\n| Lemma 2: so too |  |  | [two](book/src/two.md) |  |\n| Remark";
         assert!(readme.contains(row) && readme.ends_with("b\n"), "{readme}");
         assert!(text(cards).contains("{{verdict: ex}} |\n| Lemma 2 |"), "{}", text(cards));
+        let row = "| --- |\n| [Lemma 2](two.md) | yes |  | the constant |\n<!-- end";
+        assert!(text(CERTAINTY).contains(row), "{}", text(CERTAINTY));
         let lines = "    // chapters\n    readme: \"../../README.md\",\n    how: \"how.md\",\n    lemma: \"lemma.md\",\n    // end";
         assert!(text(CHAPTERS).contains(lines), "{}", text(CHAPTERS));
         // Another order: the list is old again.
