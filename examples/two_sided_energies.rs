@@ -100,7 +100,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     // Bisect the triangles that carry half of the bound, solve both problems again.
     let mut adaptive: Vec<(f64, f64)> = Vec::new();
-    let refinement = Refinement { tolerance: 1e-9, unknowns: options.unknowns, ..Refinement::default() };
+    let refinement =
+        Refinement { tolerance: 1e-9, unknowns: options.unknowns, growth: 1.0, ..Refinement::default() };
     refinement.run(&block(unit_square(4, SideParts::HANGING)?)?, |found| {
         adaptive.push((found.problem.free_unknowns() as f64, found.error));
     })?;

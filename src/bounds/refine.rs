@@ -7,8 +7,6 @@ use crate::error::{Error, Result};
 use crate::mesh::{ContactEdge, Hierarchy, Triangulation, doubled_area};
 use fractional_sobolev::{Estimate, Work};
 
-/// Factor by which the number of triangles grows from one solution to the next.
-const GROWTH: usize = 4;
 /// Share of the tolerance that the expected bound of the last mesh is to meet.
 const AIMED: f64 = 0.98;
 
@@ -32,11 +30,14 @@ pub struct Refinement {
     pub unknowns: usize,
     /// Share of the square of the bound whose triangles are bisected; 1: all triangles (uniform refinement).
     pub share: f64,
+    /// Least factor by which the number of triangles grows from one solution to the next: triangles are bisected again by
+    /// the shares that are to be expected of the pieces. 1: the share is bisected once.
+    pub growth: f64,
 }
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5 }
+        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5, growth: 4.0 }
     }
 }
 
@@ -124,12 +125,12 @@ impl Refinement {
     }
 
     /// Bisects the triangles that carry the share of the bound, and again with the shares that are to be expected, until
-    /// the mesh has [`GROWTH`] times as many triangles or the square of the bound is expected to be as wanted.
+    /// the mesh has `growth` times as many triangles or the square of the bound is expected to be as wanted.
     ///
     /// A share is of the order of the square of the area, so that of a piece is that of its origin times the square of its
     /// part of the area. Returns the square of the bound to be expected.
     fn grow(&self, meshes: &mut Hierarchy, found: &Enclosure, wanted: f64) -> Result<f64> {
-        let first = found.shares.len();
+        let enough = self.growth * found.shares.len() as f64;
         let mut shares = found.shares.clone();
         loop {
             let marked = bulk(&shares, self.share, wanted);
@@ -146,7 +147,7 @@ impl Refinement {
                 })
                 .collect();
             let expected = shares.iter().sum();
-            if shares.len() >= GROWTH * first || expected <= wanted {
+            if shares.len() as f64 >= enough || expected <= wanted {
                 return Ok(expected);
             }
         }
