@@ -2,7 +2,7 @@
 //!
 //! A table per exercise, under the name of its page: `kind` is `why`, `prove`, `number` or `try`; `ask` and
 //! `answer` are Markdown as on a page, `hint` may be left out. The answer of a `number` is one that an
-//! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to
+//! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. `program` names a program of `book/course`. A page with exercises has two to
 //! eight, and asks at least one "why".
 
 use crate::chapter::Page;
@@ -22,6 +22,8 @@ pub struct Exercise {
     ask: String,
     hint: Option<String>,
     answer: String,
+    /// `file::function` of the course's programs that the exercise asks for.
+    program: Option<String>,
 }
 
 /// What an exercise asks for.
@@ -84,7 +86,36 @@ fn exercise(entry: &Value) -> std::result::Result<Exercise, String> {
     if kind == Kind::Number && !is_computed {
         return Err(format!("the answer holds no computed number: {ask}"));
     }
-    Ok(Exercise { kind, ask, hint: text("hint"), answer })
+    Ok(Exercise { kind, ask, hint: text("hint"), answer, program: text("program") })
+}
+
+impl Exercise {
+    /// How to get the skeleton of its program, and how to test it.
+    fn commands(&self) -> String {
+        let program = self.program.as_deref().and_then(|program| program.split_once("::"));
+        program.map_or(String::new(), |(file, function)| {
+            format!(
+                "\n```sh\ncargo course skeleton {file}\n\
+                 cargo test --release -p course --test mine_{file} {function}\n```\n"
+            )
+        })
+    }
+}
+
+/// The exercises of a page on a sheet of their own.
+pub fn sheet(title: &str, list: &[Exercise], with_solutions: bool) -> String {
+    let mut text = format!("# {title}: exercises{}\n", if with_solutions { " with solutions" } else { "" });
+    for (k, exercise) in (1..).zip(list) {
+        let _ =
+            write!(text, "\n**{k}.** *{}* {}\n{}", exercise.kind.word(), exercise.ask, exercise.commands());
+        if let Some(hint) = &exercise.hint {
+            let _ = write!(text, "\n*Hint.* {hint}\n");
+        }
+        if with_solutions {
+            let _ = write!(text, "\n> *Solution.* {}\n", exercise.answer.replace('\n', "\n> "));
+        }
+    }
+    text
 }
 
 /// Puts the exercises behind the text of their pages.
@@ -100,6 +131,7 @@ fn markdown(list: &[Exercise]) -> String {
     let mut text = "\n\n## Exercises\n".to_owned();
     for (k, exercise) in list.iter().enumerate() {
         let _ = write!(text, "\n**{}.** *{}* {}\n", k + 1, exercise.kind.word(), exercise.ask);
+        text.push_str(&exercise.commands());
         let folded = [("Hint", exercise.hint.as_deref()), ("Solution", Some(exercise.answer.as_str()))];
         for (title, body) in folded {
             if let Some(body) = body {
