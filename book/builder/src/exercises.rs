@@ -143,7 +143,23 @@ fn markdown(list: &[Exercise]) -> String {
     text
 }
 
-/// Exercises of pages that are not there, too few or too many on a page, none that asks why.
+/// What is wrong with the program that an exercise asks for: it has a hole and one test.
+fn wrong_program(program: &str, book: &Path) -> Option<&'static str> {
+    let Some((file, function)) = program.split_once("::") else { return Some("`program` is file::function") };
+    let file = book.join("course/tests").join(file).with_extension("rs");
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    let body = text.split(&format!("\nfn {function}(")).nth(1).and_then(|rest| rest.split("\n}\n").next());
+    let tests = text.split("#[test]\nfn ").skip(1).filter(|test| test.starts_with(function)).count();
+    match body {
+        None => Some("no such program"),
+        Some(body) if !body.contains("\n    // solution: ") => Some("a program without a hole"),
+        _ if tests != 1 => Some("a program needs one test, whose name begins with that of the program"),
+        _ => None,
+    }
+}
+
+/// Exercises of pages that are not there, too few or too many on a page, none that asks why; programs without a hole or a
+/// test; words that a sheet without its page does not explain.
 pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book: &Path) -> Vec<Fault> {
     let mut found = Vec::new();
     for (name, list) in exercises {
@@ -153,6 +169,16 @@ pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book:
         }
         if !(2..=8).contains(&list.len()) {
             fault("a page has two to eight exercises");
+        }
+        for exercise in list {
+            let program = exercise.program.as_deref().and_then(|program| wrong_program(program, book));
+            program.iter().for_each(|what| fault(what));
+            if ["of the page", "on this page", "of the table"]
+                .iter()
+                .any(|words| exercise.ask.contains(words))
+            {
+                fault("an exercise must be understood on a sheet, without its page");
+            }
         }
         if !list.iter().any(|exercise| exercise.kind == Kind::Why) {
             fault("no exercise asks why");
@@ -191,5 +217,10 @@ mod tests {
         assert_eq!(what(&GOOD.replace("'why'", "'try'")), 1);
         assert_eq!(what(&GOOD.replace("[[one]]", "[[two]]")), 1);
         assert_eq!(what(&GOOD.repeat(5)), 1);
+        assert_eq!(what(&GOOD.replace("'A?'", "'Which number of the page?'")), 1);
+        assert_eq!(what(&GOOD.replace("hint = 'h'", "program = 'before::none'")), 1);
+        let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        assert_eq!(wrong_program("before::springs", &book), None);
+        assert_eq!(wrong_program("before::rates", &book), Some("no such program"));
     }
 }

@@ -140,11 +140,8 @@ fn segment_constant_is_accurate_near_zero() {
 }
 
 #[test]
-fn explicit_constant_is_that_of_the_library() {
-    use signorini::fem::Form;
-    use signorini::proof::{ExplicitBound, MeshShape};
-    let shape = MeshShape::right_isosceles();
-    let bound = ExplicitBound::new(&Form::LAPLACE, Cone::Nodal, shape, 0.25, 1.0).unwrap();
-    let expected = bound.bound(1.0, 1.0, 1.0).unwrap();
-    near("explicit_constant", "the library's bound", explicit_constant(), expected, 1e-9 * expected);
+fn explicit_constant_has_the_interpolation_constant_of_kikuchi_and_liu() {
+    let known =
+        (0.4929124517549f64.powi(2) + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh()).sqrt();
+    near("explicit_constant", "the scalar problem, right isosceles triangles", explicit_constant(), known, 1e-9 * known);
 }
