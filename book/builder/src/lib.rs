@@ -33,6 +33,7 @@ pub mod scan;
 pub mod sentence;
 pub mod serve;
 pub mod slider;
+pub mod slides;
 pub mod stale;
 pub mod tables;
 pub mod typography;

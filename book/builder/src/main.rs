@@ -9,7 +9,7 @@ use book_builder::data::Data;
 use book_builder::error::{Error, Result};
 use book_builder::serve::{Laboratory, Limits, Server};
 use book_builder::{
-    Layout, build, check_fresh, check_pages, committed, course, examples, labels, large, shown, stale, tables,
+    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, slides, stale, tables,
 };
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -36,7 +36,7 @@ fn main() -> ExitCode {
             }
         },
         ["course"] => {
-            return match course::write_all(&layout) {
+            return match committed(&layout).and_then(|data| slides::write_all(&layout, data)) {
                 Ok(files) => {
                     files.iter().for_each(|file| println!("file://{}", file.display()));
                     ExitCode::SUCCESS

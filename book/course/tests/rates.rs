@@ -143,5 +143,11 @@ fn segment_constant_is_accurate_near_zero() {
 fn explicit_constant_has_the_interpolation_constant_of_kikuchi_and_liu() {
     let known =
         (0.4929124517549f64.powi(2) + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh()).sqrt();
-    near("explicit_constant", "the scalar problem, right isosceles triangles", explicit_constant(), known, 1e-9 * known);
+    near(
+        "explicit_constant",
+        "the scalar problem, right isosceles triangles",
+        explicit_constant(),
+        known,
+        1e-9 * known,
+    );
 }
