@@ -56,6 +56,7 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
         shown.extend(on_page);
         // One page has one title: that of the table of contents.
         let title = page.text.lines().next().unwrap_or("").trim_start_matches("# ");
+        let title = title.split(" {#").next().unwrap_or(title);
         let file = page.html.replace(".html", ".md");
         if !summary.is_empty() && !summary.contains(&format!("[{title}]({file})")) {
             found.push(Fault::new(&page.file, 1, "not the title that SUMMARY.md gives the page", title));
