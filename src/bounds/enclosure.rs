@@ -129,8 +129,9 @@ impl Body<'_> {
 impl Setting<'_, '_> {
     /// The ends of the contact segments at which the discrete solution touches, by border.
     fn touching(&self, problem: &ContactProblem, cone: Cone, solution: &ContactSolution) -> Vec<[bool; 2]> {
-        let mut active = vec![false; self.mesh.nodes().len()];
-        if cone == Cone::Nodal {
+        // Without a Dirichlet edge too few constraints leave the stress undetermined.
+        let mut active = vec![problem.floats; self.mesh.nodes().len()];
+        if cone == Cone::Nodal && !problem.floats {
             for (i, &node) in problem.edge().nodes().iter().enumerate() {
                 active[node] = solution.contact_set.contains(i);
             }

@@ -85,12 +85,12 @@ impl Setting<'_, '_> {
     /// ∫ d : ε(w) on a triangle, with the reaction term.
     fn pairing(&self, t: usize, found: &Enclosure, w: &[f64]) -> Result<f64> {
         let (inner, test) = (self.compliance(t), self.stress_of(t, w));
-        let field = &found.fields[t];
+        let (field, stress) = (&found.fields[t], self.stress_of(t, &found.admissible));
         let (corners, nodes, reaction) = (self.mesh.corners(t), self.mesh.triangles()[t], self.reaction());
         let element = Element::new(corners);
         let mut sum = 0.0;
         for sample in self.samples(t) {
-            let (off, residual) = self.distance_at(t, &sample, &found.admissible, field)?;
+            let (off, residual) = self.distance_at(t, &sample, (&found.admissible, &stress), field)?;
             sum += sample.weight * inner(&off, &test);
             if reaction > 0.0 {
                 let at = element.barycentric(corners, sample.point);

@@ -162,17 +162,16 @@ impl Setting<'_, '_> {
         })
     }
 
-    /// d = σ(v) − q at a point, and c v − f − div q with a reaction term.
+    /// d = σ(v) − q at a point for v with the constant stress σ(v), and c v − f − div q with a reaction term.
     pub(super) fn distance_at(
         &self,
         t: usize,
         sample: &Sample,
-        displacement: &[f64],
+        (displacement, stress): (&[f64], &Value),
         field: &Linear,
     ) -> Result<(Value, f64)> {
         let value = sample.stress(field);
-        let mut off = self.stress_of(t, displacement);
-        (0..3).for_each(|c| off[c] -= value[c]);
+        let mut off = [stress[0] - value[0], stress[1] - value[1], stress[2] - value[2]];
         let reaction = self.reaction();
         if self.lifts[t].is_empty() && reaction == 0.0 {
             return Ok((off, 0.0));
@@ -197,11 +196,12 @@ impl Setting<'_, '_> {
 
     fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<OnTriangle> {
         let (inner, field, reaction) = (self.compliance(t), &dual.fields[t], self.reaction());
+        let stress = self.stress_of(t, displacement);
         let mut found = OnTriangle::default();
         let mut area = 0.0;
         for sample in self.samples(t) {
             let (value, weight) = (sample.stress(field), sample.weight);
-            let (off, residual) = self.distance_at(t, &sample, displacement, field)?;
+            let (off, residual) = self.distance_at(t, &sample, (displacement, &stress), field)?;
             found.distance += weight * inner(&off, &off);
             found.energy += 0.5 * weight * inner(&value, &value);
             area += weight;
