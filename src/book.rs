@@ -20,6 +20,7 @@ chapters! {
     lemma_5_2: "lemma_5_2.md",
     theorem_3_1_rates: "theorem_3_1_rates.md",
     worst_contact_set: "worst_contact_set.md",
+    two_sided_energies: "two_sided_energies.md",
     by_hand: "by_hand.md",
     glossary: "glossary.md",
     notation: "notation.md",
