@@ -18,7 +18,7 @@ use super::pool::Pool;
 use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_length;
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 use faer::Mat;
 
 /// Smallest number of nodes of a subtree that is a separate task.

@@ -3,7 +3,7 @@
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.

@@ -130,10 +130,8 @@ fn segment_constant_is_accurate_near_zero() {
 }
 
 #[test]
-fn explicit_constant_is_that_of_the_library() {
-    use signorini::fem::Form;
-    use signorini::proof::{ExplicitBound, MeshShape};
-    let shape = MeshShape::right_isosceles();
-    let bound = ExplicitBound::new(&Form::LAPLACE, Cone::Nodal, shape, 0.25, 1.0).unwrap();
-    assert!((explicit_constant() / bound.bound(1.0, 1.0, 1.0).unwrap() - 1.0).abs() < 1e-9);
+fn explicit_constant_has_the_interpolation_constant_of_kikuchi_and_liu() {
+    let known =
+        (0.4929124517549f64.powi(2) + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh()).sqrt();
+    assert!((explicit_constant() / known - 1.0).abs() < 1e-9);
 }
