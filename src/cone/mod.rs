@@ -14,7 +14,7 @@
 //!
 //! All other modules access the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
 //! contact set and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`],
-//! and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It does not depend on meshes or
+//! and the KKT residuals ([`KktResiduals`], [`Margins`]). It does not depend on meshes or
 //! operators.
 
 mod contact_set;
