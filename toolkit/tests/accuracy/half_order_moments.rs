@@ -1,12 +1,7 @@
-//! The moments of `moment` at ν = 1/2 in closed form, by the Wiener-Hopf method.
+//! The moments of `moment` at ν = 1/2 beside their closed form by the Wiener-Hopf method: a second computation.
 
-use super::weight::Moment;
-use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Work};
-use crate::numeric::sum::compensated;
-use crate::quadrature::Rule;
+use fractional_sobolev::{Moment, gauss_legendre, moment};
 use std::f64::consts::PI;
-use std::sync::OnceLock;
 
 /// Number of roots of tan z = z in the product; the remainder is computed by an integral, to 2e-15.
 const ROOTS: usize = 4000;
@@ -14,13 +9,11 @@ const ROOTS: usize = 4000;
 const POWERS: usize = 30;
 /// Number of points of the integral over s.
 const POINTS: usize = 40;
-/// Largest length; beyond it too many digits are lost.
-const LONGEST: f64 = 0.7;
 /// Rounding errors, in units of ε, of f_k/g_k and of a term of c_m; m for the product and for the binomial
 /// coefficient are added.
 const ROUNDINGS: f64 = 20.0;
 
-/// The moment M(e) at ν = 1/2, as `moment` defines it.
+/// The moment M(e) at ν = 1/2, 1e-6 ≤ e ≤ 0.7, and its error.
 ///
 /// # Method
 ///
@@ -42,16 +35,7 @@ const ROUNDINGS: f64 = 20.0;
 /// that (1+w)⁵ h = Σ d_m w^m has small coefficients (`Series::at`). They are sums of alternating terms as large
 /// as (3 + 2√2)^m, whose rounding errors are computed along with them; w ≤ 0.3 for s ≤ 0.7, where Euler's
 /// transformation (powers of s, terms up to 2^m) loses more digits. Cost: 4000 roots, 120 000 logarithms, once.
-///
-/// # Errors
-/// [`Error::OutOfRange`] unless 1e-6 ≤ e ≤ 0.7.
-pub(super) fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate> {
-    Error::require("length of the complement", length, "[1e-6, 0.7]", (1e-6..=LONGEST).contains(&length))?;
-    let [mass, first] = SERIES.get_or_init(|| {
-        let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
-        let ratios: Vec<f64> = (1..=POWERS).map(|k| ratio(k, &roots)).collect();
-        [Series::new(&ratios, |_| 1.0), Series::new(&ratios, |k| 0.5 * (1.0 - k))]
-    });
+fn half_order_moment([mass, first]: &[Series; 2], length: f64, moment: Moment) -> (f64, f64) {
     // h is linear in m: that of e − x is e times that of 1 less that of x.
     let (a, b) = match moment {
         Moment::Mass => (1.0, 0.0),
@@ -64,19 +48,22 @@ pub(super) fn half_order_moment(length: f64, moment: Moment) -> Result<Estimate>
         let ((m, em), (f, ef)) = (mass.at(w), first.at(w));
         (a * m + b * f, a.abs() * (em + m.abs() * f64::EPSILON) + b.abs() * (ef + f.abs() * f64::EPSILON))
     };
-    let rule = Rule::gauss_legendre(POINTS)?;
+    let rule = gauss_legendre(POINTS).unwrap();
     let over = |value: f64, t: f64| value / (t * (1.0 - length * t));
     let square = rule.integrate(|t| over(h(length * t).0.powi(2), t));
     let error = rule.integrate(|t| {
         let (value, error) = h(length * t);
         over(error * (2.0 * value.abs() + error), t)
     });
-    let work = Work { points: POINTS as u64, ..Work::default() };
-    Estimate::new(square, error + 32.0 * f64::EPSILON * square, work)?.sqrt()
+    (square.sqrt(), (error + 32.0 * f64::EPSILON * square) / square.sqrt())
 }
 
 /// The series of h for m = 1 and m = x.
-static SERIES: OnceLock<[Series; 2]> = OnceLock::new();
+fn both_series() -> [Series; 2] {
+    let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
+    let ratios: Vec<f64> = (1..=POWERS).map(|k| ratio(k, &roots)).collect();
+    [Series::new(&ratios, |_| 1.0), Series::new(&ratios, |k| 0.5 * (1.0 - k))]
+}
 
 /// The coefficients d_1, d_2, ... and the rounding error of each.
 struct Series {
@@ -167,52 +154,56 @@ fn ratio(k: usize, roots: &[Root]) -> f64 {
     1.5f64.sqrt() / PI * half * (sum - rest).exp()
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Order;
-    use crate::estimate::Tolerance;
-    use crate::poincare::moments::moment as weak_moment;
-
-    #[test]
-    fn the_closed_form_agrees_with_slopes() {
-        for length in [1e-3, 0.1, 0.25, 0.5, 0.6, 0.7] {
-            for moment in [Moment::Mass, Moment::FromFreeEnd, Moment::FromZone] {
-                let tolerance = Tolerance::new(1e-10).unwrap();
-                let slopes = weak_moment(Order::HALF, length..1.0, moment, tolerance).unwrap().constant;
-                let closed = half_order_moment(length, moment).unwrap();
-                let apart = (slopes.value - closed.value).abs();
-                assert!(apart <= slopes.error + closed.error, "{length} {moment:?}: {slopes} {closed}");
-                assert!(closed.relative_error() < 1e-9, "{length} {moment:?}: {closed}");
-            }
-        }
-        assert!(half_order_moment(0.8, Moment::Mass).is_err());
-        assert!(half_order_moment(f64::NAN, Moment::Mass).is_err());
+/// The sum of the terms with Neumaier's compensation.
+fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
+    let (mut sum, mut carry) = (0.0f64, 0.0);
+    for term in terms {
+        let next = sum + term;
+        carry += if sum.abs() >= term.abs() { (sum - next) + term } else { (term - next) + sum };
+        sum = next;
     }
+    sum + carry
+}
 
-    #[test]
-    fn another_program_with_forty_digits_agrees() {
-        // mpmath, 400 roots with a summed tail, 70 powers.
-        let known = [
-            (0.2, 0.083_651_250_832_953_84, 0.007_249_041_690_524_879),
-            (0.5, 0.227_746_412_459_886_86, 0.048_972_831_541_786_43),
-            (0.6, 0.284_558_533_995_324_05, 0.073_320_149_170_287_36),
-        ];
-        for (length, mass, first) in known {
-            for (moment, exact) in [(Moment::Mass, mass), (Moment::FromFreeEnd, first)] {
-                let found = half_order_moment(length, moment).unwrap();
-                assert!((found.value - exact).abs() <= found.error, "{length} {moment:?}: {found} {exact}");
-            }
+#[test]
+fn moments_of_half_order_have_their_closed_form() {
+    let series = both_series();
+    for length in [1e-3, 0.1, 0.25, 0.5, 0.6, 0.7] {
+        for m in [Moment::Mass, Moment::FromFreeEnd, Moment::FromZone] {
+            let found = moment(0.5, length..1.0, m, 1e-10).unwrap();
+            let (closed, error) = half_order_moment(&series, length, m);
+            let apart = (found.constant.value - closed).abs();
+            assert!(apart <= found.constant.error + error, "{length} {m:?}: {found:?} {closed}");
+            assert!(error < 1e-9 * closed, "{length} {m:?}: {closed} {error:e}");
+            let [lower, upper] = found.bounds().unwrap_or([0.0, f64::INFINITY]);
+            assert!(lower - error <= closed && closed <= upper + error, "{length} {m:?}: {closed}");
         }
     }
+}
 
-    #[test]
-    fn roots_and_the_first_ratio() {
-        let first = Root::new(1);
-        let z = first.above - first.below;
-        assert!((z.tan() - z).abs() < 1e-12 && (z - 4.493_409_457_909_064).abs() < 1e-14);
-        let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
-        assert!((ratio(1, &roots) / 0.568_276_111_684_543_8 - 1.0).abs() < 1e-13);
-        assert!((ratio(10, &roots) / 1.340_250_500_348_664_7 - 1.0).abs() < 1e-13);
+#[test]
+fn another_program_with_forty_digits_agrees() {
+    // mpmath, 400 roots with a summed tail, 70 powers.
+    let known = [
+        (0.2, 0.083_651_250_832_953_84, 0.007_249_041_690_524_879),
+        (0.5, 0.227_746_412_459_886_86, 0.048_972_831_541_786_43),
+        (0.6, 0.284_558_533_995_324_05, 0.073_320_149_170_287_36),
+    ];
+    let series = both_series();
+    for (length, mass, first) in known {
+        for (moment, exact) in [(Moment::Mass, mass), (Moment::FromFreeEnd, first)] {
+            let (found, error) = half_order_moment(&series, length, moment);
+            assert!((found - exact).abs() <= error, "{length} {moment:?}: {found} {exact}");
+        }
     }
+}
+
+#[test]
+fn roots_and_the_first_ratio() {
+    let first = Root::new(1);
+    let z = first.above - first.below;
+    assert!((z.tan() - z).abs() < 1e-12 && (z - 4.493_409_457_909_064).abs() < 1e-14);
+    let roots: Vec<Root> = (1..=ROOTS).map(Root::new).collect();
+    assert!((ratio(1, &roots) / 0.568_276_111_684_543_8 - 1.0).abs() < 1e-13);
+    assert!((ratio(10, &roots) / 1.340_250_500_348_664_7 - 1.0).abs() < 1e-13);
 }

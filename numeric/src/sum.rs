@@ -2,14 +2,15 @@
 
 /// A running sum with Neumaier's compensation (ZAMM 54, 1974): error about 1 ulp plus n ε² Σ|terms|.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct RunningSum {
+pub struct RunningSum {
     sum: f64,
     carry: f64,
 }
 
 impl RunningSum {
     /// Adds one term.
-    pub(crate) fn add(&mut self, term: f64) {
+    #[inline]
+    pub fn add(&mut self, term: f64) {
         let next = self.sum + term;
         self.carry +=
             if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
@@ -17,14 +18,15 @@ impl RunningSum {
     }
 
     /// The current sum.
-    pub(crate) fn value(&self) -> f64 {
+    #[inline]
+    pub fn value(&self) -> f64 {
         self.sum + self.carry
     }
 }
 
 /// The compensated sum of all terms.
 #[doc(alias("Kahan", "Neumaier"))]
-pub(crate) fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
+pub fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
     let mut sum = RunningSum::default();
     terms.into_iter().for_each(|term| sum.add(term));
     sum.value()
@@ -32,7 +34,7 @@ pub(crate) fn compensated(terms: impl IntoIterator<Item = f64>) -> f64 {
 
 /// Σ_{start ≤ k < end} term(k) by pairwise summation: the rounding error grows like the logarithm of the number
 /// of terms.
-pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
+pub fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64 + Copy) -> f64 {
     const LEAF: usize = 64;
     if end.saturating_sub(start) <= LEAF {
         return (start..end).map(term).sum();
@@ -42,7 +44,7 @@ pub(crate) fn pairwise_sum(start: usize, end: usize, term: impl Fn(usize) -> f64
 }
 
 /// Σ a_i b_i over the length of a by pairwise summation, fast enough for iterations. b must not be shorter.
-pub(crate) fn pairwise_dot(a: &[f64], b: &[f64]) -> f64 {
+pub fn pairwise_dot(a: &[f64], b: &[f64]) -> f64 {
     pairwise_sum(0, a.len(), |i| a[i] * b[i])
 }
 

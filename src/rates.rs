@@ -1,5 +1,5 @@
-//! A priori bounds for comparison with measured errors: earlier results, the paper, its proof with the sharp
-//! constant, and the optimal bound.
+//! A priori bounds of the error for comparison with measured errors: earlier results, the paper, its proof with the
+//! sharp constant, and the optimal bound.
 
 use crate::error::{Error, Result};
 

@@ -3,7 +3,7 @@
 /// The last point before and the first point after a change of `is_beyond` from false to true in (low, high).
 ///
 /// The interval is bisected until it is at most `width` wide or contains no further number.
-pub(crate) fn sign_change(
+pub fn sign_change(
     mut low: f64,
     mut high: f64,
     width: f64,
@@ -21,7 +21,7 @@ pub(crate) fn sign_change(
 
 /// The minimum point of f on (low, high), accurate to `width`, by golden-section search; f should have a single
 /// local minimum there.
-pub(crate) fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
+pub fn golden_section(low: f64, high: f64, width: f64, mut f: impl FnMut(f64) -> f64) -> f64 {
     let ratio = 0.5 * (5f64.sqrt() - 1.0);
     let (mut a, mut b) = (low, high);
     while b - a > width {

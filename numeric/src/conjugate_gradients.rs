@@ -6,28 +6,30 @@
 //! preconditioner. Cost of a step: one product with A, one with B, and O(n) operations.
 
 use super::sum::pairwise_dot;
-use crate::error::Result;
 
 /// A matrix and its preconditioner.
-pub(crate) trait System {
+pub trait System {
+    /// The error of a product.
+    type Error;
+
     /// out ← A x.
     ///
     /// # Errors
     /// Those of the product.
-    fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()>;
+    fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<(), Self::Error>;
 
     /// out ← B r.
     ///
     /// # Errors
     /// Those of the preconditioner.
-    fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()>;
+    fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<(), Self::Error>;
 }
 
 /// The result of a step.
 ///
 /// Returned by [`ConjugateGradients::step`].
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Step {
+pub enum Step {
     /// The decrease ρ²/κ of the energy of the error.
     Gain(f64),
     /// κ is not positive, or not a number: A is not positive definite in this direction, or the residual is
@@ -38,7 +40,7 @@ pub(crate) enum Step {
 /// The state of an iteration.
 #[doc(alias("CG", "PCG"))]
 #[derive(Debug, Clone)]
-pub(crate) struct ConjugateGradients {
+pub struct ConjugateGradients {
     /// b − A x.
     residual: Vec<f64>,
     direction: Vec<f64>,
@@ -49,7 +51,7 @@ pub(crate) struct ConjugateGradients {
 
 impl ConjugateGradients {
     /// The buffers for n unknowns.
-    pub(crate) fn new(n: usize) -> Self {
+    pub fn new(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { residual: zeros(), direction: zeros(), image: zeros(), corrected: zeros(), rho: 0.0 }
     }
@@ -58,7 +60,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the preconditioner.
-    pub(crate) fn start(&mut self, system: &mut impl System, residual: &[f64]) -> Result<()> {
+    pub fn start<S: System>(&mut self, system: &mut S, residual: &[f64]) -> Result<(), S::Error> {
         self.residual.copy_from_slice(residual);
         self.rho = self.precondition(system)?;
         self.direction.copy_from_slice(&self.corrected);
@@ -66,7 +68,7 @@ impl ConjugateGradients {
     }
 
     /// ρ = rᵀB r ≥ 0.
-    pub(crate) fn rho(&self) -> f64 {
+    pub fn rho(&self) -> f64 {
         self.rho
     }
 
@@ -74,7 +76,7 @@ impl ConjugateGradients {
     ///
     /// # Errors
     /// Those of the system.
-    pub(crate) fn step(&mut self, system: &mut impl System, x: &mut [f64]) -> Result<Step> {
+    pub fn step<S: System>(&mut self, system: &mut S, x: &mut [f64]) -> Result<Step, S::Error> {
         system.apply(&self.direction, &mut self.image)?;
         let curvature = pairwise_dot(&self.direction, &self.image);
         // The negation catches NaN.
@@ -96,7 +98,7 @@ impl ConjugateGradients {
         Ok(Step::Gain(gain))
     }
 
-    fn precondition(&mut self, system: &mut impl System) -> Result<f64> {
+    fn precondition<S: System>(&mut self, system: &mut S) -> Result<f64, S::Error> {
         system.precondition(&self.residual, &mut self.corrected)?;
         Ok(pairwise_dot(&self.residual, &self.corrected).max(0.0))
     }
@@ -109,12 +111,14 @@ mod tests {
     struct Diagonal(Vec<f64>);
 
     impl System for Diagonal {
-        fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        type Error = std::convert::Infallible;
+
+        fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<(), Self::Error> {
             out.iter_mut().zip(x).zip(&self.0).for_each(|((y, x), d)| *y = d * x);
             Ok(())
         }
 
-        fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<()> {
+        fn precondition(&mut self, r: &[f64], out: &mut [f64]) -> Result<(), Self::Error> {
             out.copy_from_slice(r);
             Ok(())
         }
