@@ -35,7 +35,7 @@ use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};
 use signorini::fem::gradients;
 use signorini::problems::{KnownSolution, TestProblem, TransitionPowers};
-use signorini::rates::{Bound, order_between};
+use signorini::rates::Bound;
 
 example! { seconds "Remark 1", "contact on ∂Ω:  ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2), C h √|ln h|, C h  for τ <, =, > 2";
     /// regularities τ of the solution, 2 or at least 0.1 away from it
@@ -111,8 +111,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for ((cone, points), first) in Cone::ALL.into_iter().zip(errors).zip(first) {
             let bound = Bound::Paper.through(points[0], points.iter().map(|point| point.0), tau)?;
             let ([.., c, b, a], [.., bound_b, bound_a]) = (&points[..], &bound[..]) else { continue };
-            let (printed, optimal) = (order_between(*bound_b, *bound_a), (tau - 1.0).min(1.0));
-            let order = order_between(*b, *a);
+            let (printed, optimal) = ((bound_b.1 / bound_a.1).log2(), (tau - 1.0).min(1.0));
+            let order = (b.1 / a.1).log2(); // h and h/2
             out.row(cells! { tau, cone: cone.to_string() => e_8: first.map(|e| e.0), definition: first.map(|e| e.1),
             finest: a.1, order, printed, optimal });
             if tau <= 2.0 {

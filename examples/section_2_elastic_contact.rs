@@ -77,6 +77,7 @@ fn by_definition(body: &str, mesh: &Triangulation, lambda: f64, mu: f64) -> Opti
             }
         }
     }
+    // ANCHOR: gauss_seidel
     let row = |i: usize, u: &[f64]| k[i].iter().map(|(j, entry)| entry * u[*j]).sum::<f64>(); // (K u)ᵢ
     let mut u = vec![0.0; unknowns];
     for _ in 0..20_000 {
@@ -95,6 +96,7 @@ fn by_definition(body: &str, mesh: &Triangulation, lambda: f64, mu: f64) -> Opti
             return Some((0..unknowns).map(|i| u[i] * (0.5 * row(i, &u) - f[i])).sum());
         }
     }
+    // ANCHOR_END: gauss_seidel
     None
 }
 

@@ -31,14 +31,16 @@
 // `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
 // undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose.
 use example_report::prelude::*;
-use fractional_sobolev::{Gram, Mesh};
+use fractional_sobolev::{
+    BestConstant, Domain, ErrorNorm, Gram, Mesh, interpolation_constant, projection_constant,
+};
 use signorini::cone::Cone;
 use signorini::contact::{ContactSolution, Settings, Start};
 use signorini::fem::Lame;
 use signorini::problems::{EdgeDatum, KnownSolution};
-use signorini::proof::{TheoremConstants, half_plane_korn};
+use signorini::proof::product_constant;
 use signorini::rates::Bound;
-use std::f64::consts::PI;
+use std::f64::consts::{GOLDEN_RATIO, PI};
 
 example! { seconds "A bound in numbers", "‖u − u^h‖ ≤ E h^(τ² − 5τ/2 + 2), τ = 2: E h √|ln h|;  E a number";
     /// regularities τ for which E is computed
@@ -60,8 +62,51 @@ fn by_definition(nu: Order) -> Result<f64> {
     Ok(largest_eigenvalue(&(free.transpose() * mass_matrix(&mesh) * &free), &form)?.sqrt())
 }
 
+/// The constants of E for one τ, each with its error added.
+pub struct Constants {
+    /// ν
+    pub order: Order,
+    /// C(s)
+    pub interpolation: f64,
+    /// K(ν)
+    pub segment: f64,
+    /// min(K(ν), c₂(ν)), c₂(ν) = ½ max x^(1+2ν) (1 − x) over 0 < x < 1: the nodal cone's
+    pub nodal: f64,
+    /// P(ν)
+    pub distance: f64,
+}
+
+impl Constants {
+    /// From the triangle and the unit interval, to five digits.
+    pub fn new(tau: f64) -> Result<Self> {
+        let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(1e-5)?);
+        let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+        let interpolation = match interpolation_constant(triangle, ErrorNorm::Derivative, tau - 1.0, asked) {
+            Ok(BestConstant { upper: Some(bound), .. }) if tau == 2.0 => bound,
+            Ok(found) => found.constant,
+            Err(error) => error.best().ok_or(error)?, // less accurate than asked for: its error is added
+        };
+        let segment = product_constant(order, asked)?.value;
+        let distance =
+            projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?.constant;
+        let power = 1.0 + 2.0 * order.value();
+        let by_pairs = 0.5 * (power / (power + 1.0)).powf(power) / (power + 1.0);
+        let segment = up(segment);
+        let nodal = segment.min((1.0 + 1e-12) * by_pairs);
+        Ok(Self { order, interpolation: up(interpolation), segment, nodal, distance: up(distance) })
+    }
+}
+
+/// M, S and B of the Laplacian or of an elastic body.
+pub fn factors(lame: Option<Lame>) -> [f64; 3] {
+    let Some(lame) = lame else { return [1.0; 3] };
+    let (lambda, mu) = (lame.lambda(), lame.mu());
+    let korn = GOLDEN_RATIO / (2.0 * (mu + lambda.min(0.0))).sqrt();
+    [2.0 * mu + 2.0 * lambda.max(0.0), lambda.hypot(lambda + 2.0 * mu), korn]
+}
+
 /// A: 1/A in (π/2, π) is where t cos t + sin t changes its sign; bisection.
-fn interpolation() -> f64 {
+pub fn interpolation() -> f64 {
     let (mut low, mut high) = (PI / 2.0, PI);
     while high - low > 1e-15 * high {
         let t = 0.5 * (low + high);
@@ -71,7 +116,7 @@ fn interpolation() -> f64 {
 }
 
 /// C from M, S, and B (0 for the nodal cone).
-fn constant([m, s, b]: [f64; 3], c: f64) -> f64 {
+pub fn constant([m, s, b]: [f64; 3], c: f64) -> f64 {
     let theta = 1.0 / PI.tanh();
     (m * interpolation().powi(2) + 2.0 * PI * theta * s * c + (theta / PI * s * b).powi(2)).sqrt()
 }
@@ -98,9 +143,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let elastic = Lame::new(options.lambda, 1.0)?;
     let mut curves = Vec::new();
     for &tau in &options.tau {
-        let constants = TheoremConstants::new(tau)?; // C(s), K and √(ϑ/π) P, to 1e-5, errors added
-        let distance = constants.projection / (1.0 / PI.tanh() / PI).sqrt();
-        let definition = by_definition(constants.order)? / distance;
+        let constants = Constants::new(tau)?; // Legendre series on the triangle; closed forms of matrices on the interval
+        let definition = by_definition(constants.order)? / constants.distance;
         out.check("P(ν): by_definition/library").near(definition, 1.0, 5e-3, "hat functions");
         if tau == 2.0 {
             out.note("C_K", constant([1.0, 1.0, 0.0], constants.segment)); // with K in place of 2/27
@@ -110,17 +154,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let on_edge = |datum| known.edge_seminorm(datum, [0.0, 1.0], constants.order, 1e-5).map(up);
             let whole = up(known.body_seminorm(tau, 1e-5)?); // one integral over angles and quotients of radii
             let (pressure, slope) = (on_edge(EdgeDatum::Pressure)?, on_edge(EdgeDatum::Slope)?);
-            let [m, s, b] = lame.map_or([1.0; 3], |lame| {
-                let (lambda, mu) = (lame.lambda(), lame.mu());
-                [2.0 * mu + 2.0 * lambda.max(0.0), lambda.hypot(lambda + 2.0 * mu), half_plane_korn(lame)]
-            });
+            let [m, s, b] = factors(lame);
             for cone in [Cone::Nodal, Cone::Midpoint] {
                 let (k, proved, b) = match cone {
                     Cone::Nodal => (constants.nodal, 2.0 / 27.0, 0.0),
                     Cone::Midpoint => (0.5 * constants.segment, 0.125, b),
                 };
                 let smooth = m * (constants.interpolation * whole).powi(2);
-                let projection = (b * constants.projection * pressure).powi(2);
+                let projection = (b * constants.distance * pressure).powi(2) / (PI * PI.tanh());
                 let e = (smooth + 2.0 * k * pressure * slope + projection).sqrt();
                 let c = (tau == 2.0).then(|| constant([m, s, b], proved));
                 let (mut coarse, mut points): (Option<ContactSolution>, _) = (None, Vec::new());

@@ -24,31 +24,19 @@ const KKT_ROUNDING: f64 = 1e-13;
 
 /// The terms of the KKT conditions at a candidate solution; `multiplier` and `gap` must list the constraints in the
 /// same order.
-///
-/// ```
-/// use signorini::cone::KktTerms;
-/// // min w²/2 − 3 w over w ≤ 1: w = 1, λ = 2
-/// let (force, displacement) = (4.0, 1.0);
-/// let exact = KktTerms { residual: &[0.0], multiplier: &[2.0], gap: &[0.0], force, displacement };
-/// assert_eq!(exact.residuals()?.worst(), 0.0);
-/// // with λ = 2.4 the balance w − 3 + λ is 0.4, relative to |w| + 3
-/// let wrong = KktTerms { residual: &[0.4], multiplier: &[2.4], ..exact };
-/// assert!((wrong.residuals()?.balance - 0.1).abs() < 1e-15);
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy)]
-pub struct KktTerms<'a> {
+pub(crate) struct KktTerms<'a> {
     /// The residual K u − F + B'λ at all unknowns that are not prescribed.
-    pub residual: &'a [f64],
+    pub(crate) residual: &'a [f64],
     /// The multipliers λ, one per constraint.
-    pub multiplier: &'a [f64],
+    pub(crate) multiplier: &'a [f64],
     /// The gaps B u − g, one per constraint; feasible if ≤ 0.
-    pub gap: &'a [f64],
+    pub(crate) gap: &'a [f64],
     /// The force scale max_i (|K||u| + |F|)_i, i over the unknowns that are not prescribed.
-    pub force: f64,
+    pub(crate) force: f64,
     /// The displacement scale max(|u|, |g|, |F_i|/K_ii); the last term is positive under a load even if
     /// contact prevents all displacement.
-    pub displacement: f64,
+    pub(crate) displacement: f64,
 }
 
 /// The four scaled residuals of the KKT conditions; all 0 at an exact solution.
@@ -95,17 +83,6 @@ impl KktResiduals {
 ///
 /// Strict complementarity: λ_i > 0 or (B u − g)_i < 0 for every i. With both margins at least m, a perturbation of
 /// the data that moves λ and B u by less than m relative to their scales leaves the contact set unchanged.
-///
-/// ```
-/// use signorini::cone::KktTerms;
-/// let (force, displacement) = (4.0, 2.0);
-/// let (multiplier, gap) = (&[4.0, 1.0, 0.0], &[0.0, 0.0, -0.5]);
-/// let terms = KktTerms { residual: &[0.0], multiplier, gap, force, displacement };
-/// let margins = terms.margins(&[true, true, false])?;
-/// assert_eq!((margins.pressure, margins.gap), (Some(0.25), Some(0.25)));
-/// assert!(margins.is_weak(0.3) && !margins.is_weak(0.2));
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Margins {
     /// The smallest λ_i over the active constraints, relative to max |λ|, or to the force scale if all λ_i are below
@@ -141,7 +118,7 @@ impl KktTerms<'_> {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if `multiplier` and `gap` differ in
     /// length, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for values that are not finite.
-    pub fn residuals(&self) -> Result<KktResiduals> {
+    pub(crate) fn residuals(&self) -> Result<KktResiduals> {
         self.check()?;
         let force_of_contact = self.multiplier_scale();
         let largest = |values: &mut dyn Iterator<Item = f64>| values.fold(0.0, f64::max);
@@ -166,7 +143,7 @@ impl KktTerms<'_> {
     /// # Errors
     /// As for [`KktTerms::residuals`]; [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) also for
     /// `active`.
-    pub fn margins(&self, active: &[bool]) -> Result<Margins> {
+    pub(crate) fn margins(&self, active: &[bool]) -> Result<Margins> {
         self.check()?;
         require_length("contact set", active.len(), self.gap.len())?;
         let smallest = |wanted: bool, values: &dyn Fn(usize) -> f64| {
@@ -220,6 +197,25 @@ mod tests {
         assert_eq!((kkt.gap, kkt.complementarity), (0.0, 0.0));
         let kkt = candidate(&[], &[4.0, 2.0], &[0.1, -0.25]).residuals().unwrap();
         assert_eq!((kkt.gap, kkt.complementarity), (0.2, 0.25));
+    }
+
+    #[test]
+    fn margins_are_those_of_the_weakest_constraints() {
+        let (multiplier, gap) = (&[4.0, 1.0, 0.0], &[0.0, 0.0, -0.5]);
+        let terms = KktTerms { residual: &[0.0], multiplier, gap, force: 4.0, displacement: 2.0 };
+        let margins = terms.margins(&[true, true, false]).unwrap();
+        assert_eq!((margins.pressure, margins.gap), (Some(0.25), Some(0.25)));
+        assert!(margins.is_weak(0.3) && !margins.is_weak(0.2));
+    }
+
+    /// min w²/2 − 3 w over w ≤ 1: w = 1, λ = 2; with λ = 2.4 the balance w − 3 + λ is 0.4, relative to |w| + 3.
+    #[test]
+    fn a_wrong_multiplier_is_seen_in_the_balance() {
+        let exact =
+            KktTerms { residual: &[0.0], multiplier: &[2.0], gap: &[0.0], force: 4.0, displacement: 1.0 };
+        assert_eq!(exact.residuals().unwrap().worst(), 0.0);
+        let wrong = KktTerms { residual: &[0.4], multiplier: &[2.4], ..exact };
+        assert!((wrong.residuals().unwrap().balance - 0.1).abs() < 1e-15);
     }
 
     #[test]

@@ -14,7 +14,7 @@
 //!
 //! All other modules access the cones through this one: constraints and forces ([`EdgeCone`]), the faces of a
 //! contact set and their coordinates, projections, multipliers from forces, refinement of a [`ContactSet`],
-//! and the KKT residuals ([`KktTerms`], [`KktResiduals`], [`Margins`]). It does not depend on meshes or
+//! and the KKT residuals ([`KktResiduals`], [`Margins`]). It does not depend on meshes or
 //! operators.
 
 mod contact_set;
@@ -31,7 +31,8 @@ pub use contact_set::ContactSet;
 pub use edge_cone::{EdgeCone, Ends};
 pub(crate) use face::{Block, Face};
 pub use kind::Cone;
-pub use kkt::{KktResiduals, KktTerms, Margins};
+pub(crate) use kkt::KktTerms;
+pub use kkt::{KktResiduals, Margins};
 pub(crate) use projection::{Weighted, active_on_ring, project_weighted};
 pub(crate) use sawtooth::Coordinates;
 pub use status::Status;

@@ -5,7 +5,9 @@
 //! u_N) at a straight contact edge: [`Frame`]. Cost: O(triangles), about 400 operations per triangle.
 
 use super::form::{Element, Form};
-use super::frame::{Frame, Frames};
+#[cfg(test)]
+use super::frame::Frame;
+use super::frame::Frames;
 use super::matrix::BlockMatrix;
 use crate::mesh::Triangulation;
 use rayon::prelude::*;
@@ -52,17 +54,8 @@ struct Rows {
 ///
 /// K_ij = a(φ_j, φ_i), symmetric, node-major, without boundary conditions: constants lie in the kernel of the Laplacian,
 /// rigid motions in that of elasticity. The matrix does not change when the mesh is scaled (two dimensions, no reaction term).
-///
-/// ```
-/// use signorini::fem::{Form, Frame, Lame, stiffness};
-/// use signorini::mesh::{SideParts, unit_square};
-/// let mesh = unit_square(2, SideParts::HANGING)?;
-/// let matrix = stiffness(&mesh, &Form::elastic(Lame::new(2.0, 1.0)?), &Frame::cartesian());
-/// let rotation: Vec<f64> = mesh.nodes().iter().flat_map(|&[x, y]| [-y, x]).collect();
-/// assert!(matrix.multiply(&rotation).iter().all(|force| force.abs() < 1e-13));
-/// # Ok::<(), signorini::Error>(())
-/// ```
-pub fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatrix {
+#[cfg(test)]
+pub(crate) fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> BlockMatrix {
     stiffness_in(mesh, form, &Frames::all(*frame))
 }
 

@@ -18,7 +18,7 @@ use super::pool::Pool;
 use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_length;
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 use faer::Mat;
 
 /// Smallest number of nodes of a subtree that is a separate task.
@@ -32,21 +32,8 @@ const PRESCRIBED: u32 = u32::MAX;
 
 /// The factorization of K_ii and the Schur complement S = K_kk − K_ki K_ii⁻¹ K_ik, i the eliminated unknowns and
 /// k the kept ones.
-///
-/// ```
-/// use signorini::fem::{Condensation, Form, Frame, stiffness};
-/// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
-/// let mesh = unit_square(4, SideParts::HANGING)?;
-/// let (matrix, edge) = (stiffness(&mesh, &Form::LAPLACE, &Frame::cartesian()), ContactEdge::of(&mesh)?);
-/// let fixed = mesh.nodes_on(Part::Dirichlet);
-/// let condensed = Condensation::new(&matrix, mesh.nodes(), &fixed, edge.nodes())?;
-/// // The discrete harmonic function with values 1 at the bottom and 0 at the top is 1 − y.
-/// let u = condensed.recover(&condensed.reduce(&[0.0; 25]), &[1.0; 5]);
-/// assert!(u.iter().zip(mesh.nodes()).all(|(u, [_, y])| (u - (1.0 - y)).abs() < 1e-13));
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[derive(Debug)]
-pub struct Condensation {
+pub(crate) struct Condensation {
     /// Position in the elimination order of every unknown.
     positions: Vec<u32>,
     /// The unknown at every position.
@@ -58,14 +45,14 @@ pub struct Condensation {
 
 /// A right-hand side after forward elimination.
 #[derive(Debug, Clone)]
-pub struct Reduced {
+pub(crate) struct Reduced {
     values: Vec<f64>,
     interior: usize,
 }
 
 impl Reduced {
     /// The condensed load b = F_k − K_ki K_ii⁻¹ F_i, in the order of the kept unknowns.
-    pub fn kept(&self) -> &[f64] {
+    pub(crate) fn kept(&self) -> &[f64] {
         &self.values[self.interior..]
     }
 }
@@ -77,25 +64,17 @@ impl Condensation {
     /// For the Laplacian on a square with Dirichlet conditions at the top, S is symmetric positive definite, and its
     /// row sums are the reactions to a unit displacement of the contact edge; the example computes their sum.
     ///
-    /// ```
-    /// use signorini::fem::{Condensation, Form, Frame, stiffness};
-    /// use signorini::mesh::{ContactEdge, Part, SideParts, unit_square};
-    /// let mesh = unit_square(4, SideParts::HANGING)?;
-    /// let matrix = stiffness(&mesh, &Form::LAPLACE, &Frame::cartesian());
-    /// let edge = ContactEdge::of(&mesh)?;
-    /// let condensed = Condensation::new(&matrix, mesh.nodes(), &mesh.nodes_on(Part::Dirichlet), edge.nodes())?;
-    /// // u = 1 − y has energy 1.
-    /// let energy: f64 = (0..5).flat_map(|i| (0..5).map(move |j| (i, j))).map(|at| condensed.schur()[at]).sum();
-    /// assert!((energy - 1.0).abs() < 1e-13);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the unknown
     /// whose pivot vanished: some part of the body has no Dirichlet boundary.
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if the lengths of the arrays differ;
     /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory for the fronts.
-    pub fn new(matrix: &BlockMatrix, points: &[Point], prescribed: &[bool], kept: &[usize]) -> Result<Self> {
+    pub(crate) fn new(
+        matrix: &BlockMatrix,
+        points: &[Point],
+        prescribed: &[bool],
+        kept: &[usize],
+    ) -> Result<Self> {
         require_length("points", points.len(), matrix.nodes())?;
         require_length("prescribed", prescribed.len(), matrix.unknowns())?;
         // 4.4 GB at two million unknowns of a plane mesh.
@@ -137,7 +116,7 @@ impl Condensation {
     }
 
     /// The Schur complement S, symmetric, in the order of the kept unknowns.
-    pub fn schur(&self) -> &Mat<f64> {
+    pub(crate) fn schur(&self) -> &Mat<f64> {
         &self.schur
     }
 
@@ -145,7 +124,7 @@ impl Condensation {
     /// ignored.
     ///
     /// One pass from the leaves to the root of the elimination tree: O(N log N) operations for N unknowns.
-    pub fn reduce(&self, load: &[f64]) -> Reduced {
+    pub(crate) fn reduce(&self, load: &[f64]) -> Reduced {
         let mut values: Vec<f64> = self.unknowns.iter().map(|&unknown| load[unknown as usize]).collect();
         self.fronts.iter().for_each(|front| front.forward(&mut values));
         Reduced { values, interior: self.interior }
@@ -155,7 +134,7 @@ impl Condensation {
     ///
     /// u_i = K_ii⁻¹ (F_i − K_ik u_k) by back substitution from the root to the leaves: O(N log N) operations. The result is
     /// node-major, in the unknowns of the matrix.
-    pub fn recover(&self, reduced: &Reduced, kept: &[f64]) -> Vec<f64> {
+    pub(crate) fn recover(&self, reduced: &Reduced, kept: &[f64]) -> Vec<f64> {
         let mut values = reduced.values.clone();
         values[self.interior..].copy_from_slice(kept);
         self.fronts.iter().rev().for_each(|front| front.backward(&mut values));
@@ -216,5 +195,26 @@ impl NumberedTree {
         let (front, update) = Front::eliminate(ordering, self.pivots, None, updates)?;
         fronts.push(front);
         Ok((fronts, update))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fem::{Form, Frame, stiffness};
+    use crate::mesh::{ContactEdge, Part, SideParts, unit_square};
+
+    /// With values 1 at the bottom and 0 at the top the discrete harmonic function is 1 − y, of energy 1.
+    #[test]
+    fn an_affine_function_is_recovered_with_its_energy() {
+        let mesh = unit_square(4, SideParts::HANGING).unwrap();
+        let matrix = stiffness(&mesh, &Form::LAPLACE, &Frame::cartesian());
+        let (edge, fixed) = (ContactEdge::of(&mesh).unwrap(), mesh.nodes_on(Part::Dirichlet));
+        let condensed = Condensation::new(&matrix, mesh.nodes(), &fixed, edge.nodes()).unwrap();
+        let u = condensed.recover(&condensed.reduce(&[0.0; 25]), &[1.0; 5]);
+        assert!(u.iter().zip(mesh.nodes()).all(|(u, [_, y])| (u - (1.0 - y)).abs() < 1e-13));
+        let energy: f64 =
+            (0..5).flat_map(|i| (0..5).map(move |j| (i, j))).map(|at| condensed.schur()[at]).sum();
+        assert!((energy - 1.0).abs() < 1e-13);
     }
 }

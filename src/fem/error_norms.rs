@@ -7,9 +7,6 @@ use crate::error::Result;
 use crate::mesh::{Point, Triangulation};
 use crate::numeric::check::{require_finite_at, require_length};
 
-/// The gradient ∇u: row c is the gradient of component c; for a scalar function the second row is 0.
-pub type Gradient<'a> = &'a dyn Fn(Point) -> [Point; 2];
-
 /// Norms of u − u_h.
 ///
 /// For the Laplacian `energy` = `h1`. All three norms are absolute, over the whole domain, and exact up to the error
@@ -27,7 +24,8 @@ pub struct ErrorNorms {
 /// The norms of the difference between the function `exact`, given with its gradient, and the P1 function with
 /// Cartesian nodal `values`.
 ///
-/// The gradient is evaluated only at the points of the rule. For u = x² and its interpolant on the unit
+/// Row c of the gradient is that of component c; for a scalar function the second row is 0. The gradient is evaluated
+/// only at the points of the rule. For u = x² and its interpolant on the unit
 /// square, cut into right isosceles triangles with legs h, the squared H¹ seminorm of the error is h²/3.
 ///
 /// ```
@@ -49,7 +47,7 @@ pub fn error_norms(
     mesh: &Triangulation,
     form: &Form,
     values: &[f64],
-    (exact, gradient): (&Field<'_>, Gradient<'_>),
+    (exact, gradient): (&Field<'_>, &dyn Fn(Point) -> [Point; 2]),
     rule: &Cubature,
 ) -> Result<ErrorNorms> {
     let c = form.components();

@@ -6,37 +6,30 @@ use crate::mesh::Point;
 ///
 /// The transformation is orthogonal (a reflection), so lengths are preserved. On a floor, n = (0, −1),
 /// u_N = −u_y and u_T = u_x.
-///
-/// ```
-/// use signorini::fem::Frame;
-/// let floor = Frame::turned([0.0, -1.0]);
-/// assert_eq!(floor.to_frame([3.0, 4.0]), [3.0, -4.0]);
-/// assert_eq!(floor.to_cartesian(floor.to_frame([3.0, 4.0])), [3.0, 4.0]);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Frame {
+pub(crate) struct Frame {
     normal: Option<Point>,
 }
 
 impl Frame {
     /// The frame with Cartesian unknowns.
-    pub fn cartesian() -> Self {
+    pub(crate) fn cartesian() -> Self {
         Self { normal: None }
     }
 
     /// The frame with unknowns (u_T, u_N) for the given unit normal.
-    pub fn turned(normal: Point) -> Self {
+    pub(crate) fn turned(normal: Point) -> Self {
         Self { normal: Some(normal) }
     }
 
     /// The components (u_T, u_N) of a vector given by its Cartesian components.
-    pub fn to_frame(&self, [x, y]: Point) -> Point {
+    pub(crate) fn to_frame(&self, [x, y]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [x, y] };
         [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
     }
 
     /// The Cartesian components of a vector given by (u_T, u_N).
-    pub fn to_cartesian(&self, [t, n]: Point) -> Point {
+    pub(crate) fn to_cartesian(&self, [t, n]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [t, n] };
         [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
     }

@@ -11,17 +11,7 @@ use fractional_sobolev::Rule;
 ///
 /// ∫ f_h φ_i, exact for P1 functions f_h; `values` and the result have `components` entries per node, node-major. The
 /// element mass matrix is A (1 + δ_ij)/12, A the area.
-///
-/// ```
-/// use signorini::fem::consistent_load;
-/// use signorini::mesh::{SideParts, unit_square};
-/// let mesh = unit_square(3, SideParts::HANGING)?;
-/// let x: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
-/// let total: f64 = consistent_load(&mesh, 1, &x).iter().sum();
-/// assert!((total - 0.5).abs() < 1e-15);
-/// # Ok::<(), signorini::Error>(())
-/// ```
-pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {
+pub(crate) fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) -> Vec<f64> {
     let mut load = vec![0.0; mesh.nodes().len() * components];
     for (t, corners) in mesh.triangles().iter().enumerate() {
         let weight = Element::new(mesh.corners(t)).area / 12.0;
@@ -41,19 +31,9 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
 /// It is node-major, with as many components as the field; the entries of a component sum to the integral of that
 /// component over Ω.
 ///
-/// ```
-/// use signorini::fem::{Cubature, Field, volume_load};
-/// use signorini::mesh::{SideParts, unit_square};
-/// let (mesh, weight) = (unit_square(2, SideParts::HANGING)?, |_: [f64; 2]| [0.0, -1.0]);
-/// let load = volume_load(&mesh, &Field::Vector(&weight), &Cubature::new(2)?)?;
-/// let total: f64 = load.iter().skip(1).step_by(2).sum();
-/// assert!((total + 1.0).abs() < 1e-15);
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
 /// # Errors
 /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if f is not finite at a point of the rule.
-pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
+pub(crate) fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
     load_by_triangles(mesh, density.components(), rule, &|_, point| density.at(point))
 }
 
@@ -87,7 +67,7 @@ pub(crate) fn load_by_triangles(
 ///
 /// # Errors
 /// The first error returned by F; its values are not checked.
-pub fn surface_load(
+pub(crate) fn surface_load(
     mesh: &Triangulation,
     part: Part,
     components: usize,

@@ -11,18 +11,8 @@ use std::collections::{BTreeMap, BTreeSet};
 const CHUNK: usize = 4096;
 
 /// A sparse matrix with one dense block per pair of neighbouring nodes.
-///
-/// ```
-/// use signorini::fem::{Form, Frame, stiffness};
-/// use signorini::mesh::{SideParts, unit_square};
-/// let matrix = stiffness(&unit_square(2, SideParts::HANGING)?, &Form::LAPLACE, &Frame::cartesian());
-/// // The five-point stencil at the inner node: the entries of the two diagonal neighbours are 0.
-/// assert!((matrix.diagonal(4) - 4.0).abs() < 1e-14);
-/// assert_eq!(matrix.neighbours(4), [0, 1, 3, 4, 5, 7, 8]);
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[derive(Debug, Clone)]
-pub struct BlockMatrix {
+pub(crate) struct BlockMatrix {
     components: usize,
     offsets: Vec<usize>,
     columns: Vec<u32>,
@@ -54,22 +44,22 @@ impl BlockMatrix {
     }
 
     /// Number of unknowns per node.
-    pub fn components(&self) -> usize {
+    pub(crate) fn components(&self) -> usize {
         self.components
     }
 
     /// Number of nodes.
-    pub fn nodes(&self) -> usize {
+    pub(crate) fn nodes(&self) -> usize {
         self.offsets.len() - 1
     }
 
     /// Number of unknowns.
-    pub fn unknowns(&self) -> usize {
+    pub(crate) fn unknowns(&self) -> usize {
         self.nodes() * self.components
     }
 
     /// The neighbours of a node in ascending order, the node itself included.
-    pub fn neighbours(&self, node: usize) -> &[u32] {
+    pub(crate) fn neighbours(&self, node: usize) -> &[u32] {
         &self.columns[self.offsets[node]..self.offsets[node + 1]]
     }
 
@@ -80,7 +70,7 @@ impl BlockMatrix {
     }
 
     /// The entries of row `unknown` as (column, value).
-    pub fn row(&self, unknown: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+    pub(crate) fn row(&self, unknown: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
         let c = self.components;
         let (node, a) = (unknown / c, unknown % c);
         (self.offsets[node]..self.offsets[node + 1]).flat_map(move |k| {
@@ -90,13 +80,13 @@ impl BlockMatrix {
     }
 
     /// The diagonal entry of row `unknown`.
-    pub fn diagonal(&self, unknown: usize) -> f64 {
+    pub(crate) fn diagonal(&self, unknown: usize) -> f64 {
         let found = self.row(unknown).find(|&(column, _)| column == unknown);
         found.map_or(0.0, |(_, value)| value)
     }
 
     /// The product K x.
-    pub fn multiply(&self, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn multiply(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| value * x[column])
     }
 
@@ -126,7 +116,7 @@ impl BlockMatrix {
     /// The product |K| |x|: the size of the terms in every row of K x.
     ///
     /// The rounding error of each entry of K x is at most a small multiple of ε times this number.
-    pub fn multiply_absolute(&self, x: &[f64]) -> Vec<f64> {
+    pub(crate) fn multiply_absolute(&self, x: &[f64]) -> Vec<f64> {
         self.map_rows(|column, value| (value * x[column]).abs())
     }
 

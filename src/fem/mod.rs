@@ -16,19 +16,18 @@ mod pool;
 mod stencil;
 mod stress;
 
-pub use assembly::stiffness;
+#[cfg(test)]
+pub(crate) use assembly::stiffness;
 pub(crate) use assembly::stiffness_in;
-pub use condensation::{Condensation, Reduced};
+pub(crate) use condensation::{Condensation, Reduced};
 pub use cubature::Cubature;
-pub use error_norms::{ErrorNorms, Gradient, error_norms};
+pub use error_norms::{ErrorNorms, error_norms};
 pub use field::Field;
 pub(crate) use form::Element;
 pub use form::{Form, Lame};
-pub use frame::Frame;
-pub(crate) use frame::Frames;
+pub(crate) use frame::{Frame, Frames};
 pub(crate) use front::inner;
-pub(crate) use loads::load_by_triangles;
-pub use loads::{consistent_load, surface_load, volume_load};
-pub use matrix::BlockMatrix;
+pub(crate) use loads::{consistent_load, load_by_triangles, surface_load, volume_load};
+pub(crate) use matrix::BlockMatrix;
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils, kind};
 pub use stress::{Stress, gradients, stresses};

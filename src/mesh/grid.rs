@@ -1,7 +1,7 @@
 //! Triangulations with the numbering of a structured grid: detection and coarsening by a factor of two.
 //!
 //! Node (i, j) has the number j (nx + 1) + i, and every quadrilateral is cut from bottom left to top right, as in
-//! [`super::rectangles`] and its images. If the differences of neighbouring nodes are the same two vectors
+//! `rectangles` and its images. If the differences of neighbouring nodes are the same two vectors
 //! everywhere, to the last bit, every interior node has congruent surrounding triangles. Cost: O(nodes).
 
 use super::geometry::{BoundaryEdge, Part, Point};

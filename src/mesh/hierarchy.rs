@@ -9,7 +9,7 @@ use super::geometry::{Point, distance, middle};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 
 /// Bytes per triangle of a refined mesh: its corners, half a node, and the edges it is made from.
 const BYTES_OF_TRIANGLE: usize = 60;

@@ -20,14 +20,6 @@ const SMALLEST: f64 = 1e-140;
 const MOST: usize = 4_000_000;
 
 /// The outline of the body.
-///
-/// ```
-/// use signorini::mesh::{Outline, polar_rings};
-/// let mesh = polar_rings(Outline::Rectangle, 8, 0.5, 0.1)?;
-/// let (x, y) = mesh.nodes().iter().fold((0.0f64, 0.0f64), |(x, y), p| (x.max(p[0].abs()), y.max(p[1])));
-/// assert_eq!((x, y), (1.0, 1.0));
-/// # Ok::<(), signorini::Error>(())
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Outline {
     /// The unit half disc (the polygon with vertices at the given angles).
@@ -40,19 +32,16 @@ pub enum Outline {
 /// The triangulation by polar rings with `angles` sectors. Ring k is the outline scaled by e^{−k `step`}; the last
 /// scale factor is the first one ≤ `smallest`.
 ///
-/// ```
-/// use signorini::mesh::{Outline, polar_rings};
-/// let mesh = polar_rings(Outline::HalfDisc, 8, 0.4, 1e-100)?;
-/// assert_eq!(mesh.nodes().last(), Some(&[0.0, 0.0]));
-/// assert!(polar_rings(Outline::HalfDisc, 8, 0.4, 1e-200).is_err());
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of 4 in [4,
 /// 512] and there are at most four million nodes; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
 /// unless 1e−3 ≤ `step` ≤ 2 and 1e−140 ≤ `smallest` ≤ 1/2: areas of smaller rings underflow.
-pub fn polar_rings(outline: Outline, angles: usize, step: f64, smallest: f64) -> Result<Triangulation> {
+pub(crate) fn polar_rings(
+    outline: Outline,
+    angles: usize,
+    step: f64,
+    smallest: f64,
+) -> Result<Triangulation> {
     if !(4..=512).contains(&angles) || !angles.is_multiple_of(4) {
         let range = "{4, 8, 12, ..., 512}";
         return Err(Error::count("angles per ring", angles, range));

@@ -3,7 +3,7 @@
 use super::geometry::{BoundaryEdge, Part, Point};
 use super::triangulation::Triangulation;
 use crate::error::{Error, Result};
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Labels of the four sides of a structured grid.
@@ -40,17 +40,10 @@ impl SideParts {
 /// The triangulation of the unit square by `nx` × `ny` rectangles, each cut from bottom left to top right;
 /// node (i, j) has the number j(nx + 1) + i.
 ///
-/// ```
-/// use signorini::mesh::{SideParts, rectangles};
-/// let mesh = rectangles(4, 2, SideParts::HANGING)?;
-/// assert_eq!((mesh.nodes()[5], mesh.boundary().len()), ([0.0, 0.5], 12));
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 16384,
 /// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory.
-pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulation> {
+pub(crate) fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulation> {
     for (name, value) in [("cells in x", nx), ("cells in y", ny)] {
         if !(1..=16384).contains(&value) {
             let range = "[1, 16384]";
@@ -78,7 +71,7 @@ pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulatio
     Ok(Triangulation::trusted(nodes, triangles, boundary))
 }
 
-/// The triangulation of the unit square by n × n squares, each cut as in [`rectangles`].
+/// The triangulation of the unit square by n × n squares, each cut from bottom left to top right; node (i, j) has the number j(n + 1) + i.
 ///
 /// ```
 /// use signorini::mesh::{SideParts, unit_square};
@@ -88,7 +81,8 @@ pub fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Triangulatio
 /// ```
 ///
 /// # Errors
-/// As for [`rectangles`].
+/// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for n outside 1 ... 16384,
+/// [`ToolkitError::TooLarge`](crate::ToolkitError::TooLarge) if there is not enough memory.
 pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
     rectangles(n, n, sides)
 }
@@ -103,7 +97,7 @@ pub fn unit_square(n: usize, sides: SideParts) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// As for [`rectangles`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle
+/// As for [`unit_square`]; [`ToolkitError::Triangle`](crate::ToolkitError::Triangle) for the first triangle
 /// whose image is inverted or degenerate, [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a
 /// node whose image is not finite.
 pub fn mapped_grid(
@@ -118,22 +112,14 @@ pub fn mapped_grid(
 /// The triangulation of a union of unit squares, each with n × n squares cut as in [`rectangles`]; `places`
 /// are their bottom left corners, `part` is evaluated at the midpoint of every boundary edge.
 ///
-/// ```
-/// use signorini::mesh::{Part, unit_squares};
-/// let part = |[x, y]: [f64; 2]| match (x, y) {
-///     (_, 0.0) => Part::Contact,
-///     (-1.0, _) => Part::Dirichlet,
-///     _ => Part::Neumann,
-/// };
-/// let bracket = unit_squares(2, &[[0, 0], [0, 1], [-1, 1]], part)?;
-/// assert_eq!(bracket.triangles().len(), 24);
-/// # Ok::<(), signorini::Error>(())
-/// ```
-///
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without
 /// squares; if two squares coincide, an error of [`Triangulation::new`].
-pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
+pub fn unit_squares(
+    n: usize,
+    places: &[[i32; 2]],
+    part: impl Fn(Point) -> Part,
+) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {
             return Err(Error::count(name, value, "[1, 4096]"));

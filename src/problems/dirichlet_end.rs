@@ -1,7 +1,7 @@
 //! A body whose bottom is the Dirichlet boundary for x < 0 and the contact boundary for x > 0, on rings that resolve
 //! the origin.
 //!
-//! Outline, angles and radii are as in [`polar_rings`]; the form is plane strain with μ = 1, or the Laplacian. The
+//! Ring k of the mesh is the outline scaled by e^{−k `step`}; the form is plane strain with μ = 1, or the Laplacian. The
 //! load is a constant traction (cos α, sin α) on the outline: tension for α = 90°, compression for −90°, shear for 0°
 //! and 180°. In the scalar problem u replaces u_N = −u_y, and the load is −sin α. There is no volume load: near the
 //! origin the solution is determined by the far field.
@@ -56,8 +56,10 @@ impl DirichletEnd {
     /// ```
     ///
     /// # Errors
-    /// As for [`polar_rings`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless
-    /// Poisson's ratio lies in (−1, 1/2) and the direction is finite.
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless `angles` is a multiple of 4 in [4,
+    /// 512] and there are at most four million nodes; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange)
+    /// unless 1e−3 ≤ `step` ≤ 2, 1e−140 ≤ `smallest` ≤ 1/2 (areas of smaller rings underflow), Poisson's ratio lies in
+    /// (−1, 1/2) and the direction is finite.
     pub fn problem(&self) -> Result<ContactProblem> {
         let Self { outline, angles, step, smallest, poisson, direction } = *self;
         Error::require("direction of the load", direction, "(-inf, inf)", direction.is_finite())?;

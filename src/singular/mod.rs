@@ -10,16 +10,12 @@
 //! | [`Wedge::exponents`] | all λ with 0 < Re λ < 3; checked by zero counts | `spectrum`, `zeros`, `count` |
 //! | [`Wedge::count`] | the argument principle alone | `count` |
 //! | [`Mode`] | angular functions: displacement, traction | `mode`, `basis` |
-//! | [`Wedge::exponents_on_arc`] | an independent computation: an eigenvalue problem on the arc | `arc` |
-//! | [`ContactZone`] | the contact interval at an end on the Dirichlet boundary, in closed form | `contact_zone` |
 //! | [`Wedge::sign_condition`], [`Wedge::regularity`] | sign conditions of contact; u ∈ H^τ, τ < 1 + Re λ | `regularity` |
 //!
 //! P. Grisvard, *Elliptic Problems in Nonsmooth Domains* (1985); V. A. Kozlov, V. G. Maz'ya and J. Rossmann,
 //! *Spectral Problems Associated with Corner Singularities* (2001).
 
-mod arc;
 mod basis;
-mod contact_zone;
 mod count;
 mod factor;
 mod mode;
@@ -28,7 +24,6 @@ mod spectrum;
 mod wedge;
 mod zeros;
 
-pub use contact_zone::ContactZone;
 pub use mode::Mode;
 pub use regularity::{CornerRegularity, SignCondition};
 pub use spectrum::{Exponent, LARGEST, Spectrum};

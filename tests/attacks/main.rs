@@ -17,8 +17,6 @@ mod functions_in_the_plane;
 mod lemma_5_2;
 #[path = "../section_2/multigrid.rs"]
 mod multigrid;
-#[path = "../beyond/orders.rs"]
-mod orders;
 #[path = "../common/plane_polar.rs"]
 mod plane_polar;
 #[path = "../beyond/rearrangement.rs"]
@@ -27,6 +25,8 @@ mod rearrangement;
 mod strip_errors;
 #[path = "../beyond/worst_contact_set.rs"]
 mod worst_contact_set;
+#[path = "../beyond/worst_pair.rs"]
+mod worst_pair;
 
 mod command_lines;
 mod contact;

@@ -1,4 +1,4 @@
-//! Beyond the paper: best and explicit constants, orders, rearrangement, accuracy and extreme input.
+//! Beyond the paper: best and explicit constants, rearrangement, accuracy and extreme input.
 
 /// Sizes of random searches: the few that decide here, or as many as the target `attacks` takes.
 pub const MANY: bool = false;
@@ -9,8 +9,8 @@ mod explicit_bound;
 mod explicit_constants;
 mod extremes;
 mod finite_contact_set;
-mod orders;
 mod rate_of_the_bound;
 mod rearrangement;
 mod segment_constants;
 mod worst_contact_set;
+mod worst_pair;

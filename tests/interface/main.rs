@@ -5,6 +5,7 @@ mod program;
 
 mod bad_input;
 mod every_label;
+mod exports;
 mod files;
 mod large_runs;
 mod outcomes;

@@ -1,12 +1,12 @@
 //! Section 1, clamped end: contact reaches the end of the edge, whatever the load, and no gap is near it.
 
+use crate::contact_zone::ContactZone;
 use signorini::Result;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactSolution, Settings, Solver, Start};
 use signorini::edge::{RadialInterval, radial_intervals};
 use signorini::mesh::Outline;
 use signorini::problems::DirichletEnd;
-use signorini::singular::ContactZone;
 
 const SCENE: DirichletEnd = DirichletEnd {
     outline: Outline::HalfDisc,
@@ -59,7 +59,7 @@ fn every_elastic_body_touches_at_the_end() {
 fn the_zone_of_a_pulled_body_is_the_closed_form() {
     let (solution, parts, _) = solve(&SCENE).unwrap();
     let radius = parts[0].to;
-    let zone = ContactZone::new(0.25, radius).unwrap();
+    let zone = ContactZone::new(0.25, radius);
     let radii = SCENE.problem().unwrap().edge().arc().to_vec();
     // The border is known to half a ring, 12 % of ℓ; the pressure at ℓ/4 changes by a third of that.
     let quotients: Vec<f64> = (0..radii.len())

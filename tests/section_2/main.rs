@@ -10,7 +10,9 @@ mod reference_squares;
 
 mod bodies;
 mod contact;
+mod contact_zone;
 mod dirichlet_end;
+mod exponents_on_arc;
 mod extremes;
 mod mesh_files;
 mod multigrid;

@@ -1,4 +1,4 @@
-//! Gram matrices of norms of fractional order, on meshes of intervals and on grids of the plane.
+//! Gram matrices of norms of fractional order on meshes of intervals.
 
 use super::gram::{
     Basis, GramOperator, Network, Spectral, extreme_eigenvalues, gram_constants, gram_linears,
@@ -6,11 +6,10 @@ use super::gram::{
 };
 use super::mesh::Mesh;
 use super::order::Order;
-use super::plane::{GridOperator, Triangles};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::numeric::check::require_memory;
 use crate::numeric::check::require_values;
-use crate::numeric::memory::require_memory;
 use crate::numeric::sum::compensated;
 use nalgebra::DMatrix;
 use std::sync::OnceLock;
@@ -22,9 +21,9 @@ const BALANCED: f64 = 1e-8;
 ///
 /// # Method
 ///
-/// Products are computed by FFT on uniform meshes and grids, and by H²-matrices on other meshes, in O(N log N)
+/// Products are computed by FFT on uniform meshes, and by H²-matrices on other meshes, in O(N log N)
 /// to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on a uniform
-/// mesh, 60 N on other meshes, 200 N on a grid. On an interval the fast product is prepared at its first use.
+/// mesh, 60 N on other meshes. The fast product is prepared at its first use.
 /// The entries of the dense matrix are sums of a few integrals of one sign each, exact to rounding, and cost
 /// O(N²) kernel values. Where A maps constants to zero, the mean of x is subtracted before a product.
 ///
@@ -43,25 +42,16 @@ const BALANCED: f64 = 1e-8;
 /// ```
 #[doc(alias("Gram matrix", "stiffness matrix", "mass matrix", "fractional Laplacian", "FFT", "H-matrix"))]
 pub struct Gram {
-    form: Form,
-}
-
-enum Form {
-    Interval(Box<Interval>),
-    Grid { squares: [usize; 2], h: f64, form: GridOperator },
-}
-
-/// The matrix on a mesh of an interval; the fast product is prepared at its first use.
-struct Interval {
     mesh: Mesh,
     order: Order,
     tolerance: Tolerance,
     basis: Basis,
+    /// The fast product and the preconditioner, prepared at their first use.
     fast: OnceLock<GramOperator>,
     inverse: OnceLock<Spectral>,
 }
 
-impl Interval {
+impl Gram {
     fn fast(&self) -> Result<&GramOperator> {
         if let Some(fast) = self.fast.get() {
             return Ok(fast);
@@ -158,45 +148,13 @@ impl Gram {
 
     fn on_interval(mesh: &Mesh, order: Order, tolerance: Tolerance, basis: Basis) -> Self {
         let (mesh, fast, inverse) = (mesh.clone(), OnceLock::new(), OnceLock::new());
-        Self { form: Form::Interval(Box::new(Interval { mesh, order, tolerance, basis, fast, inverse })) }
-    }
-
-    /// The Gram matrix for the hat functions of all nodes of [`Triangles::grid`] with the same arguments,
-    /// row by row from the bottom.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Gram, Triangles};
-    /// let form = Gram::on_grid([4, 4], 0.25, 0.5, 1e-8)?;
-    /// let mesh = Triangles::grid([4, 4], 0.25)?;
-    /// let x: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
-    /// let of = |y: &[f64]| x.iter().zip(y).map(|(a, b)| a * b).sum::<f64>();
-    /// let exact = Function::on_triangles(&mesh, 1, &x)?.seminorm(0.5, 1e-8)?.value;
-    /// assert!((of(&form.apply(&x)?).sqrt() / exact - 1.0).abs() < 1e-7);
-    /// assert!((of(&form.mass(&x)?) - 1.0 / 3.0).abs() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a grid without squares,
-    /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice,
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) unless h > 0; as [`Gram::new`].
-    pub fn on_grid(
-        squares: [usize; 2],
-        h: f64,
-        s: impl Given<Order>,
-        tolerance: impl Given<Tolerance>,
-    ) -> Result<Self> {
-        let form = GridOperator::new(squares, h, s.given()?, tolerance.given()?)?;
-        Ok(Self { form: Form::Grid { squares, h, form } })
+        Self { mesh, order, tolerance, basis, fast, inverse }
     }
 
     /// The number of basis functions.
     #[expect(clippy::len_without_is_empty, reason = "never empty")]
     pub fn len(&self) -> usize {
-        match &self.form {
-            Form::Interval(interval) => interval.basis.count(&interval.mesh),
-            Form::Grid { form, .. } => form.size(),
-        }
+        self.basis.count(&self.mesh)
     }
 
     /// The product A x; the error is of the size of the tolerance times |A| |x − x̄|, absolute values entry
@@ -205,10 +163,7 @@ impl Gram {
     /// # Errors
     /// [`Error::LengthMismatch`](crate::Error::LengthMismatch), [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
-        match &self.form {
-            Form::Interval(interval) => interval.fast()?.apply(x),
-            Form::Grid { form, .. } => form.apply(x),
-        }
+        self.fast()?.apply(x)
     }
 
     /// The product M x with the Gram matrix M of L², exact to rounding, in O(N) operations.
@@ -217,17 +172,7 @@ impl Gram {
     /// As [`Gram::apply`].
     pub fn mass(&self, x: &[f64]) -> Result<Vec<f64>> {
         require_values("vector", x, self.len())?;
-        match &self.form {
-            Form::Interval(interval) => Ok(Network::new(&interval.mesh, interval.basis, 0.0, 1.0).times(x)),
-            Form::Grid { squares, h, .. } => {
-                let (mesh, mut y) = (Triangles::grid(*squares, *h)?, vec![0.0; x.len()]);
-                for (nodes, area) in mesh.triangles().iter().zip(mesh.areas()) {
-                    let sum: f64 = nodes.iter().map(|&node| x[node]).sum();
-                    nodes.iter().for_each(|&node| y[node] += area / 12.0 * (sum + x[node]));
-                }
-                Ok(y)
-            }
-        }
+        Ok(Network::new(&self.mesh, self.basis, 0.0, 1.0).times(x))
     }
 
     /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of
@@ -250,13 +195,11 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) if the entries of b must sum to zero but do not;
-    /// [`Error::Incompatible`](crate::Error::Incompatible) on a grid of the plane;
     /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best energy; as [`Gram::apply`].
     #[doc(alias("fractional Laplacian", "preconditioner", "conjugate gradients"))]
     pub fn solve(&self, load: &[f64]) -> Result<(Vec<f64>, Estimate)> {
-        let interval = self.interval("solve")?;
         require_values("load", load, self.len())?;
-        if interval.basis != Basis::InnerHats {
+        if self.basis != Basis::InnerHats {
             let size: f64 = load.iter().map(|b| b.abs()).sum();
             let sum = compensated(load.iter().copied());
             let admissible = sum.abs() <= BALANCED * size;
@@ -267,7 +210,7 @@ impl Gram {
                 admissible,
             )?;
         }
-        solve(interval.fast()?, interval.inverse(), load, interval.tolerance)
+        solve(self.fast()?, self.inverse(), load, self.tolerance)
     }
 
     /// The preconditioner of [`Gram::solve`] applied to r: a symmetric approximate inverse of A, for use in
@@ -287,12 +230,11 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`](crate::Error::Incompatible) on a grid of the plane; as [`Gram::apply`].
+    /// As [`Gram::apply`].
     #[doc(alias = "preconditioner")]
     pub fn precondition(&self, r: &[f64]) -> Result<Vec<f64>> {
-        let interval = self.interval("precondition")?;
         require_values("residual", r, self.len())?;
-        let (inverse, mut r, mut out) = (interval.inverse(), r.to_vec(), vec![0.0; r.len()]);
+        let (inverse, mut r, mut out) = (self.inverse(), r.to_vec(), vec![0.0; r.len()]);
         inverse.without_mean(&mut r);
         inverse.times(&r, &mut out);
         inverse.without_constant(&mut out);
@@ -319,73 +261,38 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Incompatible`](crate::Error::Incompatible) on a grid of the plane;
     /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis functions;
     /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value;
     /// [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
-        let interval = self.interval("extreme_eigenvalues")?;
         if self.len() < 4 {
             let (name, range) = ("basis functions", "[4, inf)");
             return Err(Error::CountOutOfRange { name, value: self.len(), range });
         }
-        let (fast, inverse) = (interval.fast()?, interval.inverse());
-        extreme_eigenvalues(fast, inverse, &interval.mesh, interval.basis, interval.tolerance)
+        let (fast, inverse) = (self.fast()?, self.inverse());
+        extreme_eigenvalues(fast, inverse, &self.mesh, self.basis, self.tolerance)
     }
 
-    /// The data on an interval, for methods that exist only there.
-    fn interval(&self, what: &'static str) -> Result<&Interval> {
-        match &self.form {
-            Form::Interval(interval) => Ok(interval),
-            Form::Grid { .. } => Err(Error::Incompatible {
-                what: "operation",
-                given: what.to_owned(),
-                with: "a grid in the plane",
-                expected: "apply, mass, diagonal, to_dense",
-            }),
-        }
-    }
-
-    /// The diagonal of A: stored with the fast product on an interval, computed by N products on a grid.
+    /// The diagonal of A, stored with the fast product.
     ///
     /// # Errors
     /// [`Error::Solver`](crate::Error::Solver) if a Fourier transform fails.
     pub fn diagonal(&self) -> Result<Vec<f64>> {
-        match &self.form {
-            Form::Interval(interval) => Ok(interval.fast()?.diagonal().to_vec()),
-            Form::Grid { form, .. } => (0..form.size()).map(|k| Ok(column(form, k)?[k])).collect(),
-        }
+        Ok(self.fast()?.diagonal().to_vec())
     }
 
-    /// A as a dense matrix: on an interval by closed forms, exact to rounding, at the cost of O(N²) kernel
-    /// evaluations; on a grid by N products.
+    /// A as a dense matrix, by closed forms, exact to rounding, at the cost of O(N²) kernel evaluations.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice.
     pub fn to_dense(&self) -> Result<DMatrix<f64>> {
         let n = self.len();
         require_memory("entries", n.saturating_mul(n), 16)?;
-        match &self.form {
-            Form::Interval(interval) => match interval.basis {
-                Basis::Hats => Ok(gram_linears(&interval.mesh, interval.order)),
-                Basis::InnerHats => Ok(gram_zero_outside(&interval.mesh, interval.order)),
-                Basis::Indicators => gram_constants(&interval.mesh, interval.order),
-            },
-            Form::Grid { form, .. } => {
-                let mut dense = DMatrix::zeros(n, n);
-                for k in 0..n {
-                    dense.column_mut(k).copy_from_slice(&column(form, k)?);
-                }
-                Ok(dense)
-            }
+        match self.basis {
+            Basis::Hats => Ok(gram_linears(&self.mesh, self.order)),
+            Basis::InnerHats => Ok(gram_zero_outside(&self.mesh, self.order)),
+            Basis::Indicators => gram_constants(&self.mesh, self.order),
         }
     }
-}
-
-/// A column of the matrix, by one product.
-fn column(form: &GridOperator, k: usize) -> Result<Vec<f64>> {
-    let mut unit = vec![0.0; form.size()];
-    unit[k] = 1.0;
-    form.apply(&unit)
 }

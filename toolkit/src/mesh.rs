@@ -2,8 +2,8 @@
 
 use super::grading::{algebraic_lengths, geometric_lengths, require_length_of_interval};
 use crate::error::{Error, Result};
+use crate::numeric::check::require_memory;
 use crate::numeric::check::{require_entry, require_finite};
-use crate::numeric::memory::require_memory;
 use crate::numeric::scale::power_between;
 use crate::numeric::sum::RunningSum;
 

@@ -32,8 +32,6 @@ pub struct Label {
     pub page: String,
     /// The file of the library, from the repository.
     pub room: String,
-    /// Items of the library, as paths from its root.
-    pub items: Vec<String>,
     /// In place of a verdict where no example prints one.
     pub note: String,
     /// What of the statement has a proof; with `seen` and `open` it makes a row of one table, see [`Label::is_judged`].
@@ -97,10 +95,6 @@ fn one(value: &toml::Value, line: usize) -> std::result::Result<Label, String> {
             "proved" => label.proved = words()?,
             "seen" => label.seen = words()?,
             "open" => label.open = words()?,
-            "items" => {
-                let list = value.as_array().ok_or("items is not a list")?;
-                label.items = list.iter().filter_map(|item| item.as_str().map(str::to_owned)).collect();
-            }
             _ => return Err(format!("unknown key {key}")),
         }
     }
@@ -167,7 +161,7 @@ mod tests {
     use crate::error::write;
 
     const ENTRY: &str = "[[label]]\nlabel = \"Lemma 1\"\ngroup = \"tools\"\nwords = \"so\"\nexample = \"ex\"\n\
-        test = \"lemma::holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\nitems = [\"a::f\"]\n";
+        test = \"lemma::holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\n";
 
     fn repository() -> tempfile::TempDir {
         let directory = tempfile::tempdir().unwrap();

@@ -1,6 +1,5 @@
-//! What is made from lists, between two lines of a file: the tables of CONTRIBUTING, of `src/with_contact.md`
-//! and of the lemma cards from `labels.toml`; the chapters in `src/book.rs` (documentation tests) from
-//! `SUMMARY.md`.
+//! What is made from lists, between two lines of a file: the tables of the lemma cards from `labels.toml`; the
+//! chapters in `src/book.rs` (documentation tests) from `SUMMARY.md`.
 
 use crate::error::{Error, Fault, Result, read, write};
 use crate::labels::{LIST, Label};
@@ -13,6 +12,8 @@ const SUMMARY: &str = "book/src/SUMMARY.md";
 const CERTAINTY: &str = "book/src/what_is_proved.md";
 /// Most rows that fit on one screen.
 const ONE_SCREEN: usize = 24;
+/// The page with the lemma cards.
+const CARDS: &str = "book/src/every_label.md";
 /// Every chapter as a documentation test.
 const CHAPTERS: &str = "src/book.rs";
 
@@ -29,21 +30,13 @@ struct Region {
 /// All of them; the cards have one per group. Files of lists that are not there have none.
 fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     let mut found = Vec::new();
-    let mut table = |file, group: Option<&str>, lines| {
-        let begin = group.map_or("<!-- labels -->".to_owned(), |group| format!("<!-- labels: {group} -->"));
-        found.push(Region { file, marks: (begin, "<!-- end of labels -->"), lines, source: LIST });
-    };
-    let groups = groups(labels);
-    if !labels.is_empty() {
-        let all: Vec<&Label> = groups.iter().flat_map(|(_, members)| members).copied().collect();
-        table("CONTRIBUTING.md", None, readme_table(&all, repository));
-        table("src/with_contact.md", None, contents_table(&all));
-        for (group, members) in &groups {
-            table("book/src/every_label.md", Some(group), cards_table(members));
-        }
-        if labels.iter().any(Label::is_judged) {
-            table(CERTAINTY, None, certainty_table(labels));
-        }
+    for (group, members) in groups(labels) {
+        let marks = (format!("<!-- labels: {group} -->"), "<!-- end of labels -->");
+        found.push(Region { file: CARDS, marks, lines: cards_table(&members), source: LIST });
+    }
+    if labels.iter().any(Label::is_judged) {
+        let marks = ("<!-- labels -->".to_owned(), "<!-- end of labels -->");
+        found.push(Region { file: CERTAINTY, marks, lines: certainty_table(labels), source: LIST });
     }
     let mut list = |file, begin: &str, end, lines, source| {
         found.push(Region { file, marks: (begin.to_owned(), end), lines, source });
@@ -64,47 +57,6 @@ fn groups(labels: &[Label]) -> Vec<(&str, Vec<&Label>)> {
         }
     }
     groups
-}
-
-/// A link, or nothing; the text of a long name may break between its words.
-fn link(text: &str, target: &str) -> String {
-    if text.is_empty() { String::new() } else { format!("[{text}]({target})") }
-}
-
-fn readme_table(labels: &[&Label], repository: &Path) -> String {
-    let mut text = "| paper | example | test | page | room |\n| --- | --- | --- | --- | --- |\n".to_owned();
-    for label in labels {
-        let Label { example, page, room, .. } = label;
-        let (file, function) = label.test.split_once("::").unwrap_or((&label.test, ""));
-        let colon = if function.is_empty() { "" } else { ": " };
-        let _ = writeln!(
-            text,
-            "| {}: {} | {} | {}{colon}{} | {} | {} |",
-            label.label,
-            label.words,
-            link(example, &format!("examples/{example}.rs")),
-            link(file, &test_file(file, repository)),
-            function.replace('_', " "),
-            link(page, &format!("book/src/{page}.md")),
-            link(room.strip_prefix("src/").unwrap_or(room), room),
-        );
-    }
-    text
-}
-
-/// The file of a test: the toolkit has tests of its own.
-fn test_file(name: &str, repository: &Path) -> String {
-    let own = format!("toolkit/tests/{name}.rs");
-    if repository.join(&own).exists() { own } else { format!("tests/{name}.rs") }
-}
-
-fn contents_table(labels: &[&Label]) -> String {
-    let mut text = "| paper | here |\n| --- | --- |\n".to_owned();
-    for label in labels.iter().filter(|label| !label.items.is_empty()) {
-        let items: Vec<String> = label.items.iter().map(|item| format!("[`{item}`]")).collect();
-        let _ = writeln!(text, "| {}: {} | {} |", label.label, label.words, items.join(", "));
-    }
-    text
 }
 
 fn cards_table(labels: &[&Label]) -> String {
@@ -216,7 +168,7 @@ mod tests {
     use crate::labels::list;
 
     const LABELS: &str = "[[label]]\nlabel = \"Lemma 1\"\ngroup = \"tools\"\nwords = \"so\"\nexample = \"ex\"\n\
-        test = \"lemma::it_holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\nitems = [\"a::f\"]\n\
+        test = \"lemma::it_holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\n\
         [[label]]\nlabel = \"Remark\"\ngroup = \"rest\"\nwords = \"more\"\nnote = \"none\"\n\
         [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\npage = \"two\"\n\
         proved = \"yes\"\nopen = \"the constant\"\n";
@@ -227,12 +179,10 @@ mod tests {
         put(LIST, LABELS);
         put("examples/ex.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
-        put("CONTRIBUTING.md", "a\n\n<!-- labels -->\n<!-- end of labels -->\nb\n");
-        put("src/with_contact.md", "<!-- labels -->\n<!-- end of labels -->\n");
         put(CERTAINTY, "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
-        put("book/src/every_label.md", &format!("{cards}<!-- end of labels -->\n"));
+        put(CARDS, &format!("{cards}<!-- end of labels -->\n"));
         directory
     }
 
@@ -244,21 +194,11 @@ mod tests {
             let faults = stale(&labels, directory.path()).unwrap();
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
-        let cards = "book/src/every_label.md";
-        assert_eq!(
-            stale_files(),
-            ["CONTRIBUTING.md", "src/with_contact.md", cards, cards, CERTAINTY, CHAPTERS]
-        );
+        assert_eq!(stale_files(), [CARDS, CARDS, CERTAINTY, CHAPTERS]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
-        let contents = text("src/with_contact.md");
-        assert!(contents.contains("| Lemma 1: so | [`a::f`] |\n<!-- end"), "{contents}");
-        let readme = text("CONTRIBUTING.md");
-        let row = "| Lemma 1: so | [ex](examples/ex.rs) | [lemma](tests/lemma.rs): it holds | \
-                   [lemma](book/src/lemma.md) | [a.rs](src/a.rs) |\n| Lemma 2: so too |  |  | [two](book/src/two.md) |  |\n| Remark";
-        assert!(readme.contains(row) && readme.ends_with("b\n"), "{readme}");
-        assert!(text(cards).contains("{{verdict: ex}} |\n| Lemma 2 |"), "{}", text(cards));
+        assert!(text(CARDS).contains("{{verdict: ex}} |\n| Lemma 2 |"), "{}", text(CARDS));
         let row = "| --- |\n| [Lemma 2](two.md) | yes |  | the constant |\n<!-- end";
         assert!(text(CERTAINTY).contains(row), "{}", text(CERTAINTY));
         let lines = "    // chapters\n    readme: \"../../README.md\",\n    how: \"how.md\",\n    lemma: \"lemma.md\",\n    // end";

@@ -1,7 +1,6 @@
 //! A number with a bound on its error, and arithmetic that propagates the bound.
 
 use fractional_sobolev::Estimate;
-use signorini::rates::ConvergenceOrder;
 use std::f64::consts::LN_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -70,7 +69,6 @@ conversions! { Measured:
     usize => |count: usize| Measured::from(count as f64),
     (f64, f64) => |(value, error): (f64, f64)| Measured::new(value, error),
     Estimate => |estimate: Estimate| Measured::new(estimate.value, estimate.error),
-    ConvergenceOrder => |found: ConvergenceOrder| Measured::new(found.order, found.uncertainty),
 }
 
 impl<T: Into<Measured>> From<Option<T>> for Measured {

@@ -7,7 +7,7 @@
 
 use super::precondition::Preconditioner;
 use crate::cone::Face;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::fourier::Workspace;
@@ -39,6 +39,8 @@ struct OnFace<'s, 'a> {
 }
 
 impl System for OnFace<'_, '_> {
+    type Error = Error;
+
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         self.operator.apply_into(x, out, self.work)?;
         self.face.project(out);

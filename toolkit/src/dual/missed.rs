@@ -8,7 +8,7 @@
 
 use super::comparison::{Comparison, Part};
 use super::cosines::Cosines;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::gram::{GramOperator, add_mass, mass_linears};
 use crate::mesh::Mesh;
@@ -37,6 +37,8 @@ struct Regional {
 }
 
 impl System for Regional {
+    type Error = Error;
+
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         let [m, a] = self.weights;
         out.iter_mut().zip(self.operator.apply(x)?).for_each(|(o, y)| *o = a * y);

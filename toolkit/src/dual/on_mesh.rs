@@ -96,6 +96,8 @@ struct WithMass {
 }
 
 impl System for WithMass {
+    type Error = Error;
+
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         out.copy_from_slice(&self.operator.apply(x)?);
         add_mass(1.0, &self.mass, x, out);

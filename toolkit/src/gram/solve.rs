@@ -22,6 +22,8 @@ struct Preconditioned<'a> {
 }
 
 impl System for Preconditioned<'_> {
+    type Error = Error;
+
     fn apply(&mut self, x: &[f64], out: &mut [f64]) -> Result<()> {
         out.copy_from_slice(&self.operator.apply(x)?);
         Ok(())

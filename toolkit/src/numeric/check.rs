@@ -1,6 +1,7 @@
-//! Checks of input: length and finiteness.
+//! Checks of input: length, finiteness, memory.
 
 use super::Error;
+use fractional_sobolev_numeric::memory::shortage;
 
 /// Returns an error unless `given` equals `expected`.
 ///
@@ -45,6 +46,19 @@ pub(crate) fn require_entry(
 ) -> Result<(), Error> {
     require_not_nan(name, index, value)?;
     if admissible { Ok(()) } else { Err(Error::EntryOutOfRange { name, index, value, range }) }
+}
+
+/// Returns an error if `count` items of `bytes` bytes each exceed the machine's memory.
+///
+/// # Errors
+/// [`Error::TooLarge`] with this `name`.
+pub(crate) fn require_memory(name: &'static str, count: usize, bytes: usize) -> Result<(), Error> {
+    match shortage(count, bytes) {
+        None => Ok(()),
+        Some((needed, available)) => {
+            Err(Error::TooLarge { name, count, needed: needed / 1e9, available: available / 1e9 })
+        }
+    }
 }
 
 fn require_not_nan(name: &'static str, index: usize, value: f64) -> Result<(), Error> {

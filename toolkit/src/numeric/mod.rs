@@ -2,16 +2,15 @@
 //!
 //! | topic | module |
 //! | --- | --- |
-//! | compensated and pairwise sums, inner products | [`sum`] |
+//! | compensated and pairwise sums, inner products | `sum`, of `fractional_sobolev_numeric` |
 //! | units that are powers of two | [`scale`] |
-//! | checks of lengths and of finite values | [`check`] |
-//! | available memory | [`memory`] |
+//! | checks of lengths, of finite values and of memory | [`check`] |
 //! | caches of the last value | `last` |
 //! | remaining evaluations | `budget` |
-//! | bisection, golden-section search | [`search`] |
+//! | bisection, golden-section search | `search`, of `fractional_sobolev_numeric` |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
-//! | conjugate gradients | [`conjugate_gradients`] |
+//! | conjugate gradients | `conjugate_gradients`, of `fractional_sobolev_numeric` |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | parallel maps | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
@@ -22,19 +21,16 @@
 pub(crate) mod block_iteration;
 pub(crate) mod budget;
 pub(crate) mod check;
-pub(crate) mod conjugate_gradients;
 pub(crate) mod dense;
 pub(crate) mod gamma;
 pub(crate) mod last;
 pub(crate) mod legendre;
-pub(crate) mod memory;
 pub(crate) mod parallel;
 pub(crate) mod pencil;
 pub(crate) mod scale;
-pub(crate) mod search;
-pub(crate) mod sum;
 
 use crate::error::Error;
+pub(crate) use fractional_sobolev_numeric::{conjugate_gradients, search, sum};
 
 /// True if n has no prime factor above 5: Fourier transforms of such lengths are fast.
 pub(crate) fn is_smooth(mut n: usize) -> bool {

@@ -5,18 +5,14 @@
 //! | quantity | type |
 //! | --- | --- |
 //! | triangulations | [`Triangles`] |
-//! | products with the Gram matrix on a uniform grid | [`Gram`](crate::Gram) |
 //! | corner singularities r^a sin(bφ) on sectors | [`SectorPower`] |
 //! | norms of piecewise constants, of continuous piecewise linear functions and of their gradients | [`PlaneFunction`] |
 //! | norms of formulas with declared corner singularities | [`SingularPlaneFunction`] |
 
-mod cell_pairs;
 mod closures;
-mod convolution;
 mod far;
 mod function;
 mod geometry;
-mod grid;
 mod kernel;
 mod leaves;
 mod means;
@@ -31,6 +27,5 @@ mod triangles;
 pub use closures::PlanePosition;
 pub(crate) use closures::SingularPlaneFunction;
 pub(crate) use function::PlaneFunction;
-pub(crate) use grid::GridOperator;
 pub(crate) use sector::{ElasticCorner, SectorPower};
 pub use triangles::Triangles;

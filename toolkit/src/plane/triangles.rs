@@ -4,7 +4,7 @@ use super::geometry::{Point, twice_area};
 use super::overlap::overlapping;
 use crate::error::{Error, Result};
 use crate::numeric::check::require_finite_at;
-use crate::numeric::memory::require_memory;
+use crate::numeric::check::require_memory;
 use std::collections::HashMap;
 
 /// Bytes per square of a grid: a node, two triangles, and three edges in the table that checks them.
@@ -88,12 +88,13 @@ impl Triangles {
     /// right.
     ///
     /// ```
-    /// use fractional_sobolev::{Gram, Triangles, closed_forms};
-    /// let form = Gram::on_grid([8, 8], 0.125, 0.5, 1e-8)?;
-    /// let x: Vec<f64> = Triangles::grid([8, 8], 0.125)?.nodes().iter().map(|p| p[0]).collect();
-    /// let squared: f64 = form.apply(&x)?.iter().zip(&x).map(|(a, b)| a * b).sum();
-    /// assert!((squared / closed_forms::coordinate_on_square_seminorm_squared(0.5)?.value - 1.0).abs() < 1e-7);
-    /// assert!(form.len() == 81);
+    /// use fractional_sobolev::{Function, Triangles, closed_forms};
+    /// let mesh = Triangles::grid([8, 8], 0.125)?;
+    /// let x: Vec<f64> = mesh.nodes().iter().map(|p| p[0]).collect();
+    /// let seminorm = Function::on_triangles(&mesh, 1, &x)?.seminorm(0.5, 1e-8)?.value;
+    /// let exact = closed_forms::coordinate_on_square_seminorm_squared(0.5)?.value;
+    /// assert!((seminorm.powi(2) / exact - 1.0).abs() < 1e-7);
+    /// assert!(mesh.nodes().len() == 81);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///

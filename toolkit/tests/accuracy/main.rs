@@ -10,6 +10,7 @@ mod common;
 mod hard;
 
 mod constants;
+mod half_order_moments;
 mod numbers;
 mod scales;
 

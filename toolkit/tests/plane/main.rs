@@ -1,4 +1,4 @@
-//! Norms in the plane: triangulations, corner singularities, polygonal curves, uniform grids.
+//! Norms in the plane: triangulations, corner singularities and polygonal curves.
 
 #[allow(dead_code)]
 #[path = "../common/mod.rs"]
@@ -10,7 +10,6 @@ mod hard;
 mod boundaries;
 mod corners;
 mod norms;
-mod products;
 
 /// The part of the random cases that is run by default; `attacks` runs more.
 const SHARE: f64 = 0.1;

@@ -1,8 +1,6 @@
-//! Moments of functions that vanish on a zone at one end: by a dual problem, in closed form, and by the strong
-//! form.
+//! Moments of functions that vanish on a zone at one end: by a dual problem, and by the strong form.
 
 mod constant;
-mod half_order;
 mod strong_basis;
 mod strong_form;
 mod weight;
