@@ -28,6 +28,7 @@ mod strip_errors;
 #[path = "../beyond/worst_contact_set.rs"]
 mod worst_contact_set;
 
+mod bounds;
 mod command_lines;
 mod contact;
 mod meshes;
