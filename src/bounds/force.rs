@@ -68,7 +68,9 @@ impl Body<'_> {
         }
         middle += setting.pressure_against(found, &w);
         let off = found.oscillation + found.rounding;
-        let square = 0.25 * found.reach * found.reach + found.work + off * found.error;
+        // |||u − v|||, v in K.
+        let distance = 0.5 * (found.reach + (found.reach * found.reach + 4.0 * found.work).sqrt());
+        let square = 0.25 * found.reach * found.reach + found.work + off * distance;
         Ok(Interval::around(middle, size * (square.sqrt() + off)))
     }
 }

@@ -56,6 +56,13 @@ struct OnTriangle {
     mean: Value,
 }
 
+/// |||z|||² and J(v + z) − J(v) on a triangle, z the lift of u_D.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Lifted {
+    pub(super) square: f64,
+    pub(super) gained: f64,
+}
+
 impl Parts {
     /// |||d|||* + osc.
     pub(super) fn reach(&self) -> f64 {
@@ -234,17 +241,17 @@ impl Setting<'_, '_> {
         sum
     }
 
-    /// J(v + z) − J(v) for the sum z of all lifts.
-    pub(super) fn lift_energy(&self, displacement: &[f64]) -> Result<f64> {
-        let mut sum = 0.0;
-        for (t, lifts) in self.lifts.iter().enumerate() {
-            if lifts.is_empty() {
+    /// What the sum z of all lifts changes, by triangle.
+    pub(super) fn lift_energies(&self, displacement: &[f64]) -> Result<Vec<Lifted>> {
+        let reaction = self.reaction();
+        let mut found = vec![Lifted::default(); self.lifts.len()];
+        for (t, lifted) in found.iter_mut().enumerate() {
+            if self.lifts[t].is_empty() {
                 continue;
             }
             let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
             let (element, inner) = (Element::new(corners), self.compliance(t));
             let stress = self.stress_of(t, displacement);
-            let reaction = self.reaction();
             for Sample { point, weight, .. } in self.samples(t) {
                 let shares = element.barycentric(corners, point);
                 if let Some((own, value)) = self.lifted_at(t, shares, &element) {
@@ -254,16 +261,16 @@ impl Setting<'_, '_> {
                     } else {
                         0.0
                     };
-                    sum += weight
-                        * (inner(&stress, &own)
-                            + 0.5 * inner(&own, &own)
-                            + reaction * value[0] * (v + 0.5 * value[0])
+                    let square = inner(&own, &own) + reaction * value[0] * value[0];
+                    lifted.square += weight * square;
+                    lifted.gained += weight
+                        * (inner(&stress, &own) + 0.5 * square + reaction * value[0] * v
                             - load[0] * value[0]
                             - load[1] * value[1]);
                 }
             }
         }
-        Ok(sum)
+        Ok(found)
     }
 
     /// osc_T.

@@ -24,3 +24,4 @@ mod strip_errors;
 mod strip_extremes;
 mod strip_iterations;
 mod test_problems;
+mod two_sided_energies;
