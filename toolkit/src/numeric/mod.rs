@@ -11,13 +11,14 @@
 //! | bisection, golden-section search | [`search`] |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
+//! | numbers of twice the digits | `twofold` |
 //! | conjugate gradients | [`conjugate_gradients`] |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | parallel maps | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
 //! | extremal quotients of two quadratic forms | `pencil` |
 //!
-//! Everything is in `f64`; nothing here depends on norms or meshes.
+//! Everything else is in `f64`; nothing here depends on norms or meshes.
 
 pub(crate) mod block_iteration;
 pub(crate) mod budget;
@@ -33,6 +34,7 @@ pub(crate) mod pencil;
 pub(crate) mod scale;
 pub(crate) mod search;
 pub(crate) mod sum;
+pub(crate) mod twofold;
 
 use crate::error::Error;
 

@@ -10,7 +10,9 @@ mod common;
 mod hard;
 
 mod constants;
+mod features;
 mod numbers;
+mod rules;
 mod scales;
 
 /// The part of the random cases that is run by default; `attacks` runs more.
