@@ -13,6 +13,7 @@
 
 #[cfg(doctest)]
 mod book;
+pub mod bounds;
 pub mod cone;
 pub mod contact;
 pub mod edge;
@@ -27,4 +28,4 @@ pub mod singular;
 pub mod strip;
 mod text;
 
-pub use error::{Error, Result, ToolkitError};
+pub use error::{Error, Result, ToolkitError, Unfinished};

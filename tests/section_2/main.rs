@@ -12,6 +12,7 @@ mod bodies;
 mod contact;
 mod dirichlet_end;
 mod extremes;
+mod mesh_files;
 mod multigrid;
 mod remark_1;
 mod singular_exponents;
