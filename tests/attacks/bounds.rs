@@ -154,10 +154,12 @@ fn rings(random: &mut SplitMix) -> Shell {
     let inner = if is_full { 0.35 } else { random.between(0.2, 0.6) };
     let radius = |k: usize| 2.0 * (inner + (1.0 - inner) * k as f64 / layers as f64);
     let mut nodes: Vec<Point> = Vec::new();
-    let turns: Vec<f64> =
-        (0..angles).map(|m| (m as f64 + random.between(-0.25, 0.25)) * std::f64::consts::TAU / angles as f64).collect();
+    let turns: Vec<f64> = (0..angles)
+        .map(|m| (m as f64 + random.between(-0.25, 0.25)) * std::f64::consts::TAU / angles as f64)
+        .collect();
     // Re-entrant corners of the outline.
-    let dents: Vec<f64> = (0..angles).map(|_| if random.below(4) == 0 { random.between(0.7, 1.0) } else { 1.0 }).collect();
+    let dents: Vec<f64> =
+        (0..angles).map(|_| if random.below(4) == 0 { random.between(0.7, 1.0) } else { 1.0 }).collect();
     for k in 0..=layers {
         for m in 0..angles {
             nodes.push([radius(k) * dents[m] * turns[m].cos(), radius(k) * dents[m] * turns[m].sin()]);
@@ -169,7 +171,11 @@ fn rings(random: &mut SplitMix) -> Shell {
             let next = (m + 1) % angles;
             let [a, b] = [k * angles + m, (k + 1) * angles + m];
             let [d, c] = [k * angles + next, (k + 1) * angles + next];
-            triangles.extend(if random.below(2) == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
+            triangles.extend(if random.below(2) == 0 {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            });
         }
     }
     if is_full {
@@ -257,7 +263,8 @@ fn mesh(random: &mut SplitMix, is_elastic: bool) -> Option<Triangulation> {
         let regions: Vec<u32> = triangles
             .iter()
             .map(|t| {
-                let at = |axis: usize| t.iter().map(|&node| nodes[node][axis]).sum::<f64>() / 3.0 - centre[axis];
+                let at =
+                    |axis: usize| t.iter().map(|&node| nodes[node][axis]).sum::<f64>() / 3.0 - centre[axis];
                 if is_mixed {
                     random.below(2) as u32
                 } else {
@@ -279,7 +286,12 @@ fn mesh(random: &mut SplitMix, is_elastic: bool) -> Option<Triangulation> {
 }
 
 /// Parts of one outline: side by side, some sides in two parts; contact edges of an elastic body have no common node.
-fn labelled(random: &mut SplitMix, nodes: &[Point], outline: &[usize], is_elastic: bool) -> Vec<BoundaryEdge> {
+fn labelled(
+    random: &mut SplitMix,
+    nodes: &[Point],
+    outline: &[usize],
+    is_elastic: bool,
+) -> Vec<BoundaryEdge> {
     let count = outline.len();
     let bends = |i: usize| {
         let [a, b, c] = [(i + count - 1) % count, i, (i + 1) % count].map(|i| nodes[outline[i]]);
@@ -368,9 +380,9 @@ fn acting(random: &mut SplitMix, is_elastic: bool) -> (Acting, f64) {
         .then(|| Shape::random(random, 5, 0.1 * size / stiffness * decades(random, -2.0, 0.0)));
     // Prescribed displacements do not penetrate.
     let largest = |shape: &Shape| 5.0 * shape.size;
-    let room = gap.as_ref().map_or(0.0, |gap| {
-        if random.below(2) == 0 { 2.0 * largest(gap) } else { largest(gap) }
-    }) + displacement.iter().flatten().map(largest).sum::<f64>();
+    let room =
+        gap.as_ref().map_or(0.0, |gap| if random.below(2) == 0 { 2.0 * largest(gap) } else { largest(gap) })
+            + displacement.iter().flatten().map(largest).sum::<f64>();
     (Acting { form, loads, tractions, displacement, gap, room }, poisson)
 }
 

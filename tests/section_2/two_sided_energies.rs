@@ -9,8 +9,7 @@ use signorini::cone::Cone;
 use signorini::contact::Body;
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{
-    BoundaryEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid, rectangles, unit_square,
-    unit_squares,
+    BoundaryEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid, unit_square, unit_squares,
 };
 use std::f64::consts::PI;
 
@@ -87,7 +86,9 @@ fn energies_of_the_block_are_those_of_the_table() {
             found.error,
             found.error / distance
         );
-        assert!((found.solution.energy - above).abs() <= 1e-9 && (found.dual_energy - below).abs() <= accuracy);
+        assert!(
+            (found.solution.energy - above).abs() <= 1e-9 && (found.dual_energy - below).abs() <= accuracy
+        );
         assert!(found.error / distance <= 1.12 && found.energy.contains(exact.upper));
         let sum: f64 = found.shares.iter().sum();
         assert!((sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12 * sum.max(1e-3));
@@ -171,8 +172,7 @@ fn adaptive_meshes_have_the_best_order_at_a_weak_corner() {
 fn slit(n: usize) -> Triangulation {
     let width = 2 * n + 1;
     let at = |i: usize| i as f64 / n as f64 - 1.0;
-    let mut nodes: Vec<Point> =
-        (0..width).flat_map(|j| (0..width).map(move |i| [at(i), at(j)])).collect();
+    let mut nodes: Vec<Point> = (0..width).flat_map(|j| (0..width).map(move |i| [at(i), at(j)])).collect();
     // The upper face of the slit, without its tip.
     let upper = nodes.len();
     nodes.extend((0..n).map(|i| [at(i), 0.0]));
@@ -232,7 +232,7 @@ fn with_hole() -> Triangulation {
 
 /// A grid of the unit square, parts by the midpoints of the boundary edges.
 fn labelled(n: usize, part: impl Fn(Point) -> Part) -> Triangulation {
-    let whole = rectangles(n, n, SideParts::HANGING).unwrap();
+    let whole = mapped_grid(n, n, SideParts::HANGING, |point| point).unwrap();
     let boundary: Vec<BoundaryEdge> = whole
         .boundary()
         .iter()
@@ -350,9 +350,10 @@ fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
     // Corner to corner between two clamped sides, and between two free ones.
     for side in [Part::Dirichlet, Part::Neumann] {
         let sides = SideParts { left: side, right: side, ..SideParts::HANGING };
-        let scene = Scene::new(format!("corner to corner, {side:?}"), unit_square(8, sides).unwrap(), |mesh| {
-            Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x])
-        });
+        let scene =
+            Scene::new(format!("corner to corner, {side:?}"), unit_square(8, sides).unwrap(), |mesh| {
+                Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x])
+            });
         check(&scene, 1.25);
     }
     for (end, beyond) in [(0.5, Part::Neumann), (0.5, Part::Dirichlet)] {
@@ -389,7 +390,8 @@ fn nothing_touches_and_everything_touches() {
 /// −Δu + c u = f with u ≤ 0 on the whole boundary (Remark 1), and on a part of it.
 #[test]
 fn remark_1_with_its_reaction_term() {
-    let whole = SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+    let whole =
+        SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
     for (name, sides) in [("whole boundary", whole), ("bottom", SideParts::HANGING)] {
         for reaction in [1.0, 100.0] {
             let mesh = unit_square(8, sides).unwrap();
@@ -445,7 +447,11 @@ fn a_load_with_a_kink_has_oscillation() {
             let scene = Scene::new(name, mesh, move |mesh| {
                 let load = |[x, y]: Point| (x - 0.31).abs() + 0.5 * (y - 0.47 * x).abs() - 0.4;
                 let body = Body::new(mesh, form.clone());
-                if is_elastic { body.load(move |p: Point| [0.3 * load(p), -load(p)]) } else { body.load(load) }
+                if is_elastic {
+                    body.load(move |p: Point| [0.3 * load(p), -load(p)])
+                } else {
+                    body.load(load)
+                }
             });
             let found = check(&scene, most);
             let share = found[0].found.oscillation / found[0].found.error;
@@ -464,10 +470,11 @@ fn a_load_with_a_kink_has_oscillation() {
 fn the_bound_sees_locking() {
     let mut errors = Vec::new();
     for poisson in [0.3, 0.49, 0.4999] {
-        let scene = Scene::new(format!("ν = {poisson}"), unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
-            let form = Form::elastic(Lame::plane_strain(1.0, poisson).unwrap());
-            Body::new(mesh, form).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
-        });
+        let scene =
+            Scene::new(format!("ν = {poisson}"), unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
+                let form = Form::elastic(Lame::plane_strain(1.0, poisson).unwrap());
+                Body::new(mesh, form).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
+            });
         let found = check(&scene, 5.0);
         errors.push(found[0].found.relative_error());
     }
