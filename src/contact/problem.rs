@@ -293,11 +293,11 @@ impl ContactProblem {
         self.turn(values, Frame::to_cartesian)
     }
 
-    fn turn(&self, values: &[f64], turn: fn(&Frame, Point) -> Point) -> Vec<f64> {
+    fn turn(&self, values: &[f64], turn: fn(Frame, Point) -> Point) -> Vec<f64> {
         let mut turned = values.to_vec();
         if self.form.components() == 2 {
             turned.par_chunks_mut(2).enumerate().for_each(|(node, pair)| {
-                let [a, b] = turn(self.frames.at(node), [pair[0], pair[1]]);
+                let [a, b] = turn(*self.frames.at(node), [pair[0], pair[1]]);
                 pair[0] = a;
                 pair[1] = b;
             });
