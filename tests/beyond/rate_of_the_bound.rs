@@ -264,7 +264,7 @@ fn both_parts_have_the_order_of_the_theorem() {
     }
     for (first, ratio, levels) in [(0.25, 0.25, 8), (0.2, 0.3, 9), (0.15, 0.35, 10), (0.1, 0.4, 11)] {
         // Indicators of the set are in H^ν for 2ν < 1 − ln 2/ln(1/ratio).
-        let order = 2.0 - LN_2 / (1.0 / ratio).ln();
+        let order = 2.0 + LN_2 / f64::ln(ratio);
         let edges = [0.03, 0.06, 0.11, 0.17].map(|start| fat_cantor(start, 0.8, first, ratio, levels));
         let [term, moved] = orders(&edges);
         assert!((term - order).abs() < 0.06, "{ratio}: {term} {order}");
