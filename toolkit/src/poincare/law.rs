@@ -135,7 +135,7 @@ impl Law {
         for remainder in remainders {
             let (remainder, of_gamma) = remainder?;
             largest = largest.max(remainder);
-            work = work + of_gamma;
+            work += of_gamma;
         }
         Estimate::new(value.value, value.error + largest, work)
     }

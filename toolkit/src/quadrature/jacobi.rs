@@ -220,7 +220,7 @@ impl Recurrence {
             let step = at.value / at.derivative;
             let next = root - Twofold::from(step);
             let room = next.value().min((Twofold::from(1.0) - next).value());
-            if !(room > 0.0) {
+            if room.is_nan() || room <= 0.0 {
                 break;
             }
             root = next;
