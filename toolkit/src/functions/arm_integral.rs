@@ -291,7 +291,7 @@ impl ArmIntegral {
             return Ok(limit);
         }
         let is_slow = self.is_slow(found);
-        if found.diverges() && (found.explodes() || !is_slow) {
+        if found.diverges() && (!is_slow || found.explodes()) {
             return Err(Error::InfiniteNorm {
                 order: self.order,
                 why: "the contributions near a breakpoint do not decay",

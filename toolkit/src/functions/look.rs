@@ -15,8 +15,13 @@ use super::function::SingularFunction;
 pub(super) const LOOKS: usize = 256;
 /// Position of a sample in its share of the side: no simple fraction, at which functions have special values.
 const WITHIN: f64 = 0.4822;
-/// A cell is narrow if its distance to the breakpoint exceeds its length by this factor.
-pub(super) const NARROW: f64 = 8.0;
+/// A cell is narrow if its distance to the breakpoint exceeds its length by this factor: on cells that shrink towards a
+/// breakpoint the two are comparable.
+const NARROW: f64 = 3.0;
+/// The same factor for cells that are shorter than those of a singularity at the breakpoint, and their number from which
+/// errors of rules are not extrapolated.
+const SHORTER: f64 = 1.5;
+const SEVERAL: usize = 2;
 
 /// The distance of sample j of a side from its breakpoint.
 pub(super) fn distance(arm: &Arm, j: usize) -> f64 {
@@ -37,6 +42,8 @@ pub(crate) struct Look {
     nearest: Vec<f64>,
     /// True if there is structure on a scale much shorter than the distance to the breakpoints.
     pub(super) is_inside: bool,
+    /// True if several cells are shorter than those that shrink towards the breakpoint, though not much.
+    pub(super) is_structured: bool,
 }
 
 impl Look {
@@ -47,6 +54,13 @@ impl Look {
         self.cuts.push(ends.get(1..ends.len().saturating_sub(1)).unwrap_or_default().to_vec());
         self.nearest.push(nearest);
         self.is_inside |= nearest.is_finite();
+        let shorter = |pair: &&[f64]| (pair[1] - pair[0]) * SHORTER < pair[0];
+        self.is_structured |= ends.windows(2).filter(shorter).count() >= SEVERAL;
+    }
+
+    /// True if no number of cells up to the limit resolves the function.
+    pub(super) fn is_unresolved(&self) -> bool {
+        self.cuts.is_empty()
     }
 
     /// The distances in (near, far) at which cells of a side meet.

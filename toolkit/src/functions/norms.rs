@@ -216,7 +216,7 @@ impl SingularFunction<'_> {
         if look.is_inside || is_deep(&logs, asked) {
             return by_scales();
         }
-        match self.integral_by_rules(profile, tolerance, factor, &f) {
+        match self.integral_by_rules(profile, look, tolerance, factor, &f) {
             Err(refused @ Error::ToleranceNotMet { .. }) if self.work_left() > 0 => {
                 by_scales().map_err(|_| refused)
             }
@@ -232,6 +232,7 @@ impl SingularFunction<'_> {
     fn integral_by_rules(
         &self,
         profile: &Profile,
+        look: &Look,
         tolerance: Tolerance,
         factor: f64,
         f: &impl Fn(f64) -> f64,
@@ -260,7 +261,7 @@ impl SingularFunction<'_> {
                 is_settled &= found.is_settled;
             }
             let missed = missed_of_integral(self, level, f)?;
-            let of_rules = is_settled.then_some(missed);
+            let of_rules = (is_settled && !look.is_structured).then_some(missed);
             Ok(LevelValue { value, tail, rounding, missed, of_rules, points })
         })
     }

@@ -34,6 +34,10 @@ const ROUNDED: &str = "x is rounded near a breakpoint other than 0, where the fu
 /// Largest ratio of the difference of two levels to the estimated error of the coarser one.
 const EXPLAINED: f64 = 4.0;
 
+/// Least ratio of the error of the finer level to the difference: where neither level resolves a feature, their estimates
+/// may be small by accident.
+const GAINED: f64 = 0.1;
+
 /// Number of levels after which the errors of the ends of the sides and of rounding should have decreased, and
 /// the factor by which they should have.
 const TRIED: usize = 4;
@@ -108,12 +112,13 @@ pub(super) fn refine(
 }
 
 /// The error of the rules of the finer level, estimated by the difference from the coarser level. If the error
-/// estimates of both levels explain that difference, it is reduced by the ratio of these estimates.
+/// estimates of both levels explain that difference, it is reduced by the ratio of these estimates, by at most
+/// the factor [`GAINED`].
 fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
     let apart = (fine.value - coarse.value).abs();
     match (fine.of_rules, coarse.of_rules) {
         (Some(after), Some(before)) if apart <= EXPLAINED * before && after < before => {
-            EXPLAINED * after + apart * (after / before)
+            (EXPLAINED * after + apart * (after / before)).max(GAINED * apart)
         }
         _ => apart + fine.missed,
     }

@@ -38,7 +38,9 @@ impl SingularFunction<'_> {
     pub(super) fn largest(&self, tolerance: Tolerance) -> Result<Estimate> {
         let mut work = Work::default();
         let mut best: Option<Estimate> = None;
-        let look = if self.is_rough() { self.looked(tolerance)? } else { Look::default() };
+        let is_rough = self.is_rough();
+        let look = if is_rough { self.looked(tolerance)? } else { Look::default() };
+        let is_unresolved = is_rough && look.is_unresolved();
         let mut coarse: Option<f64> = None;
         for density in std::iter::once(None).chain(DENSITIES.map(Some)) {
             let mut whole = Peak::default();
@@ -57,10 +59,14 @@ impl SingularFunction<'_> {
             if let Some(coarse) = coarse {
                 let error = (whole.value - coarse).abs() + whole.error + ROUNDING * whole.value;
                 let estimate = Estimate::new(whole.value, error, work)?;
-                if estimate.relative_error() <= tolerance.relative() {
+                if is_unresolved {
+                    // Of a function with more maxima than samples only a value is known.
+                    best = Some(Estimate { error: estimate.error.max(whole.value), ..estimate });
+                } else if estimate.relative_error() <= tolerance.relative() {
                     return Ok(estimate);
+                } else {
+                    best = Some(estimate);
                 }
-                best = Some(estimate);
             }
             coarse = Some(whole.value);
         }
@@ -138,8 +144,10 @@ impl SingularFunction<'_> {
             let inside = k > 0 && k < count;
             if inside && values[k] > values[k - 1] && values[k] >= values[k + 1] {
                 let found = self.refined(arm, [at(k - 1), at(k + 1)])?;
-                if found.value >= peak.value {
-                    (peak.value, peak.error) = (found.value, found.error);
+                // A search that ends below its start has met several maxima.
+                let (largest, missed) = (found.value.max(values[k]), (values[k] - found.value).max(0.0));
+                if largest >= peak.value {
+                    (peak.value, peak.error) = (largest, found.error + missed);
                 }
             }
             if values[k] > peak.value {

@@ -12,7 +12,7 @@
 
 use super::arm::Arm;
 use super::function::SingularFunction;
-use super::look::{Look, NARROW};
+use super::look::Look;
 use super::resolution::of_residual;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
@@ -35,6 +35,8 @@ const GRADED: f64 = 8.0;
 const REACH: f64 = 64.0;
 /// Ratio of the cell at a breakpoint to the shortest cell, unless the latter lies at the breakpoint.
 const INSIDE: f64 = 4.0;
+/// Ratio of the distance of a cell from the breakpoint to its length, above which its structure lies inside.
+const NARROW: f64 = 16.0;
 /// Bound of the ratio of the largest residual to the largest residual at the points of a rule.
 const UNSEEN: f64 = 2.0;
 /// Number of refinement rounds, each to a tenth of the error of the previous one or less.
@@ -302,7 +304,7 @@ impl Cell {
 fn shrinks_inside(cells: &[Cell]) -> bool {
     let length = |cell: &Cell| cell.far - cell.near;
     let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);
-    let is_narrow = |cell: &Cell| 2.0 * NARROW * length(cell) < cell.near;
+    let is_narrow = |cell: &Cell| NARROW * length(cell) < cell.near;
     length(&cells[0]) >= INSIDE * shortest || cells.iter().any(is_narrow)
 }
 
