@@ -19,7 +19,7 @@ use nalgebra::{Cholesky, DVector};
 use std::f64::consts::PI;
 use std::time::Instant;
 
-example! { seconds "Fractional Laplacian", "(−Δ)^s u = 1 on (−1, 1):  ‖u − u_h‖ ≤ C n^(−1/2) on uniform, C n^(s−2) on graded meshes";
+example! { seconds "Fractional Laplacian", "(−Δ)^s u = 1 on (−1, 1):  ‖u − u_h‖ ≤ C n^(−1/2) on uniform, C n^(s−2) √ln n on graded meshes";
     /// orders s
     s: Vec<f64> = "0.25,0.75" in "[0.1, 0.9]" slider "0.1 to 0.9",
     /// meshes of 16, 64, .. 4^finest elements

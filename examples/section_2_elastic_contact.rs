@@ -77,6 +77,7 @@ fn by_definition(body: &str, mesh: &Triangulation, lambda: f64, mu: f64) -> Opti
             }
         }
     }
+    // ANCHOR: gauss_seidel
     let row = |i: usize, u: &[f64]| k[i].iter().map(|(j, entry)| entry * u[*j]).sum::<f64>(); // (K u)ᵢ
     let mut u = vec![0.0; unknowns];
     for _ in 0..20_000 {
@@ -95,11 +96,48 @@ fn by_definition(body: &str, mesh: &Triangulation, lambda: f64, mu: f64) -> Opti
             return Some((0..unknowns).map(|i| u[i] * (0.5 * row(i, &u) - f[i])).sum());
         }
     }
+    // ANCHOR_END: gauss_seidel
     None
+}
+
+/// Numbers in intervals: "0–3, 7".
+fn in_intervals(numbers: impl Iterator<Item = usize>) -> String {
+    let mut intervals: Vec<[usize; 2]> = Vec::new();
+    for i in numbers {
+        match intervals.last_mut() {
+            Some([_, last]) if *last + 1 == i => *last = i,
+            _ => intervals.push([i, i]),
+        }
+    }
+    let words = |[a, b]: &[usize; 2]| if a == b { a.to_string() } else { format!("{a}–{b}") };
+    intervals.iter().map(words).collect::<Vec<_>>().join(", ")
+}
+
+/// The steps of the active set method: on a set B u = 0 holds and the floor may pull, off it the body may sink in. The
+/// nodes with (B u)ᵢ > 0 enter the set and those with pᵢ < 0 leave it; a set with neither is that of the solution.
+fn show_steps(out: &mut Report, n: usize, u: &ContactSolution) {
+    let mut before = vec![false; u.contact_set.constraints()];
+    let mut rows: Vec<Vec<(f64, f64)>> = Vec::new();
+    for (k, step) in u.steps.iter().enumerate() {
+        let now = step.set.as_slice();
+        let enters = in_intervals((0..now.len()).filter(|&i| now[i] && !before[i]));
+        let leaves = in_intervals((0..now.len()).filter(|&i| !now[i] && before[i]));
+        // (B u)₊ over the largest |u|, (−p)₊ over the largest entry of |K||u| + |F|, as in the checks below.
+        let residual = (step.penetration / u.displacement_scale).max(step.tension / u.force_scale);
+        out.row(cells! { body: "block", cone: "nodal", n, step: k + 1 => touching: step.set.count(), enters, leaves, J: step.energy, residual });
+        rows.push((0..now.len()).filter(|&i| now[i]).map(|i| (i as f64 / n as f64, -(k as f64))).collect());
+        before = now.to_vec();
+    }
+    let names: Vec<String> = (0..rows.len()).map(|k| format!("step {}", k + 1)).collect();
+    let plot = out.plot("section_2_active_sets", "Nodes in contact, step by step", Axes::Linear("x", ""));
+    plot.ranges((0.0, 1.0), (0.0, 1.0)).named_rows(names);
+    plot.given_points("in contact", rows.concat());
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("touching", "touching", "active constraints: nodes, or segments of the midpoint cone");
+    out.column("enters", "enters", "nodes that the step adds to the set, from the left, from 0");
+    out.column("residual", "residual", "largest violation of B u ≤ 0 and p ≥ 0 in the step, scaled");
     out.column("force", "force", "−∫ σ_N");
     out.column("definition", "J, here", "J by the loop in this file");
     let (lambda, mu) = (2.0 * options.poisson / (1.0 - 2.0 * options.poisson), 1.0);
@@ -143,6 +181,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("(J_midpoint − J_nodal)/|J_nodal|").at_most(higher, 1e-12, "(4.1) contains K^h");
         }
         solved.push((body, cone, n, problem, u));
+    }
+    if let Some((_, _, n, _, u)) = solved.iter().rfind(|run| (run.0, run.1) == ("block", Cone::Nodal)) {
+        show_steps(out, *n, u);
     }
     if !out.draws() {
         return Ok(());

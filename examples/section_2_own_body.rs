@@ -27,11 +27,11 @@ use example_report::{Expression, prelude::*};
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver, npy};
 use signorini::fem::{Cubature, Field, Form, Lame};
-use signorini::mesh::{Hierarchy, Triangulation, parse_msh, read_msh};
+use signorini::mesh::{Hierarchy, Part, Triangulation, parse_msh, read_msh};
 use std::path::{Path, PathBuf};
 
 example! { seconds "Section 2, your own body", "a body from Gmsh: u^h minimises J over K^h (2.9), forces in balance, every condition of (2.5) met";
-    /// Gmsh mesh (ASCII, format 4.1 or 2.2) with physical groups clamped, contact, free; default: an L-shape on a slanted floor
+    /// Gmsh mesh (formats 2.0 to 4.1) with physical groups clamped, contact, free; default: an L-shape on a slanted floor
     mesh: Option<PathBuf> = "",
     /// volume load "fx, fy", or "f" for a scalar problem, in x, y, pi and the usual functions; default: the load of the L-shape
     load: String = "",
@@ -84,6 +84,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ),
         None => (parse_msh(include_str!("data/l_shape.msh"))?, "l_shape".to_owned()),
     };
+    for (part, of) in [(Part::Dirichlet, "clamped"), (Part::Contact, "in contact")] {
+        if !mesh.boundary().iter().any(|edge| edge.part == part) {
+            let what = format!(
+                "no curve is {of}: add Physical Curve(\"{}\") = {{..}}; the groups are {}",
+                part.name(),
+                mesh.groups().join(", ")
+            );
+            return Err(Error::option("mesh", &what));
+        }
+    }
+    let mut remarks = mesh.remarks().to_vec();
     let surfaces = mesh.regions().iter().max().map_or(1, |&last| last as usize + 1);
     if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len()) {
         let what = format!("expected as many values as for --poisson: 1, or one per surface ({surfaces})");
@@ -143,8 +154,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.note("order.error", order.error);
         out.observe("order of the error in the energy norm").near(order, 0.5, 0.5, "corner singularities");
     } else {
-        out.remark("too few meshes for an order: --levels 5 or more");
+        remarks.push("too few meshes for an order: --levels 5 or more".to_owned());
     }
+    out.remark(remarks.join("\n"));
     let Some((problem, u)) = last else { return Ok(()) };
     if out.draws() {
         let (title, cone) = (name.replace('_', " "), options.cone);

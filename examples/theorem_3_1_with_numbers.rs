@@ -10,9 +10,10 @@
 //!
 //! The last term of both is that of the midpoint cone; the nodal cone has none. |·|_s, |·|_ν: seminorms of the body and of
 //! the contact edge (at τ = 2 |u|₂ for |∇u|_s). C(s), A: interpolation on the right isosceles triangle, ‖∇(u − I u)‖ ≤
-//! C(s) |∇u|_s; A h |u|₂ for legs h, 1/A + tan(1/A) = 0 (Kikuchi, Liu 2006). c(ν) in E: K, nodal cone, ‖σ_N‖₁ ‖u_N'‖₁ ≤ K
-//! |σ_N|_ν |u_N'|_ν on the unit interval if one of the two is zero at each point; K/2, midpoint cone. c in C: 2/27 and 1/8, proved
-//! (page `segment_constants`). P: the L² distance to constants on the unit interval, `by_definition`.
+//! C(s) |∇u|_s; A h |u|₂ for legs h, 1/A + tan(1/A) = 0 (Kikuchi, Liu 2006). c(ν) in E: K/2, midpoint cone, ‖σ_N‖₁ ‖u_N'‖₁ ≤ K
+//! |σ_N|_ν |u_N'|_ν on the unit interval if one of the two is zero at each point; nodal cone: the smaller one of K and
+//! ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν). The latter, and c in C, 2/27 and 1/8, are proved (page `segment_constants`). P: the L²
+//! distance to constants on the unit interval, `by_definition`.
 //! M = 2μ + 2 max(λ, 0), S = (λ² + (λ + 2μ)²)^(1/2), B = φ/√(2μ + 2 min(λ, 0)), φ the golden ratio; Laplacian: 1, 1, 1.
 //!
 //! (3.1) has h^(τ² − 5τ/2 + 2) in place of h^(τ−1), (3.2) h |ln h|^(1/2) in place of h: larger for h ≤ 1/4. So E is a
@@ -69,6 +70,8 @@ pub struct Constants {
     pub interpolation: f64,
     /// K(ν)
     pub segment: f64,
+    /// min(K(ν), c₂(ν)), c₂(ν) = ½ max x^(1+2ν) (1 − x) over 0 < x < 1: the nodal cone's
+    pub nodal: f64,
     /// P(ν)
     pub distance: f64,
 }
@@ -86,7 +89,11 @@ impl Constants {
         let segment = product_constant(order, asked)?.value;
         let distance =
             projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?.constant;
-        Ok(Self { order, interpolation: up(interpolation), segment: up(segment), distance: up(distance) })
+        let power = 1.0 + 2.0 * order.value();
+        let by_pairs = 0.5 * (power / (power + 1.0)).powf(power) / (power + 1.0);
+        let segment = up(segment);
+        let nodal = segment.min((1.0 + 1e-12) * by_pairs);
+        Ok(Self { order, interpolation: up(interpolation), segment, nodal, distance: up(distance) })
     }
 }
 
@@ -125,7 +132,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         "C(s)",
         "best constant of the triangle, by Legendre series on it; τ = 2: a proved upper bound",
     );
-    out.column("segment", "K(ν)", "largest quotient of the two sides, one gap in the middle of the interval");
+    out.column("segment", "c(ν)", "nodal cone: K or, where smaller, the proved constant; midpoint cone: K/2");
     out.column("whole", "|∇u|_s", "on a half disc that holds the square");
     out.column("pressure", "|σ|_ν", "of σ_N on the contact edge");
     out.column("slope", "|u'|_ν", "of u_N' on the contact edge");
@@ -150,7 +157,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let [m, s, b] = factors(lame);
             for cone in [Cone::Nodal, Cone::Midpoint] {
                 let (k, proved, b) = match cone {
-                    Cone::Nodal => (constants.segment, 2.0 / 27.0, 0.0),
+                    Cone::Nodal => (constants.nodal, 2.0 / 27.0, 0.0),
                     Cone::Midpoint => (0.5 * constants.segment, 0.125, b),
                 };
                 let smooth = m * (constants.interpolation * whole).powi(2);
@@ -182,7 +189,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 }
                 let Some(&(_, error, bound)) = points.last() else { continue };
                 out.row(cells! { body, tau, cone: cone.to_string() => constant: constants.interpolation,
-                segment: constants.segment, whole, pressure, slope, bound, over: bound / error, C: c });
+                segment: k, whole, pressure, slope, bound, over: bound / error, C: c });
                 if lame.is_none() && cone == Cone::Nodal {
                     curves.push((tau, points));
                 }

@@ -92,6 +92,26 @@ pub enum Error {
         /// The error in the data of that line.
         cause: Box<Error>,
     },
+    /// A binary file that does not follow its format, or holds invalid data.
+    #[error("{format}, byte {byte}: {reason}")]
+    AtByte {
+        /// Name of the format.
+        format: &'static str,
+        /// Number of the byte, from 0.
+        byte: usize,
+        /// Description of the error.
+        reason: String,
+    },
+    /// The name of a boundary group or a region that the mesh does not have.
+    #[error("the mesh has no {what} '{given}': it has {known}")]
+    NoGroup {
+        /// Kind of the name.
+        what: &'static str,
+        /// The given name.
+        given: String,
+        /// The names of the mesh, with commas between.
+        known: String,
+    },
     /// A file that could not be read or written.
     #[error("{}: {reason}", path.display())]
     File {

@@ -11,18 +11,26 @@ const LONGEST: u64 = 1 << 30;
 /// Largest number of characters quoted.
 const QUOTED: usize = 40;
 
-/// The text of a file; bytes that are not UTF-8 become U+FFFD, so that the parser reports their line.
+/// The bytes of a file.
 ///
 /// # Errors
 /// [`Error::File`] with the message of the operating system, or for more than 2^30 bytes.
-pub(crate) fn read_text(path: &Path) -> Result<String> {
+pub(crate) fn read_bytes(path: &Path) -> Result<Vec<u8>> {
     let failed = |error: std::io::Error| Error::file(path, error);
     let mut bytes = Vec::new();
     File::open(path).map_err(failed)?.take(LONGEST + 1).read_to_end(&mut bytes).map_err(failed)?;
     if bytes.len() as u64 > LONGEST {
         return Err(Error::file(path, "the file has more than 2^30 bytes"));
     }
-    Ok(match String::from_utf8(bytes) {
+    Ok(bytes)
+}
+
+/// The text of a file; bytes that are not UTF-8 become U+FFFD, so that the parser reports their line.
+///
+/// # Errors
+/// As for [`read_bytes`].
+pub(crate) fn read_text(path: &Path) -> Result<String> {
+    Ok(match String::from_utf8(read_bytes(path)?) {
         Ok(text) => text,
         Err(error) => String::from_utf8_lossy(error.as_bytes()).into_owned(),
     })

@@ -56,6 +56,11 @@
     for (const box of document.querySelectorAll("main .table-wrapper")) box.style.fontSize = "";
     all();
   });
+  // On a phone a tap on a picture enlarges it, and shrinks it again.
+  document.addEventListener("click", (event) => {
+    const picture = event.target instanceof Element && event.target.closest("main figure.chart svg");
+    if (picture && window.matchMedia("(max-width: 600px)").matches) picture.closest("figure.chart").classList.toggle("large");
+  });
   document.addEventListener("scroll", scrolled, { capture: true, passive: true });
   document.fonts.ready.then(all);
   window.addEventListener("resize", all);

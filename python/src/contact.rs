@@ -1,6 +1,5 @@
 //! Signorini's problem on a triangulation.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use fractional_sobolev::Error;
@@ -9,7 +8,7 @@ use pyo3::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, ContactSolution, Solver};
 use signorini::fem::{Cubature, Field, Form, Lame};
-use signorini::mesh::{BoundaryEdge, Part, Triangulation};
+use signorini::mesh::{Part, Triangulation};
 
 use crate::callback::{Callback, Shared};
 use crate::operators::array;
@@ -27,6 +26,33 @@ impl Solved {
     #[getter]
     fn displacement<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         array(py, &self.solution.displacement)
+    }
+
+    /// Coordinates of the nodes in use.
+    #[getter]
+    fn nodes<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        array(py, self.problem.mesh().nodes().as_flattened())
+    }
+
+    #[getter]
+    fn triangles(&self) -> Vec<usize> {
+        self.problem.mesh().triangles().as_flattened().to_vec()
+    }
+
+    /// Names of the boundary groups.
+    #[getter]
+    fn groups(&self) -> Vec<String> {
+        self.problem.mesh().groups().into_iter().map(str::to_owned).collect()
+    }
+
+    #[getter]
+    fn regions(&self) -> Vec<String> {
+        self.problem.mesh().region_names()
+    }
+
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.problem.mesh().remarks().to_vec()
     }
 
     #[getter]
@@ -72,57 +98,51 @@ impl Solved {
     }
 }
 
-/// Boundary edges, the domain on their left, with what happens on them.
-fn boundary(
-    triangles: &[[usize; 3]],
-    contact: &[[usize; 2]],
-    held: &[[usize; 2]],
-) -> Result<Vec<BoundaryEdge>, Error> {
-    let key = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-    let mut seen: HashMap<[usize; 2], (usize, [usize; 2])> = HashMap::new();
-    for &[a, b, c] in triangles {
-        for edge in [[a, b], [b, c], [c, a]] {
-            seen.entry(key(edge)).or_insert((0, edge)).0 += 1;
-        }
+/// Whether the name of a group says what happens there.
+#[pyfunction]
+pub(crate) fn states_a_part(name: &str) -> bool {
+    Part::named(name).is_some()
+}
+
+/// The form with these constants of the regions: one without a name for all, or one for each by name.
+fn form(mesh: &Triangulation, lame: Option<&[(String, f64, f64)]>) -> Result<Form, signorini::Error> {
+    let Some(lame) = lame else { return Ok(Form::LAPLACE) };
+    if let [(name, lambda, mu)] = lame
+        && name.is_empty()
+    {
+        return Ok(Form::elastic(Lame::new(*lambda, *mu)?));
     }
-    let mut parts = HashMap::new();
-    for (edges, part) in [(contact, Part::Contact), (held, Part::Dirichlet)] {
-        for &edge in edges {
-            if seen.get(&key(edge)).is_none_or(|(count, _)| *count != 1) {
-                return Err(Error::Edge {
-                    nodes: edge,
-                    reason: "is not on the boundary of the triangulation",
-                });
-            }
-            if parts.insert(key(edge), part).is_some_and(|before| before != part) {
-                return Err(Error::Edge { nodes: edge, reason: "is given both as a contact edge and as a Dirichlet edge" });
-            }
-        }
+    let names = mesh.region_names();
+    let known = || names.join(", ");
+    if let Some((other, ..)) = lame.iter().find(|(name, ..)| !names.contains(name)) {
+        return Err(signorini::Error::NoGroup { what: "region", given: other.clone(), known: known() });
     }
-    let mut outer: Vec<_> = seen.into_iter().filter(|(_, (count, _))| *count == 1).collect();
-    outer.sort_unstable();
-    Ok(outer
-        .into_iter()
-        .map(|(name, (_, nodes))| BoundaryEdge {
-            nodes,
-            part: parts.get(&name).copied().unwrap_or(Part::Neumann),
-        })
-        .collect())
+    let of = |name: &String| {
+        let found = lame.iter().find(|(other, ..)| other == name);
+        let (_, lambda, mu) = found.ok_or_else(|| signorini::Error::NoGroup {
+            what: "constants for the region",
+            given: name.clone(),
+            known: lame.iter().map(|(name, ..)| &**name).collect::<Vec<_>>().join(", "),
+        })?;
+        Ok(Lame::new(*lambda, *mu)?)
+    };
+    Ok(Form::Elastic { materials: names.iter().map(of).collect::<Result<_, signorini::Error>>()? })
 }
 
 /// Solves the problem.
 #[pyfunction]
-#[pyo3(signature = (nodes, triangles, contact, dirichlet, load, values, lame, cone))]
+#[pyo3(signature = (nodes, triangles, edges, names, regions, load, values, lame, cone))]
 #[allow(clippy::too_many_arguments)] // called by one Python function with all of them
 pub(crate) fn contact(
     py: Python<'_>,
     nodes: Vec<[f64; 2]>,
     triangles: Vec<[usize; 3]>,
-    contact: Vec<[usize; 2]>,
-    dirichlet: Vec<[usize; 2]>,
+    edges: Vec<[usize; 2]>,
+    names: Vec<String>,
+    regions: Vec<String>,
     load: Option<Py<PyAny>>,
     values: Vec<f64>,
-    lame: Option<[f64; 2]>,
+    lame: Option<Vec<(String, f64, f64)>>,
     cone: &str,
 ) -> PyResult<Solved> {
     let shared = Arc::new(Shared::default());
@@ -137,14 +157,13 @@ pub(crate) fn contact(
                 return Err(Failure::from(Error::UnknownName { what: "cone", given: cone, expected }));
             }
         };
-        let edges = boundary(&triangles, &contact, &dirichlet)?;
-        let form = match lame {
-            Some([lambda, mu]) => Form::elastic(Lame::new(lambda, mu)?),
-            None => Form::LAPLACE,
-        };
-        let mesh = Triangulation::new(&nodes, &triangles, &edges)?;
-        let values =
-            if values.is_empty() { vec![0.0; form.components() * mesh.nodes().len()] } else { values };
+        let edges: Vec<([usize; 2], &str)> =
+            edges.iter().zip(&names).map(|(&edge, name)| (edge, name.as_str())).collect();
+        let regions: Vec<&str> = regions.iter().map(String::as_str).collect();
+        let mesh = Triangulation::from_groups(&nodes, &triangles, &regions, &edges, &[])?;
+        let form = form(&mesh, lame.as_deref())?;
+        let count = form.components() * mesh.nodes().len();
+        let values = if values.is_empty() { vec![0.0; count] } else { values };
         let mut problem = ContactProblem::new(mesh, form, &values)?;
         if let Some(f) = &callback {
             let rule = Cubature::new(4)?;

@@ -17,7 +17,7 @@ mod _native {
     #[pymodule_export]
     use crate::constants::{ExtremalFunction, interpolation, poincare};
     #[pymodule_export]
-    use crate::contact::{Solved, contact};
+    use crate::contact::{Solved, contact, states_a_part};
     #[pymodule_export]
     use crate::norms::{boundary_norm, dual_norm, error_norm, norm, plane_norm};
     #[pymodule_export]

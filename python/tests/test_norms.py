@@ -181,20 +181,20 @@ def test_contact_is_in_equilibrium_and_written(tmp_path):
     nodes = np.array([(a, b) for b in x for a in x])
     k = np.array([k for k in range(72) if k % 9 < 8])
     triangles = np.concatenate([np.c_[k, k + 1, k + 10], np.c_[k, k + 10, k + 9]])
-    below, above = (lambda x, y: y == 0.0), (lambda x, y: y == 1.0)
+    mesh, sides = (nodes, triangles), {"contact": lambda x, y: y == 0.0, "clamped": lambda x, y: y == 1.0}
     for cone in ["nodal", "midpoint"]:
-        found = fs.contact(nodes, triangles, below, above, lambda x, y: (0.0, 1.0 - 3.0 * x), cone=cone)
+        found = fs.contact.solve(mesh, lambda x, y: (0.0, 1.0 - 3.0 * x), groups=sides, cone=cone)
         assert found.residual < 1e-12
         assert found.displacement.shape == (81, 2)
-    found = fs.contact(nodes, triangles, below, above, lambda x, y: (0.0, 1.0 - 3.0 * x))
+    found = fs.contact.solve(mesh, lambda x, y: (0.0, 1.0 - 3.0 * x), groups=sides)
     assert np.all(found.normal_displacement <= 1e-15) and np.all(found.pressure >= -1e-12)
     assert np.allclose(found.normal_displacement, -found.displacement[found.contact_nodes, 1])
-    same = fs.contact(nodes, triangles, below, above, np.c_[np.zeros(81), 1.0 - 3.0 * nodes[:, 0]])
+    same = fs.contact.solve(mesh, np.c_[np.zeros(81), 1.0 - 3.0 * nodes[:, 0]], groups=sides)
     assert abs(same.energy / found.energy - 1.0) < 1e-12
-    scalar = fs.contact(nodes, triangles, below, above, 1.0, lame=None)
+    scalar = fs.contact.solve(mesh, 1.0, groups=sides, lame=None)
     assert scalar.displacement.shape == (81,)
-    with pytest.raises(fs.SobolevError, match="not on the boundary"):
-        fs.contact(nodes, triangles, [(40, 41)], above)
+    with pytest.raises(fs.SobolevError, match="is inside the body"):
+        fs.contact.solve(mesh, groups={**sides, "contact": [(40, 41)]})
     meshio = pytest.importorskip("meshio")
     found.to_vtk(tmp_path / "block.vtu")
     read = meshio.read(tmp_path / "block.vtu")

@@ -60,5 +60,7 @@ def test_same_contact_force(rust):
     k = np.array([k for k in range(n * (n + 1)) if k % (n + 1) < n])
     triangles = np.concatenate([np.c_[k, k + 1, k + n + 2], np.c_[k, k + n + 2, k + n + 1]])
     values = np.c_[np.zeros(len(nodes)), 1.0 - 3.0 * nodes[:, 0]]
-    found = fs.contact(nodes, triangles, lambda x, y: y == 0.0, lambda x, y: y == 1.0, values)
+    found = fs.contact.solve(
+        (nodes, triangles), values, groups={"contact": lambda x, y: y == 0.0, "clamped": lambda x, y: y == 1.0}
+    )
     assert found.contact_force == rust["contact"][0]

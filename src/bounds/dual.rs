@@ -310,7 +310,7 @@ impl Setting<'_, '_> {
             };
             let state = if pass == 0 {
                 let outcome = solve_on_edge(&edge, set)?;
-                (set, steps) = (outcome.set, outcome.history.len());
+                (set, steps) = (outcome.set, outcome.steps.len());
                 if !outcome.status.is_converged() {
                     return Err(Error::Solver {
                         reason: format!("the equilibrated stress: {}", outcome.status),

@@ -49,8 +49,13 @@ pub(super) fn add(a: &mut Linear, factor: f64, b: &Linear) {
 }
 
 /// Σ share · corner.
+#[inline]
 pub(super) fn combine<const N: usize>(shares: &[f64; 3], corners: &[[f64; N]; 3]) -> [f64; N] {
-    std::array::from_fn(|c| shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c])
+    let mut sum = [0.0; N];
+    for c in 0..N {
+        sum[c] = shares[0] * corners[0][c] + shares[1] * corners[1][c] + shares[2] * corners[2][c];
+    }
+    sum
 }
 
 /// Length, outward normal and tangent of side k, from corner k to k + 1.
@@ -207,25 +212,32 @@ impl Geometry {
         // C¹ across the segments from the vertices to the centroid, and at the centroid.
         let near = [0, 1, 2].map(|i| (inner[i] + inner[(i + 2) % 3] + inward[i]) / 3.0);
         let centre = (near[0] + near[1] + near[2]) / 3.0;
-        [0, 1, 2].map(|k| {
+        let mut stress = ZERO;
+        for k in 0..3 {
             let j = (k + 1) % 3;
-            // Second differences at corner m of the piece: symmetric 3 × 3 arrays of ordinates.
+            let [x, y] = self.axes[k];
+            // Second differences at the corners of the piece: symmetric 3 × 3 arrays of ordinates.
             let ordinates = [
                 [airy.value[k], forward[k], inward[k], backward[k], inner[k], near[k]],
                 [forward[k], backward[k], inner[k], airy.value[j], inward[j], near[j]],
                 [inward[k], inner[k], near[k], inward[j], near[j], centre],
             ];
-            ordinates.map(|[aa, ab, ac, bb, bc, cc]| {
-                let second = |[u, v, w]: [f64; 3], [p, q, r]: [f64; 3]| {
-                    6.0 * (u * (aa * p + ab * q + ac * r)
-                        + v * (ab * p + bb * q + bc * r)
-                        + w * (ac * p + bc * q + cc * r))
-                };
-                let [x, y] = self.axes[k];
-                [second(y, y), second(x, x), -second(x, y)]
-            })
-        })
+            for m in 0..3 {
+                stress[k][m] = [
+                    second(&ordinates[m], &y, &y),
+                    second(&ordinates[m], &x, &x),
+                    -second(&ordinates[m], &x, &y),
+                ];
+            }
+        }
+        stress
     }
+}
+
+/// The second derivative of a cubic in two directions, at a corner with the given ordinates around it.
+#[inline]
+fn second([aa, ab, ac, bb, bc, cc]: &[f64; 6], [u, v, w]: &[f64; 3], [p, q, r]: &[f64; 3]) -> f64 {
+    6.0 * (u * (aa * p + ab * q + ac * r) + v * (ab * p + bb * q + bc * r) + w * (ac * p + bc * q + cc * r))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use super::element::Linear;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{Body, ContactProblem, ContactSolution, Settings, Solver, Start};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::mesh::{Part, Triangulation};
 
 /// Overlaps below this multiple of the largest displacement are rounding.
@@ -129,8 +129,9 @@ impl Body<'_> {
 impl Setting<'_, '_> {
     /// The ends of the contact segments at which the discrete solution touches, by border.
     fn touching(&self, problem: &ContactProblem, cone: Cone, solution: &ContactSolution) -> Vec<[bool; 2]> {
-        let mut active = vec![false; self.mesh.nodes().len()];
-        if cone == Cone::Nodal {
+        // Without a Dirichlet edge too few constraints leave the stress undetermined.
+        let mut active = vec![problem.floats; self.mesh.nodes().len()];
+        if cone == Cone::Nodal && !problem.floats {
             for (i, &node) in problem.edge().nodes().iter().enumerate() {
                 active[node] = solution.contact_set.contains(i);
             }
@@ -167,7 +168,10 @@ impl Setting<'_, '_> {
             error = error.min(square.sqrt());
         }
         let upper = if corrected.is_some() { problem.energy_of(&admissible) } else { solution.energy };
-        let upper = upper + self.lift_energy(&admissible)?;
+        let lifted = self.lift_energies(&admissible)?;
+        let upper = upper + lifted.iter().map(|lift| lift.gained).sum::<f64>();
+        // The bound is one of u^h + z, z the lift of u_D.
+        error += lifted.iter().map(|lift| lift.square).sum::<f64>().sqrt();
         let rounding = solution.energy_rounding;
         let lower = upper - 0.5 * (reach * reach + 2.0 * work);
         let size = problem.energy_norm(&solution.displacement)?;
@@ -179,6 +183,7 @@ impl Setting<'_, '_> {
         if let Some(w) = &corrected {
             self.add_shares(&mut shares, w);
         }
+        shares.iter_mut().zip(&lifted).for_each(|(share, lift)| *share += lift.square);
         Ok(Enclosure {
             energy: Interval { lower: lower - 4.0 * rounding, upper: upper + 4.0 * rounding },
             error,
@@ -201,10 +206,12 @@ impl Setting<'_, '_> {
         })
     }
 
-    /// For every contact node the least δ for which Σ δ_i φ_i ≥ (v_N − g)₊ on its segments, g taken at the points of
-    /// the edge rule and at the nodes.
+    /// For every contact node a δ, 0 at clamped ones, with Σ δ_i φ_i ≥ (v_N − g)₊, g taken at the points of the edge
+    /// rule and at the nodes.
     fn overlap(&self, problem: &ContactProblem, displacement: &[f64]) -> Result<Vec<f64>> {
         let mut at = vec![0.0_f64; self.mesh.nodes().len()];
+        let clamped = self.mesh.nodes_on(Part::Dirichlet);
+        let largest = displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         for border in self.borders.iter().filter(|border| border.part == Part::Contact) {
             let nodes = [0, 1].map(|end| self.mesh.triangles()[border.triangle][(border.side + end) % 3]);
             let values = self.normal_at(border, displacement);
@@ -213,14 +220,27 @@ impl Setting<'_, '_> {
                 let gap = self.body.gap_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])])?;
                 Ok((1.0 - s) * values[0] + s * values[1] - gap)
             };
-            let ends = [off(0.0)?.max(0.0), off(1.0)?.max(0.0)];
+            let is_free = nodes.map(|node| !clamped[node]);
+            let end = |k: usize, s: f64| Ok::<f64, Error>(if is_free[k] { off(s)?.max(0.0) } else { 0.0 });
+            let ends = [end(0, 0.0)?, end(1, 1.0)?];
             let mut inside = 0.0_f64;
             for (s, _) in self.edge_rule.iter() {
-                inside = inside.max(off(s)? - (1.0 - s) * ends[0] - s * ends[1]);
+                let excess = off(s)? - (1.0 - s) * ends[0] - s * ends[1];
+                let share = if is_free[0] { 1.0 - s } else { 0.0 } + if is_free[1] { s } else { 0.0 };
+                if share > 0.0 {
+                    inside = inside.max(excess / share);
+                } else if excess > ROUNDED * largest {
+                    let reason = format!(
+                        "the gap near ({}, {}) is smaller than the displacement between two clamped nodes: \
+                         refine the contact edge there",
+                        a[0], a[1]
+                    );
+                    return Err(Error::Solver { reason });
+                }
             }
             // A curved gap between the points of the rule exceeds its values there by a few percent at most.
-            for (node, end) in nodes.into_iter().zip(ends) {
-                at[node] = at[node].max(end + 1.1 * inside);
+            for k in (0..2).filter(|&k| is_free[k]) {
+                at[nodes[k]] = at[nodes[k]].max(ends[k] + 1.1 * inside);
             }
         }
         Ok(problem.edge().nodes().iter().map(|&node| at[node]).collect())

@@ -68,7 +68,9 @@ impl Body<'_> {
         }
         middle += setting.pressure_against(found, &w);
         let off = found.oscillation + found.rounding;
-        let square = 0.25 * found.reach * found.reach + found.work + off * found.error;
+        // |||u − v|||, v in K.
+        let distance = 0.5 * (found.reach + (found.reach * found.reach + 4.0 * found.work).sqrt());
+        let square = 0.25 * found.reach * found.reach + found.work + off * distance;
         Ok(Interval::around(middle, size * (square.sqrt() + off)))
     }
 }
@@ -85,12 +87,12 @@ impl Setting<'_, '_> {
     /// ∫ d : ε(w) on a triangle, with the reaction term.
     fn pairing(&self, t: usize, found: &Enclosure, w: &[f64]) -> Result<f64> {
         let (inner, test) = (self.compliance(t), self.stress_of(t, w));
-        let field = &found.fields[t];
+        let (field, stress) = (&found.fields[t], self.stress_of(t, &found.admissible));
         let (corners, nodes, reaction) = (self.mesh.corners(t), self.mesh.triangles()[t], self.reaction());
         let element = Element::new(corners);
         let mut sum = 0.0;
         for sample in self.samples(t) {
-            let (off, residual) = self.distance_at(t, &sample, &found.admissible, field)?;
+            let (off, residual) = self.distance_at(t, &sample, (&found.admissible, &stress), field)?;
             sum += sample.weight * inner(&off, &test);
             if reaction > 0.0 {
                 let at = element.barycentric(corners, sample.point);

@@ -56,6 +56,13 @@ struct OnTriangle {
     mean: Value,
 }
 
+/// |||z|||² and J(v + z) − J(v) on a triangle, z the lift of u_D.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Lifted {
+    pub(super) square: f64,
+    pub(super) gained: f64,
+}
+
 impl Parts {
     /// |||d|||* + osc.
     pub(super) fn reach(&self) -> f64 {
@@ -162,17 +169,16 @@ impl Setting<'_, '_> {
         })
     }
 
-    /// d = σ(v) − q at a point, and c v − f − div q with a reaction term.
+    /// d = σ(v) − q at a point for v with the constant stress σ(v), and c v − f − div q with a reaction term.
     pub(super) fn distance_at(
         &self,
         t: usize,
         sample: &Sample,
-        displacement: &[f64],
+        (displacement, stress): (&[f64], &Value),
         field: &Linear,
     ) -> Result<(Value, f64)> {
         let value = sample.stress(field);
-        let mut off = self.stress_of(t, displacement);
-        (0..3).for_each(|c| off[c] -= value[c]);
+        let mut off = [stress[0] - value[0], stress[1] - value[1], stress[2] - value[2]];
         let reaction = self.reaction();
         if self.lifts[t].is_empty() && reaction == 0.0 {
             return Ok((off, 0.0));
@@ -197,11 +203,12 @@ impl Setting<'_, '_> {
 
     fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<OnTriangle> {
         let (inner, field, reaction) = (self.compliance(t), &dual.fields[t], self.reaction());
+        let stress = self.stress_of(t, displacement);
         let mut found = OnTriangle::default();
         let mut area = 0.0;
         for sample in self.samples(t) {
             let (value, weight) = (sample.stress(field), sample.weight);
-            let (off, residual) = self.distance_at(t, &sample, displacement, field)?;
+            let (off, residual) = self.distance_at(t, &sample, (displacement, &stress), field)?;
             found.distance += weight * inner(&off, &off);
             found.energy += 0.5 * weight * inner(&value, &value);
             area += weight;
@@ -234,17 +241,17 @@ impl Setting<'_, '_> {
         sum
     }
 
-    /// J(v + z) − J(v) for the sum z of all lifts.
-    pub(super) fn lift_energy(&self, displacement: &[f64]) -> Result<f64> {
-        let mut sum = 0.0;
-        for (t, lifts) in self.lifts.iter().enumerate() {
-            if lifts.is_empty() {
+    /// What the sum z of all lifts changes, by triangle.
+    pub(super) fn lift_energies(&self, displacement: &[f64]) -> Result<Vec<Lifted>> {
+        let reaction = self.reaction();
+        let mut found = vec![Lifted::default(); self.lifts.len()];
+        for (t, lifted) in found.iter_mut().enumerate() {
+            if self.lifts[t].is_empty() {
                 continue;
             }
             let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
             let (element, inner) = (Element::new(corners), self.compliance(t));
             let stress = self.stress_of(t, displacement);
-            let reaction = self.reaction();
             for Sample { point, weight, .. } in self.samples(t) {
                 let shares = element.barycentric(corners, point);
                 if let Some((own, value)) = self.lifted_at(t, shares, &element) {
@@ -254,16 +261,16 @@ impl Setting<'_, '_> {
                     } else {
                         0.0
                     };
-                    sum += weight
-                        * (inner(&stress, &own)
-                            + 0.5 * inner(&own, &own)
-                            + reaction * value[0] * (v + 0.5 * value[0])
+                    let square = inner(&own, &own) + reaction * value[0] * value[0];
+                    lifted.square += weight * square;
+                    lifted.gained += weight
+                        * (inner(&stress, &own) + 0.5 * square + reaction * value[0] * v
                             - load[0] * value[0]
                             - load[1] * value[1]);
                 }
             }
         }
-        Ok(sum)
+        Ok(found)
     }
 
     /// osc_T.

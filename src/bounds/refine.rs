@@ -4,8 +4,11 @@ use super::enclosure::Enclosure;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Body;
 use crate::error::{Error, Result};
-use crate::mesh::Hierarchy;
+use crate::mesh::{ContactEdge, Hierarchy, Triangulation, doubled_area};
 use fractional_sobolev::{Estimate, Work};
+
+/// Share of the tolerance that the expected bound of the last mesh is to meet.
+const AIMED: f64 = 0.98;
 
 /// How a mesh is refined to a tolerance, and where it ends.
 ///
@@ -27,11 +30,14 @@ pub struct Refinement {
     pub unknowns: usize,
     /// Share of the square of the bound whose triangles are bisected; 1: all triangles (uniform refinement).
     pub share: f64,
+    /// Least factor by which the number of triangles grows from one solution to the next: triangles are bisected again by
+    /// the shares that are to be expected of the pieces. 1: the share is bisected once.
+    pub growth: f64,
 }
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5 }
+        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5, growth: 4.0 }
     }
 }
 
@@ -87,6 +93,8 @@ impl Refinement {
         Error::require("share", self.share, "(0, 1]", self.share > 0.0 && self.share <= 1.0)?;
         let mut meshes = Hierarchy::new(body.mesh().clone());
         let mut guess = None;
+        // The square of the bound that was expected on this mesh.
+        let (mut expected, mut bias) = (None, 1.0);
         loop {
             let found = body.enclose_on(meshes.finest(), self.cone, guess.take())?;
             each(&found);
@@ -96,35 +104,68 @@ impl Refinement {
             if found.rounding > 0.1 * self.tolerance * found.norm.lower {
                 return Ok((found, Ended::Rounding));
             }
+            meshes.forget();
             if self.share >= 1.0 {
                 meshes.refine()?;
             } else {
-                let marked = bulk(&found.shares, self.share);
-                meshes.refine_where(|_, t| marked[t])?;
+                if let Some(expected) = expected {
+                    bias = found.shares.iter().sum::<f64>() / expected;
+                }
+                let wanted = AIMED * self.tolerance * found.norm.lower;
+                expected = Some(self.grow(&mut meshes, &found, wanted * wanted / bias)?);
             }
             let per_node = body.form().components();
             if meshes.finest().nodes().len() * per_node > self.unknowns {
                 return Ok((found, Ended::Unknowns));
             }
             if self.cone == Cone::Nodal {
-                guess = Some(refined_set(body, &meshes, &found)?);
+                guess = Some(refined_set(&meshes, &found)?);
             }
-            meshes.forget();
+        }
+    }
+
+    /// Bisects the triangles that carry the share of the bound, and again with the shares that are to be expected, until
+    /// the mesh has `growth` times as many triangles or the square of the bound is expected to be as wanted.
+    ///
+    /// A share is of the order of the square of the area, so that of a piece is that of its origin times the square of its
+    /// part of the area. Returns the square of the bound to be expected.
+    fn grow(&self, meshes: &mut Hierarchy, found: &Enclosure, wanted: f64) -> Result<f64> {
+        let enough = self.growth * found.shares.len() as f64;
+        let mut shares = found.shares.clone();
+        loop {
+            let marked = bulk(&shares, self.share, wanted);
+            meshes.refine_where(|_, t| marked[t])?;
+            let [.., coarse, fine] = meshes.levels() else { return Ok(wanted) };
+            let area = |mesh: &Triangulation, t: usize| doubled_area(mesh.corners(t));
+            shares = meshes
+                .origins()
+                .iter()
+                .enumerate()
+                .map(|(t, &origin)| {
+                    let part = area(fine, t) / area(coarse, origin as usize);
+                    part * part * shares[origin as usize]
+                })
+                .collect();
+            let expected = shares.iter().sum();
+            if shares.len() as f64 >= enough || expected <= wanted {
+                return Ok(expected);
+            }
         }
     }
 }
 
-/// The fewest triangles that carry the given share of the sum.
-fn bulk(shares: &[f64], share: f64) -> Vec<bool> {
+/// The fewest triangles that carry the given share of the sum, or fewer if that is enough for the sum to fall to what is
+/// wanted: four quarters of a triangle have together a quarter of its share.
+fn bulk(shares: &[f64], share: f64, wanted: f64) -> Vec<bool> {
     let mut order: Vec<usize> = (0..shares.len()).collect();
-    order.sort_by(|&a, &b| shares[b].total_cmp(&shares[a]));
-    let wanted = share * shares.iter().sum::<f64>();
+    order.sort_unstable_by(|&a, &b| shares[b].total_cmp(&shares[a]));
+    let total: f64 = shares.iter().sum();
     let mut marked = vec![false; shares.len()];
     let mut sum = 0.0;
     for t in order {
         marked[t] = true;
         sum += shares[t];
-        if sum >= wanted {
+        if sum >= share * total || total - 0.75 * sum <= wanted {
             break;
         }
     }
@@ -132,17 +173,17 @@ fn bulk(shares: &[f64], share: f64) -> Vec<bool> {
 }
 
 /// The active nodes on the refined mesh: those of the coarse one, and new ones between two of them.
-fn refined_set(body: &Body<'_>, meshes: &Hierarchy, found: &Enclosure) -> Result<ContactSet> {
-    let level = meshes.levels().len() - 1;
-    let parents = meshes.parents(level);
-    let mut active = vec![false; parents.len()];
+fn refined_set(meshes: &Hierarchy, found: &Enclosure) -> Result<ContactSet> {
+    let mut active = vec![false; meshes.levels()[0].nodes().len()];
     for (i, &node) in found.problem.edge().nodes().iter().enumerate() {
         active[node] = found.solution.contact_set.contains(i);
     }
-    for (node, [a, b]) in parents.iter().enumerate() {
-        active[node] = active[*a as usize] && active[*b as usize];
+    for level in 1..meshes.levels().len() {
+        let parents = meshes.parents(level);
+        let between = parents[active.len()..].iter().map(|&[a, b]| active[a as usize] && active[b as usize]);
+        let new: Vec<bool> = between.collect();
+        active.extend(new);
     }
-    let _ = body;
-    let edge = crate::mesh::ContactEdge::in_pieces(meshes.finest())?;
+    let edge = ContactEdge::in_pieces(meshes.finest())?;
     Ok(ContactSet::new(&edge.nodes().iter().map(|&node| active[node]).collect::<Vec<_>>()))
 }

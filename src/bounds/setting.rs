@@ -14,6 +14,8 @@ use fractional_sobolev::{Rule, gauss_legendre};
 
 /// Gauss points on an edge of the boundary.
 const EDGE_POINTS: usize = 8;
+/// Largest number of points in each direction.
+const MOST_POINTS: usize = 10;
 /// Relative error of the rule at which its number of points is chosen.
 const QUADRATURE: f64 = 1e-10;
 /// A load whose values on a triangle agree to this multiple of the largest one is constant there.
@@ -52,7 +54,10 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) borders: Vec<Border>,
     /// For every edge the number of its border.
     pub(super) border_of: Vec<Option<usize>>,
-    pub(super) rule: TriangleRule,
+    /// Rules of n × n points on the pieces of a triangle, n = 2, 3, .. ; small triangles need fewer points.
+    rules: Vec<TriangleRule>,
+    /// The fewest points in each direction.
+    fewest: usize,
     pub(super) edge_rule: Rule,
     pub(super) particular: Option<Particular>,
     /// Whether some load is left to the triangles.
@@ -112,8 +117,6 @@ impl<'s, 'b> Setting<'s, 'b> {
         } else {
             None
         };
-        let points = particular.as_ref().map_or(2, |p| points_for(p, mesh.mesh_size()));
-        let points = if reaction { 5 } else { points };
         let mut setting = Self {
             body,
             mesh,
@@ -122,7 +125,8 @@ impl<'s, 'b> Setting<'s, 'b> {
             around,
             borders: Vec::new(),
             border_of: vec![None; count],
-            rule: TriangleRule::new(points)?,
+            rules: (2..=MOST_POINTS).map(TriangleRule::new).collect::<Result<_>>()?,
+            fewest: if reaction { 5 } else { 2 },
             edge_rule: gauss_legendre(EDGE_POINTS)?,
             local: !reaction && (regional || common && particular.is_none()),
             particular,
@@ -143,8 +147,8 @@ impl<'s, 'b> Setting<'s, 'b> {
             }
             setting.borders.push(border);
         }
-        if setting.lifts.iter().any(|lifts| !lifts.is_empty()) && setting.rule.points.len() < 25 {
-            setting.rule = TriangleRule::new(5)?; // squares of polynomials of degree four
+        if setting.lifts.iter().any(|lifts| !lifts.is_empty()) {
+            setting.fewest = 5; // squares of polynomials of degree four
         }
         Ok(setting)
     }
@@ -195,20 +199,28 @@ impl<'s, 'b> Setting<'s, 'b> {
         values
     }
 
+    /// The rule for a triangle.
+    fn rule_for(&self, corners: [Point; 3]) -> &TriangleRule {
+        let diameter = (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])));
+        let points = self.particular.as_ref().map_or(2, |particular| points_for(particular, diameter));
+        &self.rules[points.max(self.fewest) - 2]
+    }
+
     /// The points of the rule on the pieces of a triangle.
     pub(super) fn samples(&self, t: usize) -> Vec<Sample> {
         let corners = self.mesh.corners(t);
         let share = doubled_area(corners) / 6.0;
         let all = pieces(corners);
+        let rule = self.rule_for(corners);
         let points: Vec<Point> = all
             .iter()
-            .flat_map(|piece| self.rule.points.iter().map(|(shares, _)| combine(shares, piece)))
+            .flat_map(|piece| rule.points.iter().map(|(shares, _)| combine(shares, piece)))
             .collect();
         let exact = self.exact_at(&points);
-        let count = self.rule.points.len();
+        let count = rule.points.len();
         (0..points.len())
             .map(|i| {
-                let (shares, weight) = self.rule.points[i % count];
+                let (shares, weight) = rule.points[i % count];
                 Sample { piece: i / count, shares, point: points[i], weight: weight * share, exact: exact[i] }
             })
             .collect()
@@ -387,5 +399,6 @@ fn points_for(particular: &Particular, diameter: f64) -> usize {
     }
     // A polynomial of low degree is integrated exactly, and its square.
     let exact = particular.degree() + 1;
-    if exact <= 4 { exact.max(2) } else { (degree + 2).div_ceil(2).clamp(3, 10) }
+    let needed = (degree + 2).div_ceil(2);
+    (if exact <= 4 { exact } else { needed }).clamp(2, MOST_POINTS)
 }

@@ -50,8 +50,21 @@ pub(crate) struct EdgeOutcome {
     pub(crate) state: EdgeState,
     pub(crate) set: ContactSet,
     pub(crate) status: Status,
-    /// The sets visited, in order, the last one included.
-    pub(crate) history: Vec<ContactSet>,
+    /// The steps in order, the last one included.
+    pub(crate) steps: Vec<Step>,
+}
+
+/// A step of the active set method: the minimiser of J whose constraints in a set hold with equality.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step {
+    /// The constraints that hold with equality.
+    pub set: ContactSet,
+    /// J of the minimiser. It may lie below that of the solution, as other constraints may be violated.
+    pub energy: f64,
+    /// Largest penetration, max (B u − g)₊ over the constraints that are not in the set; 0 if they hold.
+    pub penetration: f64,
+    /// Largest tensile force, max (−λ)₊ over the constraints in the set; 0 if all push.
+    pub tension: f64,
 }
 
 /// The solution of the edge problem by the active set method from the given initial guess.
@@ -62,7 +75,7 @@ pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
     let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;
-    let mut history: Vec<ContactSet> = Vec::new();
+    let mut history: Vec<Step> = Vec::new();
     let mut seen: HashSet<ContactSet> = HashSet::new();
     let (mut fewest, mut in_vain) = (usize::MAX, 0);
     let mut one_at_a_time = false;
@@ -73,7 +86,7 @@ pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
     loop {
         let state = problem.solve_with(&set)?;
         let wrong = wrong_constraints(problem, &set, &state);
-        history.push(set.clone());
+        history.push(step(problem, &set, &state));
         let steps = history.len();
         let came_back = !seen.insert(set.clone());
         if wrong.len() < fewest {
@@ -94,7 +107,7 @@ pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
             None => (steps == limit).then_some(Status::StepLimit { steps }),
         };
         if let Some(status) = status {
-            return Ok(EdgeOutcome { state, set, status, history });
+            return Ok(EdgeOutcome { state, set, status, steps: history });
         }
         let is_stuck = one_at_a_time || problem.cone == Cone::Midpoint && in_vain >= PATIENCE;
         if is_stuck && !is_dual_tried {
@@ -111,6 +124,19 @@ pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
             (false, Cone::Midpoint) => projected_set(problem, &state)?,
         };
     }
+}
+
+/// The step to a state; its energy is that of the edge, ½ w'S w − b'w.
+fn step(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Step {
+    let w = &state.displacement;
+    // S w = b − r.
+    let terms = w.iter().zip(problem.load).zip(problem.residual(w)).map(|((w, b), r)| -0.5 * w * (b + r));
+    let worst = |values: &[f64], inside: bool, sign: f64| {
+        let wrong = (0..values.len()).filter(|&i| set.contains(i) == inside).map(|i| sign * values[i]);
+        wrong.fold(0.0, f64::max)
+    };
+    let (penetration, tension) = (worst(&state.gap, false, 1.0), worst(&state.multiplier, true, -1.0));
+    Step { set: set.clone(), energy: terms.sum(), penetration, tension }
 }
 
 /// The set found by the dual method, if it has fewer violated constraints than `fewest`.
@@ -219,7 +245,11 @@ mod tests {
         };
         let outcome = solve_on_edge(&problem, ContactSet::empty(2)).unwrap();
         assert_eq!(outcome.status, Status::Cycled { period: 2 });
-        assert!(outcome.history.len() < 10);
+        assert!(outcome.steps.len() < 10);
+        // The last set is that of the solution; its step violates nothing.
+        let last = outcome.steps.last().unwrap();
+        assert_eq!(last.set, outcome.set);
+        assert!(last.penetration < 1e-14 && last.tension < 1e-14, "{last:?}");
     }
 
     /// Two segments of different gaps between fixed ends: both cannot close, and it shows.

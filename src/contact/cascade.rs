@@ -96,7 +96,7 @@ mod tests {
                 let case = format!("{nodes} {cone} {ends:?}");
                 assert_eq!(found.set, cold.set, "{case}");
                 assert!(found.set.count() > 3 && found.status.is_converged(), "{case}");
-                let (few, many) = (found.history.len(), cold.history.len());
+                let (few, many) = (found.steps.len(), cold.steps.len());
                 assert!(
                     nodes % 2 == 1 && ends == Ends::Joined || few <= 3 && few < many,
                     "{case}: {few}, {many}"

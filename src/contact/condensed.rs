@@ -8,11 +8,12 @@
 use super::active_set::{EdgeOutcome, solve_on_edge};
 use super::cascade;
 use super::edge_problem::EdgeProblem;
+use super::interior_point;
 use super::problem::ContactProblem;
 use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, gap_of};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
-use crate::error::Result;
+use crate::error::{Error, Result, ToolkitError};
 use crate::fem::{Condensation, Reduced};
 use crate::numeric::scale::careful_dot;
 use fractional_sobolev::Work;
@@ -52,9 +53,26 @@ struct Condensed<'a> {
     multiplier: Vec<f64>,
 }
 
+/// Largest relative imbalance of the forces on a body without Dirichlet edge.
+const BALANCED: f64 = 1e-8;
+
+/// A body without Dirichlet edge whose floors cannot balance the load.
+const NO_EQUILIBRIUM: &str = "a body without Dirichlet edge is not in equilibrium: its load must press it onto its floors, \
+                              with a resultant that they can carry without friction";
+
 /// The solution by the active set method from the given initial guess.
 pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
-    by_edge(problem, cone, |edge| solve_on_edge(edge, guess))
+    let off = || Error::Solver { reason: NO_EQUILIBRIUM.into() };
+    let found = by_edge(problem, cone, |edge| match solve_on_edge(edge, guess) {
+        // Too few constraints to keep the body in place: start from those of the interior point method.
+        Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })) if problem.floats => {
+            let set = interior_point::solve(problem, cone)?.contact_set;
+            solve_on_edge(edge, set).map_err(|_| off())
+        }
+        found => found,
+    })?;
+    // Nearly singular equations of too few constraints show in the resultants.
+    if problem.floats && found.balance > BALANCED { Err(off()) } else { Ok(found) }
 }
 
 /// The solution by the active set method, with an initial guess from coarser functions on the edge.
@@ -82,7 +100,7 @@ fn by_edge(
     let (reduced, bound) = iterate.remainder()?;
     let correction = iterate.edge_problem(&reduced, &bound).solve_with(&outcome.set)?;
     iterate.add(&reduced, &correction.displacement, &correction.multiplier);
-    let iterations = outcome.history.len() as u64;
+    let iterations = outcome.steps.len() as u64;
     let mut solution = conclude(
         problem,
         cone,
@@ -92,11 +110,14 @@ fn by_edge(
             multiplier: iterate.multiplier,
             contact_set: outcome.set,
             status: outcome.status,
-            history: outcome.history,
+            steps: outcome.steps,
             work: Work { iterations, factorizations: 1, ..Work::default() },
             accepted: ACCEPTED,
         },
     )?;
+    // The energies of the steps are those of the edge: they differ from J by a constant.
+    let interior = solution.energy - solution.steps.last().map_or(0.0, |last| last.energy);
+    solution.steps.iter_mut().for_each(|step| step.energy += interior);
     let (assembly, recovery) = (problem.assembly_seconds(), start.elapsed().as_secs_f64());
     solution.seconds = Seconds { assembly, factorization, contact, recovery };
     Ok(solution)

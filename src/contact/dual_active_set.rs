@@ -308,7 +308,7 @@ mod tests {
         let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };
         let (set, _) = dual_active_set(&problem).unwrap();
         let found = solve_on_edge(&problem, ContactSet::empty(nodes - 1)).unwrap();
-        let (status, steps) = (found.status, found.history.len());
+        let (status, steps) = (found.status, found.steps.len());
         assert!(status.is_converged() && steps < 30, "{status} {steps}");
         assert_eq!(found.set, set);
     }

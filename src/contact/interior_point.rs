@@ -90,7 +90,7 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
             multiplier: answer.multiplier,
             contact_set,
             status: answer.status,
-            history: Vec::new(),
+            steps: Vec::new(),
             work: Work {
                 iterations: answer.iterations,
                 factorizations: answer.iterations,

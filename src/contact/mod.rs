@@ -29,6 +29,7 @@ mod solver;
 mod units;
 mod vtk;
 
+pub use active_set::Step;
 pub use body::{Body, Value};
 pub use multigrid::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};
 pub use npy::npy;

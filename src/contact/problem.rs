@@ -15,6 +15,9 @@ use fractional_sobolev::Mesh;
 use rayon::prelude::*;
 use std::time::Instant;
 
+/// Sine of the angle below which two floors count as parallel.
+const PARALLEL: f64 = 1e-8;
+
 /// A discrete Signorini problem; the stiffness matrix is assembled when it is first used.
 ///
 /// Find u_h in the cone, with the prescribed values on the Dirichlet part, such that
@@ -43,6 +46,8 @@ pub struct ContactProblem {
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
     pub(super) gap: Vec<f64>,
+    /// Whether some body has no Dirichlet edge, so that only its floors keep it in place.
+    pub(crate) floats: bool,
     /// Time in seconds for the edge, the load, and the part of the operator that is set up immediately.
     pub(super) preparation_seconds: f64,
 }
@@ -78,16 +83,7 @@ impl ContactProblem {
         let c = form.components();
         let held = mesh.nodes_on(Part::Dirichlet);
         let reaction = matches!(form, Form::Scalar { reaction } if reaction > 0.0);
-        if !reaction && !held.contains(&true) {
-            return Err(Error::count(
-                "Dirichlet edges",
-                0,
-                "[1, inf), the range for a form without reaction term",
-            ));
-        }
-        if !reaction {
-            require_held(&mesh, &held)?;
-        }
+        let floats = if reaction { false } else { require_held(&mesh, &held, &edge, c)? };
         require_values("volume load", volume, mesh.nodes().len() * c)?;
         let frames = if c == 2 { frames_of(&edge)? } else { Frames::all(Frame::cartesian()) };
         let operator = Operator::of(&mesh, &form, &frames);
@@ -102,6 +98,7 @@ impl ContactProblem {
             edge,
             frames,
             operator,
+            floats,
         };
         problem.load = problem.to_frame(&consistent_load(&problem.mesh, c, volume));
         problem.preparation_seconds = start.elapsed().as_secs_f64();
@@ -296,11 +293,11 @@ impl ContactProblem {
         self.turn(values, Frame::to_cartesian)
     }
 
-    fn turn(&self, values: &[f64], turn: fn(&Frame, Point) -> Point) -> Vec<f64> {
+    fn turn(&self, values: &[f64], turn: fn(Frame, Point) -> Point) -> Vec<f64> {
         let mut turned = values.to_vec();
         if self.form.components() == 2 {
             turned.par_chunks_mut(2).enumerate().for_each(|(node, pair)| {
-                let [a, b] = turn(self.frames.at(node), [pair[0], pair[1]]);
+                let [a, b] = turn(*self.frames.at(node), [pair[0], pair[1]]);
                 pair[0] = a;
                 pair[1] = b;
             });
@@ -309,15 +306,35 @@ impl ContactProblem {
     }
 }
 
-/// [`Error::NotHeld`] for a body (triangles connected by nodes) without a Dirichlet edge; checked before any matrix
-/// is assembled.
-fn require_held(mesh: &Triangulation, held: &[bool]) -> Result<()> {
+/// Whether some body (triangles connected by nodes) has no Dirichlet edge; [`Error::NotHeld`] if its floors cannot keep
+/// it in place either: in the scalar problem one contact edge can, for an elastic body two that are not parallel can.
+/// Checked before any matrix is assembled.
+fn require_held(mesh: &Triangulation, held: &[bool], edge: &ContactEdge, components: usize) -> Result<bool> {
     let bodies = mesh.bodies();
     let mut is_held = vec![false; bodies.len()];
     bodies.iter().zip(held).for_each(|(&body, &held)| is_held[body] |= held);
-    let Some(node) = bodies.iter().position(|&body| !is_held[body]) else { return Ok(()) };
-    let triangles = mesh.triangles().iter().filter(|triangle| bodies[triangle[0]] == bodies[node]).count();
-    Err(Error::NotHeld { triangles, node: mesh.number(node), place: mesh.nodes()[node] })
+    let floating = |&node: &usize| !is_held[bodies[node]];
+    let Some(node) = (0..bodies.len()).find(floating) else { return Ok(false) };
+    let normals = if components == 2 { edge.normals()? } else { vec![[0.0; 2]; edge.pieces().len()] };
+    let floors_of = |body: usize| -> Vec<Point> {
+        let pieces = edge.pieces().into_iter().zip(&normals);
+        pieces.filter(|(piece, _)| bodies[edge.nodes()[piece.start]] == body).map(|(_, n)| *n).collect()
+    };
+    let is_kept = |body: usize| {
+        let floors = floors_of(body);
+        let turned = |n: &Point| (n[0] * floors[0][1] - n[1] * floors[0][0]).abs() > PARALLEL;
+        if components == 1 { !floors.is_empty() } else { floors.iter().any(turned) }
+    };
+    match (0..bodies.len()).find(|node| floating(node) && !is_kept(bodies[*node])) {
+        None => Ok(true),
+        Some(_) if !held.contains(&true) && edge.pieces().len() == 1 => {
+            Err(Error::count("Dirichlet edges", 0, "[1, inf), the range for a form without reaction term"))
+        }
+        Some(_) => {
+            let triangles = mesh.triangles().iter().filter(|t| bodies[t[0]] == bodies[node]).count();
+            Err(Error::NotHeld { triangles, node: mesh.number(node), place: mesh.nodes()[node] })
+        }
+    }
 }
 
 /// The frames of the nodes: for one straight contact edge the same frame for all nodes, for several edges that of

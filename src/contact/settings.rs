@@ -54,7 +54,7 @@ impl From<Solver> for Settings<'_> {
 /// let start = Start::Set(cold.contact_set.clone());
 /// let warm = problem.solve(Cone::Nodal, Settings { start, ..Settings::default() })?;
 /// // a set that reproduces itself is that of the solution
-/// assert_eq!((warm.history.len(), &warm.contact_set), (1, &cold.contact_set));
+/// assert_eq!((warm.steps.len(), &warm.contact_set), (1, &cold.contact_set));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone, Default)]

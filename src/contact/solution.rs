@@ -5,6 +5,7 @@
 //! constant 1), loads + reactions of the Dirichlet part − contact forces − a(d, u), relative to the sum of absolute
 //! loads and reactions, or of the other terms if that is larger; a(d, u) vanishes without a reaction term.
 
+use super::active_set::Step;
 use super::multigrid::MultigridReport;
 use super::problem::ContactProblem;
 use super::solver::Solver;
@@ -135,9 +136,9 @@ pub struct ContactSolution {
     pub reaction: Point,
     /// The relative imbalance of all forces (global balance).
     pub balance: f64,
-    /// The contact sets visited by the active set method, or by multigrid on the finest level, in order;
-    /// empty for the interior point methods.
-    pub history: Vec<ContactSet>,
+    /// The steps of the active set method in order: a set, the minimiser with equality on it, what it violates. The
+    /// last one is the solution. Empty for the other solvers.
+    pub steps: Vec<Step>,
     /// Number of iterations and factorizations.
     pub work: Work,
     /// Time in seconds by phase.
@@ -154,7 +155,7 @@ pub(super) struct Candidate {
     pub(super) multiplier: Vec<f64>,
     pub(super) contact_set: ContactSet,
     pub(super) status: Status,
-    pub(super) history: Vec<ContactSet>,
+    pub(super) steps: Vec<Step>,
     pub(super) work: Work,
     /// Largest KKT residual of a converged solution; infinite for solvers with an error estimate.
     pub(super) accepted: f64,
@@ -233,7 +234,7 @@ pub(super) fn conclude(
         force_rounding,
         reaction,
         balance,
-        history: candidate.history,
+        steps: candidate.steps,
         work: candidate.work,
         seconds: Seconds::default(),
         multigrid: None,

@@ -71,6 +71,10 @@ impl ContactProblem {
         self.require_cone(cone)?;
         match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => condensed::solve(self, cone, self.first_set(cone, start)?),
+            // A body that only its floors keep in place has no coarse problem without contact.
+            _ if self.floats && solver != Solver::InteriorPoint => {
+                condensed::solve(self, cone, self.first_set(cone, start)?)
+            }
             Solver::Multigrid | Solver::Auto => self.by_multigrid(cone, hierarchy, accuracy, progress),
             Solver::InteriorPoint => interior_point::solve(self, cone),
         }
@@ -78,7 +82,10 @@ impl ContactProblem {
 
     fn first_set(&self, cone: Cone, start: Start<'_>) -> Result<ContactSet> {
         match start {
-            Start::Open => Ok(ContactSet::empty(self.edge_cone(cone).constraints())),
+            Start::Open => {
+                let constraints = self.edge_cone(cone).constraints();
+                Ok(ContactSet::new(&vec![self.floats; constraints]))
+            }
             Start::Set(set) => Ok(set),
             Start::Coarse(coarse) if coarse.cone != cone => {
                 let (given, with) = (coarse.cone.to_string(), "a solution in the other cone");

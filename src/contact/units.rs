@@ -68,6 +68,11 @@ impl ContactSolution {
         for value in [&mut self.energy, &mut self.energy_rounding] {
             *value = *value * unit * unit;
         }
+        for step in &mut self.steps {
+            step.energy = step.energy * unit * unit;
+            step.penetration *= unit;
+            step.tension *= unit;
+        }
         require_values("energy J", &[self.energy, self.energy_rounding], 2)?;
         self.multigrid = self.multigrid.map(|report| report.scaled_by(unit));
         Ok(self)

@@ -75,6 +75,6 @@ impl Field<'_> {
     /// # Errors
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless the field has `components` components.
     pub(crate) fn require(&self, components: usize) -> Result<()> {
-        Ok(require_length("components of a field", self.components(), components)?)
+        require_length("components of a field", self.components(), components)
     }
 }

@@ -23,13 +23,13 @@ impl Frame {
     }
 
     /// The components (u_T, u_N) of a vector given by its Cartesian components.
-    pub(crate) fn to_frame(&self, [x, y]: Point) -> Point {
+    pub(crate) fn to_frame(self, [x, y]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [x, y] };
         [ny.mul_add(-x, nx * y), nx.mul_add(x, ny * y)]
     }
 
     /// The Cartesian components of a vector given by (u_T, u_N).
-    pub(crate) fn to_cartesian(&self, [t, n]: Point) -> Point {
+    pub(crate) fn to_cartesian(self, [t, n]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [t, n] };
         [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
     }

@@ -8,21 +8,25 @@
 
 use super::edges::Edges;
 use super::geometry::{BoundaryEdge, distance};
+use super::names::{Interface, Names};
 use super::triangulation::Triangulation;
 use crate::error::Result;
 
-/// The triangulation with the marked triangles refined, and the parents of its new nodes.
-pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+/// A refined triangulation, the parents of its new nodes, and the triangle from which every triangle comes.
+pub(super) type Refined = (Triangulation, Vec<[usize; 2]>, Vec<u32>);
+
+/// The triangulation with the marked triangles refined.
+pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<Refined> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
     let turned = turned_to_longest(coarse, &edges)?;
     let halved = closure(&turned, marked, edges.pairs().len());
     refined(coarse, (&edges, &turned), &halved, cut)
 }
 
-/// One red refinement, and the parents of the new nodes.
+/// One red refinement.
 ///
 /// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
-pub(super) fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+pub(super) fn red(coarse: &Triangulation) -> Result<Refined> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
     let sides =
         |&[a, b, c]: &[usize; 3]| Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]));
@@ -39,14 +43,13 @@ pub(super) fn red(coarse: &Triangulation) -> Result<(Triangulation, Vec<[usize; 
     )
 }
 
-/// The triangulation with the given edges bisected and every triangle cut at its midpoints by `cut`, and the parents
-/// of its new nodes.
+/// The triangulation with the given edges bisected and every triangle cut at its midpoints by `cut`.
 fn refined(
     coarse: &Triangulation,
     (edges, turned): (&Edges, &[Turned]),
     halved: &[bool],
     cut: impl Fn([usize; 3], [Option<usize>; 3], &mut Vec<[usize; 3]>),
-) -> Result<(Triangulation, Vec<[usize; 2]>)> {
+) -> Result<Refined> {
     let mut nodes = coarse.nodes().to_vec();
     let mut parents = Vec::new();
     let mut middles = vec![None; halved.len()];
@@ -56,21 +59,30 @@ fn refined(
         nodes.push([0.5 * p[0] + 0.5 * q[0], 0.5 * p[1] + 0.5 * q[1]]);
         parents.push([a, b]);
     }
-    let (mut triangles, mut regions) = (Vec::new(), Vec::new());
+    let (mut triangles, mut regions, mut origins) = (Vec::new(), Vec::new(), Vec::new());
     for (t, &(corners, sides)) in turned.iter().enumerate() {
         cut(corners, sides.map(|edge| middles[edge]), &mut triangles);
         regions.resize(triangles.len(), coarse.region(t) as u32);
+        origins.resize(triangles.len(), t as u32);
     }
+    let pieces = |[a, b]: [usize; 2]| -> Result<Vec<[usize; 2]>> {
+        Ok(middles[edges.find(a, b)?].map_or_else(|| vec![[a, b]], |m| vec![[a, m], [m, b]]))
+    };
     let mut boundary = Vec::new();
-    for &BoundaryEdge { nodes: [a, b], part } in coarse.boundary() {
-        match middles[edges.find(a, b)?] {
-            None => boundary.push(BoundaryEdge { nodes: [a, b], part }),
-            Some(m) => boundary.extend([[a, m], [m, b]].map(|nodes| BoundaryEdge { nodes, part })),
+    // The names of groups pass to the halves of edges and triangles.
+    let mut names = Names { of_edges: Vec::new(), ..coarse.names().clone() };
+    for (edge, &BoundaryEdge { nodes, part }) in coarse.boundary().iter().enumerate() {
+        boundary.extend(pieces(nodes)?.into_iter().map(|nodes| BoundaryEdge { nodes, part }));
+        if let Some(&group) = coarse.names().of_edges.get(edge) {
+            names.of_edges.resize(boundary.len(), group);
         }
     }
-    let fine = Triangulation::trusted(nodes, triangles, boundary);
+    for Interface { edges, .. } in &mut names.interfaces {
+        *edges = edges.iter().map(|&edge| pieces(edge)).collect::<Result<Vec<_>>>()?.concat();
+    }
+    let fine = Triangulation::trusted(nodes, triangles, boundary).with_names(names);
     let fine = if coarse.regions().is_empty() { fine } else { fine.with_regions(&regions)? };
-    Ok((fine, parents))
+    Ok((fine, parents, origins))
 }
 
 /// A triangle (a, b, c) with longest edge ab, and its edges ab, bc, ca.
@@ -163,6 +175,40 @@ mod tests {
         assert!(mesh.triangles().len() < 1500, "{}", mesh.triangles().len());
         let at_point = mesh.nodes().iter().map(|&p| distance(p, [0.25, 0.0])).filter(|&d| d > 0.0);
         assert_eq!(at_point.fold(f64::INFINITY, f64::min), 0.25 * 0.5_f64.powi(20));
+    }
+
+    #[test]
+    fn names_pass_to_the_halves() {
+        // The diagonal is a curve inside; regions are the two sides of it.
+        let square = unit_square(1, SideParts::HANGING).unwrap();
+        let [a, c] = [[0.0, 0.0], [1.0, 1.0]].map(|p| square.nodes().iter().position(|&q| q == p).unwrap());
+        let diagonal = Interface { name: "weld".to_owned(), edges: vec![[a, c]] };
+        let square = square.with_groups(&["floor", "right", "ceiling", "left"]).unwrap();
+        let square = square.with_regions(&[0, 1]).unwrap().with_region_names(&["low", "high"]).unwrap();
+        let mut hierarchy = Hierarchy::new(square.with_interfaces(vec![diagonal]));
+        hierarchy.refine().unwrap();
+        hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&[0.0, 0.0])).unwrap();
+        let mesh = hierarchy.finest();
+        let name = |[x, y]: [f64; 2]| match (x, y) {
+            (_, 0.0) => "floor",
+            (1.0, _) => "right",
+            (_, 1.0) => "ceiling",
+            _ => "left",
+        };
+        for (edge, sides) in mesh.boundary().iter().enumerate() {
+            let [p, q] = mesh.ends(sides);
+            assert_eq!(mesh.group(edge), name([0, 1].map(|k| 0.5 * (p[k] + q[k]))));
+        }
+        for t in 0..mesh.triangles().len() {
+            let [a, b, c] = mesh.corners(t);
+            let above = a[1] + b[1] + c[1] > a[0] + b[0] + c[0];
+            assert_eq!(mesh.region_names()[mesh.region(t)] == "high", above);
+        }
+        let inside = &mesh.interfaces()[0];
+        let length = |&[a, b]: &[usize; 2]| distance(mesh.nodes()[a], mesh.nodes()[b]);
+        assert!((inside.edges.iter().map(length).sum::<f64>() - 2f64.sqrt()).abs() < 1e-15);
+        assert_eq!(inside.edges.len(), 3);
+        assert!(inside.edges.iter().flatten().all(|&k| mesh.nodes()[k][0] == mesh.nodes()[k][1]));
     }
 
     #[test]

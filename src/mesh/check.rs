@@ -6,6 +6,9 @@ use crate::error::{Error, Result, ToolkitError};
 /// A triangle whose area is below this multiple of its squared diameter counts as degenerate: 2^10 ε.
 const FLATNESS: f64 = 1024.0 * f64::EPSILON;
 
+/// What is wrong with a boundary edge that is not listed.
+pub(super) const NO_LABEL: &str = "is on the boundary but has no label";
+
 /// Checks that coordinates are finite, node numbers in range, areas positive, and every node belongs to a triangle.
 pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> Result<()> {
     if triangles.is_empty() {
@@ -84,7 +87,7 @@ pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) ->
         label.nodes = outer[found].1;
     }
     match labelled.iter().position(|&labelled| !labelled) {
-        Some(missing) => bad(outer[missing].1, "is on the boundary but has no label"),
+        Some(missing) => bad(outer[missing].1, NO_LABEL),
         None => Ok(()),
     }
 }

@@ -22,12 +22,14 @@ pub struct Hierarchy {
     levels: Vec<Triangulation>,
     /// For level k > 0, the two parents of every node that is new on it.
     parents: Vec<Vec<[usize; 2]>>,
+    /// The triangle of the level before from which every triangle of the finest level comes.
+    origins: Vec<u32>,
 }
 
 impl Hierarchy {
     /// The hierarchy that consists of a single level.
     pub fn new(coarsest: Triangulation) -> Self {
-        Self { levels: vec![coarsest], parents: Vec::new() }
+        Self { levels: vec![coarsest], parents: Vec::new(), origins: Vec::new() }
     }
 
     /// The hierarchy of `coarsest` and `times` uniform refinements.
@@ -72,9 +74,10 @@ impl Hierarchy {
             return Err(Error::count("triangles to refine", coarse.triangles().len(), "[1, 2^30]"));
         }
         require_memory("triangles", 4 * coarse.triangles().len(), BYTES_OF_TRIANGLE)?;
-        let (fine, parents) = red(coarse)?;
+        let (fine, parents, origins) = red(coarse)?;
         self.levels.push(fine);
         self.parents.push(parents);
+        self.origins = origins;
         Ok(())
     }
 
@@ -96,9 +99,10 @@ impl Hierarchy {
     pub fn refine_where(&mut self, marked: impl Fn(&Triangulation, usize) -> bool) -> Result<()> {
         let coarse = self.finest();
         let chosen: Vec<bool> = (0..coarse.triangles().len()).map(|t| marked(coarse, t)).collect();
-        let (fine, parents) = bisect(coarse, &chosen)?;
+        let (fine, parents, origins) = bisect(coarse, &chosen)?;
         self.levels.push(fine);
         self.parents.push(parents);
+        self.origins = origins;
         Ok(())
     }
 
@@ -151,7 +155,16 @@ impl Hierarchy {
     #[must_use]
     pub fn up_to(&self, level: usize) -> Self {
         let last = level.min(self.levels.len() - 1);
-        Self { levels: self.levels[..=last].to_vec(), parents: self.parents[..last].to_vec() }
+        Self {
+            levels: self.levels[..=last].to_vec(),
+            parents: self.parents[..last].to_vec(),
+            origins: Vec::new(),
+        }
+    }
+
+    /// The triangle of the level before from which every triangle of the finest level comes.
+    pub(crate) fn origins(&self) -> &[u32] {
+        &self.origins
     }
 
     /// Keeps the finest level only.

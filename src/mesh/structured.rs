@@ -115,11 +115,7 @@ pub fn mapped_grid(
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without
 /// squares; if two squares coincide, an error of [`Triangulation::new`].
-pub(crate) fn unit_squares(
-    n: usize,
-    places: &[[i32; 2]],
-    part: impl Fn(Point) -> Part,
-) -> Result<Triangulation> {
+pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {
             return Err(Error::count(name, value, "[1, 4096]"));

@@ -6,7 +6,9 @@
 
 use super::check;
 use super::geometry::{BoundaryEdge, Part, Point, distance};
-use crate::error::{Error, Result, ToolkitError};
+use super::grouped::in_numbers;
+use super::names::{Interface, Names};
+use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
 
 /// A conforming triangulation with labelled boundary.
@@ -18,6 +20,7 @@ pub struct Triangulation {
     regions: Vec<u32>,
     /// The numbers of the nodes in the source file; empty if the numbers are the indices.
     numbers: Vec<usize>,
+    names: Names,
 }
 
 impl Triangulation {
@@ -51,7 +54,7 @@ impl Triangulation {
         triangles: Vec<[usize; 3]>,
         boundary: Vec<BoundaryEdge>,
     ) -> Self {
-        Self { nodes, triangles, boundary, regions: Vec::new(), numbers: Vec::new() }
+        Self { nodes, triangles, boundary, regions: Vec::new(), numbers: Vec::new(), names: Names::default() }
     }
 
     /// The same triangulation with a region number for every triangle (for piecewise constant materials).
@@ -72,6 +75,105 @@ impl Triangulation {
         Ok(self)
     }
 
+    /// The same triangulation with the name of its group for every boundary edge.
+    ///
+    /// ```
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(1, SideParts::HANGING)?;
+    /// assert_eq!(mesh.groups(), ["contact", "free", "clamped"]);
+    /// let mesh = mesh.with_groups(&["floor", "right", "ceiling", "left"])?;
+    /// assert_eq!((mesh.group(0), mesh.groups().len()), ("floor", 4));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one name per boundary
+    /// edge.
+    pub fn with_groups(mut self, names: &[&str]) -> Result<Self> {
+        require_length("names of boundary groups", names.len(), self.boundary.len())?;
+        (self.names.groups, self.names.of_edges) = Names::numbered(names);
+        Ok(self)
+    }
+
+    /// The same triangulation with names of its regions, by their numbers.
+    ///
+    /// ```
+    /// use signorini::mesh::{SideParts, unit_square};
+    /// let mesh = unit_square(1, SideParts::HANGING)?.with_regions(&[0, 1])?;
+    /// assert_eq!(mesh.region_names(), ["0", "1"]);
+    /// assert_eq!(mesh.with_region_names(&["rim", "core"])?.region_names(), ["rim", "core"]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one name for every
+    /// number up to the largest one in use.
+    pub fn with_region_names(mut self, names: &[&str]) -> Result<Self> {
+        require_length("names of regions", names.len(), self.region_names().len())?;
+        self.names.regions = names.iter().map(|&name| name.to_owned()).collect();
+        Ok(self)
+    }
+
+    /// The same triangulation with these curves inside.
+    pub(super) fn with_interfaces(mut self, interfaces: Vec<Interface>) -> Self {
+        self.names.interfaces = interfaces;
+        self
+    }
+
+    /// The same triangulation with further sentences about the file it was read from.
+    pub(super) fn with_remarks(mut self, remarks: Vec<String>) -> Self {
+        self.names.remarks.extend(remarks);
+        self
+    }
+
+    /// All names of the triangulation.
+    pub(super) fn names(&self) -> &Names {
+        &self.names
+    }
+
+    pub(super) fn with_names(self, names: Names) -> Self {
+        Self { names, ..self }
+    }
+
+    /// The name of the group of a boundary edge, by the position of the edge in [`Triangulation::boundary`]: the name
+    /// of its Physical Curve in a mesh of Gmsh; without names that of its part, [`Part::name`].
+    ///
+    /// Refinements keep the names.
+    pub fn group(&self, edge: usize) -> &str {
+        let named = self.names.of_edges.get(edge).and_then(|&group| self.names.groups.get(group as usize));
+        named
+            .map(String::as_str)
+            .unwrap_or_else(|| self.boundary.get(edge).map_or("", |edge| edge.part.name()))
+    }
+
+    /// The names of the boundary groups, in the order in which they appear among the boundary edges.
+    pub fn groups(&self) -> Vec<&str> {
+        let mut seen = std::collections::HashSet::new();
+        (0..self.boundary.len()).map(|edge| self.group(edge)).filter(|&name| seen.insert(name)).collect()
+    }
+
+    /// The names of the regions by their numbers: the names of the Physical Surfaces in a mesh of Gmsh. Without names
+    /// `body` for a single region, and the numbers for several.
+    pub fn region_names(&self) -> Vec<String> {
+        let count = self.regions.iter().max().map_or(1, |&last| last as usize + 1);
+        match self.names.regions.len() {
+            0 if count == 1 => vec!["body".to_owned()],
+            0 => (0..count).map(|region| region.to_string()).collect(),
+            _ => self.names.regions.clone(),
+        }
+    }
+
+    /// The curves inside the body that have a name.
+    pub fn interfaces(&self) -> &[Interface] {
+        &self.names.interfaces
+    }
+
+    /// What was not used, or was read in another way than written, when the file of the mesh was read: one sentence
+    /// each.
+    pub fn remarks(&self) -> &[String] {
+        &self.names.remarks
+    }
+
     /// The same triangulation, with these node numbers in error messages.
     pub(super) fn with_numbers(self, numbers: Vec<usize>) -> Self {
         Self { numbers, ..self }
@@ -84,7 +186,7 @@ impl Triangulation {
 
     /// An error about a node or an edge, by the numbers of the file.
     pub(super) fn in_own_numbers(&self, error: Error) -> Error {
-        in_numbers(error, |node| self.number(node))
+        in_numbers(error, |node| self.number(node), |triangle| triangle)
     }
 
     /// For every node, the smallest number of a node connected to it by triangles with common nodes. Cost: at most
@@ -203,18 +305,5 @@ impl Triangulation {
         self.nodes.iter_mut().for_each(|node| *node = map(*node));
         check::nodes_and_triangles(&self.nodes, &self.triangles)?;
         Ok(self)
-    }
-}
-
-/// An error about a node or an edge with other numbers of the nodes.
-pub(super) fn in_numbers(error: Error, number: impl Fn(usize) -> usize) -> Error {
-    match error {
-        Error::Toolkit(ToolkitError::Node { node, reason }) => {
-            Error::Toolkit(ToolkitError::Node { node: number(node), reason })
-        }
-        Error::Toolkit(ToolkitError::Edge { nodes, reason }) => {
-            Error::Toolkit(ToolkitError::Edge { nodes: nodes.map(number), reason })
-        }
-        other => other,
     }
 }

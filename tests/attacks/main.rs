@@ -28,6 +28,7 @@ mod worst_contact_set;
 #[path = "../beyond/worst_pair.rs"]
 mod worst_pair;
 
+mod bounds;
 mod command_lines;
 mod contact;
 mod meshes;

@@ -21,9 +21,9 @@ fn gmsh_faults_are_named() {
     let faults = [
         ("4.1 0 8", "2.2 0 8"),
         ("4.1 0 8", "4.1 1 8"),
+        ("4.1 0 8", "4.1 2 8"),
         ("1 7 1 20\n2 1 0 7", "1 8 1 20\n2 1 0 7"),
         ("8 1 2 5", "8 1 2 9"),
-        ("8 1 2 5", "8 1 5 2"),
         ("8 1 2 5", "8 1 2 2"),
         ("8 1 2 5", "8 1 2"),
         ("2 1 2 2\n8", "2 1 3 2\n8"),
@@ -39,11 +39,17 @@ fn gmsh_faults_are_named() {
         assert_ne!(text, GOOD, "{good} does not occur");
         assert!(parse_msh(&text).is_err(), "{bad} was accepted");
     }
-    let Err(Error::AtLine { line: 54, cause, .. }) = parse_msh(&GOOD.replacen("8 1 2 5", "8 1 5 2", 1))
-    else {
-        panic!("an inverted triangle, and its line");
-    };
-    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 0, .. })), "{cause}");
+    // A triangle without area: its line, and its number in the file.
+    let flat = GOOD.replacen("1 1 0\n2 1 0", "1 0 0\n2 1 0", 1);
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&flat) else { panic!("{flat}") };
+    assert_eq!(flat.lines().nth(line - 1), Some("8 1 2 5"));
+    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 8, .. })), "{cause}");
+    // Listed in the other direction it is turned; folded over its neighbour it is not.
+    let (read, good) = (parse_msh(GOOD.replacen("8 1 2 5", "8 1 5 2", 1)).unwrap(), parse_msh(GOOD).unwrap());
+    assert_eq!(read.triangles(), good.triangles());
+    assert_eq!(read.remarks(), ["1 of 4 triangles is listed clockwise and was turned"]);
+    let folded = parse_msh(GOOD.replacen("0 1 0\n1 1 0", "3 1 0\n1 1 0", 1)).unwrap_err();
+    assert!(folded.to_string().contains("overlap"), "{folded}");
     assert!(matches!(parse_msh(""), Err(Error::Syntax { .. })));
     assert!(matches!(read_msh("no/such/file.msh"), Err(Error::File { .. })));
 }

@@ -44,6 +44,14 @@ const GMSH: [&str; 3] = [
     include_str!("../data/two_squares_2.2.msh"),
     include_str!("../../examples/data/l_shape.msh"),
 ];
+/// Further files of Gmsh: parts, parameters, an interface, points.
+const MORE: [&str; 5] = [
+    include_str!("../data/msh/partitioned_41.msh"),
+    include_str!("../data/msh/parametric_22.msh"),
+    include_str!("../data/msh/interface_curve.msh"),
+    include_str!("../data/msh/physical_point_clamped.msh"),
+    include_str!("../data/msh/mixed_orientation_22.msh"),
+];
 const EDGE: &str = include_str!("../data/edge.txt");
 
 /// Words that belong nowhere, or not there, between bars.
@@ -70,7 +78,7 @@ fn grammars() -> Vec<Grammar> {
     let orders = ["0.25", "1/2", "1/2+1e-20", "1/2-0.25", "1e-300", "0.999"];
     let loads = ["0.15, 0.2 - 0.3*x", "-cos(pi*x)^2 - 0.5", "max(x, -1e-3*y) + atan2(y, x)^(1/3)"];
     vec![
-        Grammar { name: "gmsh", seeds: [all(&GMSH), vec![crlf]].concat(), read: mesh },
+        Grammar { name: "gmsh", seeds: [all(&GMSH), all(&MORE), vec![crlf]].concat(), read: mesh },
         Grammar { name: "samples", seeds: all(&[EDGE, "0 0\n-1 0\n"]), read: samples },
         Grammar { name: "scene", seeds: [scenes, strips].concat(), read: scene },
         Grammar { name: "order", seeds: all(&orders), read: order },
@@ -149,10 +157,13 @@ fn with_line(text: &str, answer: Result<String, Error>) -> Answer {
     if let Err(error) = &answer {
         let line = match *error {
             Error::Syntax { line, .. } | Error::AtLine { line, .. } => line,
+            // A binary file, or a text whose first line says that it is one.
+            Error::AtByte { byte, .. } if byte <= text.len() => 1,
             _ => return Err(format!("no line: {error}")),
         };
         // Of a file without a line the error is about line 0.
-        if line > text.lines().count() || line == 0 && !text.trim().is_empty() {
+        if line > text.lines().count() || line == 0 && !text.trim_start_matches('\u{feff}').trim().is_empty()
+        {
             return Err(format!("{line} of {} lines: {error}", text.lines().count()));
         }
         let said = error.to_string();

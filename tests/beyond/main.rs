@@ -9,6 +9,7 @@ mod explicit_bound;
 mod explicit_constants;
 mod extremes;
 mod finite_contact_set;
+mod rate_of_the_bound;
 mod rearrangement;
 mod segment_constants;
 mod worst_contact_set;

@@ -8,7 +8,7 @@ use signorini::proof::{
 
 /// K(1/2), the square of the moment of a half interval in closed form, computed with forty digits (the test
 /// `half_order_moments` of the toolkit has the formula).
-const HALF_ORDER_PRODUCT: f64 = 0.051_868_428_388_348_907;
+const HALF_ORDER_PRODUCT: f64 = 0.051_868_428_388_348_91;
 
 fn order(nu: f64) -> Order {
     Order::new(nu).unwrap()

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 
 /// Exports with one reader that is too long to hold them: the room and the name, and who that is.
 const ONE_READER: [(&str, &str, &str); 11] = [
-    ("bounds", "Refinement", "an example to come"),
+    ("mesh", "unit_squares", "examples/guaranteed_error_against_seconds.rs"),
     ("contact", "npy", "examples/section_2_own_body.rs"),
     ("edge", "ContactPair", "examples/theorem_3_1_proof_profile.rs"),
     ("edge", "radial_intervals", "examples/section_1_clamped_end.rs"),

@@ -43,33 +43,20 @@ fn both_formats_of_gmsh_hold_the_same_body() {
         ("$EndNodes\n", "1 0 0 0\n$EndNodes\n"),
         ("36 2 2 4 1", "36 3 2 4 1"),
         ("\"contact\"", "\"floor\""),
-        ("2.2 0", "2.1 0"),
+        ("2.2 0", "3 0"),
     ] {
         let text = L_SHAPE_2.replacen(good, bad, 1);
         assert!(text != L_SHAPE_2 && parse_msh(&text).is_err(), "{bad}");
     }
     // Names in other words, a clockwise surface.
     let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
-    assert_eq!(parse_msh(&renamed).unwrap(), four);
+    let renamed = parse_msh(&renamed).unwrap();
+    assert_eq!((renamed.boundary(), renamed.triangles()), (four.boundary(), four.triangles()));
+    assert!(renamed.groups().contains(&"Contact_1") && four.groups().contains(&"contact"));
     let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
     let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
     assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
     assert!(matches!(*cause, Error::Toolkit(ToolkitError::Node { .. })), "{cause}");
-}
-
-#[test]
-fn binary_files_are_refused_with_what_to_do() {
-    let directory = std::env::temp_dir().join(format!("signorini-binary-{}", std::process::id()));
-    std::fs::create_dir_all(&directory).unwrap();
-    for version in ["4.1", "2.2"] {
-        let file = directory.join("binary.msh");
-        let mut bytes = format!("$MeshFormat\n{version} 1 8\n").into_bytes();
-        bytes.extend_from_slice(&[1, 0, 0, 0, 0xff, 0xfe, b'\n']);
-        std::fs::write(&file, bytes).unwrap();
-        let error = read_msh(&file).unwrap_err().to_string();
-        assert!(error.contains("save as ASCII"), "{error}");
-    }
-    std::fs::remove_dir_all(&directory).unwrap();
 }
 
 fn problem(mesh: &Triangulation, load: &Field<'_>) -> ContactProblem {
@@ -211,6 +198,29 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         let error = outcome(&options).expect_err(why);
         assert!(error.contains(why) && !error.contains('\n'), "{error}");
     }
+}
+
+#[test]
+fn a_mesh_without_a_clamp_or_a_floor_is_refused_with_what_to_do() {
+    let directory = std::env::temp_dir().join(format!("signorini-groups-{}", std::process::id()));
+    std::fs::create_dir_all(&directory).unwrap();
+    let body = directory.join("body.msh");
+    for (group, why) in [
+        (
+            "clamped",
+            "no curve is clamped: add Physical Curve(\"clamped\") = {..}; the groups are contact, free",
+        ),
+        (
+            "contact",
+            "no curve is in contact: add Physical Curve(\"contact\") = {..}; the groups are free, clamped",
+        ),
+    ] {
+        std::fs::write(&body, L_SHAPE.replace(&format!("\"{group}\""), "\"free\"")).unwrap();
+        let options = Options { mesh: Some(body.clone()), load: "0, 1".to_owned(), ..Default::default() };
+        let error = outcome(&options).unwrap_err();
+        assert!(error.contains(why), "{error}");
+    }
+    std::fs::remove_dir_all(&directory).unwrap();
 }
 
 #[test]

@@ -24,8 +24,9 @@ const BALANCED: f64 = 1e-8;
 /// Products are computed by FFT on uniform meshes, and by H²-matrices on other meshes, in O(N log N)
 /// to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on a uniform
 /// mesh, 60 N on other meshes. The fast product is prepared at its first use.
-/// The entries of the dense matrix are sums of a few integrals of one sign each, exact to rounding, and cost
-/// O(N²) kernel values. Where A maps constants to zero, the mean of x is subtracted before a product.
+/// The entries of the dense matrix are sums of a few integrals in closed form, and cost O(N²) kernel values; their
+/// relative error is below 1e-13, of which the entries of neighbouring hat functions, whose integrals have both signs,
+/// reach 3e-14 on very unequal elements. Where A maps constants to zero, the mean of x is subtracted before a product.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};
@@ -246,8 +247,9 @@ impl Gram {
     /// They are computed by a block iteration with preconditioned residuals (LOBPCG), which for the largest
     /// one starts, among others, from the Ritz vectors of windows of 48 basis functions: 5 to 30 steps of a
     /// few products each, up to 200 on a uniform mesh, where the largest eigenvalues are close together and
-    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual and
-    /// the tolerance of the product. The ratio of the two eigenvalues is the condition number of A relative
+    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual, the
+    /// rounding of the product and its tolerance. On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue
+    /// may exceed the tolerance: it is 4e-15 Σ a_ii x_i² for a vector x with ∫ x² = 1. The ratio of the two eigenvalues is the condition number of A relative
     /// to M, on the functions of mean zero if constants have seminorm zero.
     ///
     /// ```
@@ -282,7 +284,8 @@ impl Gram {
         Ok(self.fast()?.diagonal().to_vec())
     }
 
-    /// A as a dense matrix, by closed forms, exact to rounding, at the cost of O(N²) kernel evaluations.
+    /// A as a dense matrix, by closed forms, to a relative error of every entry below 1e-13, at the cost of O(N²) kernel
+    /// evaluations.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice.

@@ -27,6 +27,7 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
     let examples = &repository.join("examples");
     let programs: Vec<String> =
         names(examples)?.into_iter().filter_map(|n| n.strip_suffix(".rs").map(str::to_owned)).collect();
+    let summary = std::fs::read_to_string(repository.join("book/src/SUMMARY.md")).unwrap_or_default();
     let mut found = Vec::new();
     let mut shown = BTreeSet::new();
     for page in pages {
@@ -53,6 +54,13 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
             found.push(Fault::new(&page.file, 1, "page does not open with a picture", line));
         }
         shown.extend(on_page);
+        // One page has one title: that of the table of contents.
+        let title = page.text.lines().next().unwrap_or("").trim_start_matches("# ");
+        let title = title.split(" {#").next().unwrap_or(title);
+        let file = page.html.replace(".html", ".md");
+        if !summary.is_empty() && !summary.contains(&format!("[{title}]({file})")) {
+            found.push(Fault::new(&page.file, 1, "not the title that SUMMARY.md gives the page", title));
+        }
     }
     let missing = programs.iter().filter(|name| !shown.contains(*name));
     found.extend(missing.map(|name| {

@@ -11,9 +11,11 @@
 //! | `{{slider: parameter: frames: caption}}` | several figures and a slider between them, see [`crate::slider`] |
 //! | `{{idea: name: caption}}` | a picture of an idea, see [`crate::idea`] |
 //! | `{{code: example: function}}` | that function of the example |
+//! | `{{course: pages}}`, `{{course: plan}}` | the pages of the course with what is shown, run and asked; a plan of weeks |
 //! | `{{example: name}}`, `{{test: file}}`, `{{test: file::function}}` | a name that must exist, in code type |
 
 use crate::code;
+use crate::course;
 use crate::data::{Data, Unknown};
 use crate::figure;
 use crate::idea;
@@ -85,6 +87,10 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             let function = function.trim_start_matches(':').trim();
             code::test(sources.tests, key, Some(function)).map(Meaning::Name)
         }
+        // The list of the course stands beside the pictures of ideas.
+        ("course", None) => {
+            course::part(sources.ideas.parent().unwrap_or(sources.ideas), key).map(Meaning::Markdown)
+        }
         ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
@@ -147,13 +153,24 @@ fn finding(finding: &Value) -> Result<String, String> {
     Ok(html.replace('|', "&#124;"))
 }
 
+/// The words of a finding without the numbers in brackets behind them, which its comparison repeats.
+fn claim<'a>(words: &'a str, comparison: &str) -> &'a str {
+    let numbers = words.strip_suffix(')').and_then(|words| words.rsplit_once(" ("));
+    match numbers {
+        Some((claim, numbers)) if comparison.starts_with(numbers) => claim,
+        _ => words,
+    }
+}
+
 /// All findings of an example as a table.
 fn findings(example: &str, data: &Data) -> Result<String, String> {
     let headline = data.examples.get(example).ok_or_else(|| Unknown::Missing.words("example"))?;
     let list = headline["findings"].as_array().ok_or("the example has no findings")?;
     let mut html = "<div class=\"table-wrapper findings\"><table><tbody>".to_owned();
     for finding in list {
-        let [outcome, words, comparison] = parts(finding)?.map(typography::html);
+        let [outcome, words, comparison] = parts(finding)?;
+        let [outcome, words, comparison] =
+            [outcome, claim(words, comparison), comparison].map(typography::html);
         let _ = write!(
             html,
             "<tr><td>{outcome}</td><td>{words}</td><td class=\"comparison\">{comparison}</td></tr>"
@@ -253,6 +270,8 @@ mod tests {
         assert!(held.contains("class=\"finding holds\" title=\"0.5 &lt;= 1\">ν"), "{held}");
         let Ok(Meaning::Words(failed)) = resolve("finding: ex/b", &sources) else { panic!("no finding") };
         assert!(failed.contains("<strong class=\"outcome\">fails:</strong> no"), "{failed}");
+        assert_eq!(claim("gamma (of ν) (0.5 ≤ 1)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
+        assert_eq!(claim("gamma (of ν)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
         assert!(matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1")));
         let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");

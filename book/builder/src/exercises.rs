@@ -2,7 +2,7 @@
 //!
 //! A table per exercise, under the name of its page: `kind` is `why`, `prove`, `number` or `try`; `ask` and
 //! `answer` are Markdown as on a page, `hint` may be left out. The answer of a `number` is one that an
-//! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. A page with exercises has two to
+//! example computed, so it holds a `{{value: ...}}` or a `{{finding: ...}}`. `program` names a program of `book/course`. A page with exercises has two to
 //! eight, and asks at least one "why".
 
 use crate::chapter::Page;
@@ -22,6 +22,8 @@ pub struct Exercise {
     ask: String,
     hint: Option<String>,
     answer: String,
+    /// `file::function` of the course's programs that the exercise asks for.
+    program: Option<String>,
 }
 
 /// What an exercise asks for.
@@ -84,7 +86,36 @@ fn exercise(entry: &Value) -> std::result::Result<Exercise, String> {
     if kind == Kind::Number && !is_computed {
         return Err(format!("the answer holds no computed number: {ask}"));
     }
-    Ok(Exercise { kind, ask, hint: text("hint"), answer })
+    Ok(Exercise { kind, ask, hint: text("hint"), answer, program: text("program") })
+}
+
+impl Exercise {
+    /// How to get the skeleton of its program, and how to test it.
+    fn commands(&self) -> String {
+        let program = self.program.as_deref().and_then(|program| program.split_once("::"));
+        program.map_or(String::new(), |(file, function)| {
+            format!(
+                "\n```sh\ncargo course skeleton {file}\n\
+                 cargo test --release -p course --test mine_{file} {function}\n```\n"
+            )
+        })
+    }
+}
+
+/// The exercises of a page on a sheet of their own.
+pub fn sheet(title: &str, list: &[Exercise], with_solutions: bool) -> String {
+    let mut text = format!("# {title}: exercises{}\n", if with_solutions { " with solutions" } else { "" });
+    for (k, exercise) in (1..).zip(list) {
+        let _ =
+            write!(text, "\n**{k}.** *{}* {}\n{}", exercise.kind.word(), exercise.ask, exercise.commands());
+        if let Some(hint) = &exercise.hint {
+            let _ = write!(text, "\n*Hint.* {hint}\n");
+        }
+        if with_solutions {
+            let _ = write!(text, "\n> *Solution.* {}\n", exercise.answer.replace('\n', "\n> "));
+        }
+    }
+    text
 }
 
 /// Puts the exercises behind the text of their pages.
@@ -100,6 +131,7 @@ fn markdown(list: &[Exercise]) -> String {
     let mut text = "\n\n## Exercises\n".to_owned();
     for (k, exercise) in list.iter().enumerate() {
         let _ = write!(text, "\n**{}.** *{}* {}\n", k + 1, exercise.kind.word(), exercise.ask);
+        text.push_str(&exercise.commands());
         let folded = [("Hint", exercise.hint.as_deref()), ("Solution", Some(exercise.answer.as_str()))];
         for (title, body) in folded {
             if let Some(body) = body {
@@ -111,7 +143,23 @@ fn markdown(list: &[Exercise]) -> String {
     text
 }
 
-/// Exercises of pages that are not there, too few or too many on a page, none that asks why.
+/// What is wrong with the program that an exercise asks for: it has a hole and one test.
+fn wrong_program(program: &str, book: &Path) -> Option<&'static str> {
+    let Some((file, function)) = program.split_once("::") else { return Some("`program` is file::function") };
+    let file = book.join("course/tests").join(file).with_extension("rs");
+    let text = std::fs::read_to_string(file).unwrap_or_default();
+    let body = text.split(&format!("\nfn {function}(")).nth(1).and_then(|rest| rest.split("\n}\n").next());
+    let tests = text.split("#[test]\nfn ").skip(1).filter(|test| test.starts_with(function)).count();
+    match body {
+        None => Some("no such program"),
+        Some(body) if !body.contains("\n    // solution: ") => Some("a program without a hole"),
+        _ if tests != 1 => Some("a program needs one test, whose name begins with that of the program"),
+        _ => None,
+    }
+}
+
+/// Exercises of pages that are not there, too few or too many on a page, none that asks why; programs without a hole or a
+/// test; words that a sheet without its page does not explain.
 pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book: &Path) -> Vec<Fault> {
     let mut found = Vec::new();
     for (name, list) in exercises {
@@ -121,6 +169,16 @@ pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book:
         }
         if !(2..=8).contains(&list.len()) {
             fault("a page has two to eight exercises");
+        }
+        for exercise in list {
+            let program = exercise.program.as_deref().and_then(|program| wrong_program(program, book));
+            program.iter().for_each(|what| fault(what));
+            if ["of the page", "on this page", "of the table"]
+                .iter()
+                .any(|words| exercise.ask.contains(words))
+            {
+                fault("an exercise must be understood on a sheet, without its page");
+            }
         }
         if !list.iter().any(|exercise| exercise.kind == Kind::Why) {
             fault("no exercise asks why");
@@ -159,5 +217,10 @@ mod tests {
         assert_eq!(what(&GOOD.replace("'why'", "'try'")), 1);
         assert_eq!(what(&GOOD.replace("[[one]]", "[[two]]")), 1);
         assert_eq!(what(&GOOD.repeat(5)), 1);
+        assert_eq!(what(&GOOD.replace("'A?'", "'Which number of the page?'")), 1);
+        assert_eq!(what(&GOOD.replace("hint = 'h'", "program = 'before::none'")), 1);
+        let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        assert_eq!(wrong_program("before::springs", &book), None);
+        assert_eq!(wrong_program("before::rates", &book), Some("no such program"));
     }
 }

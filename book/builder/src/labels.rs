@@ -34,8 +34,21 @@ pub struct Label {
     pub room: String,
     /// In place of a verdict where no example prints one.
     pub note: String,
+    /// What of the statement has a proof; with `seen` and `open` it makes a row of one table, see [`Label::is_judged`].
+    pub proved: String,
+    /// What is computed and has no proof.
+    pub seen: String,
+    /// What is neither proved nor computed.
+    pub open: String,
     /// The line of the list.
     line: usize,
+}
+
+impl Label {
+    /// True if the list says what is proved, seen or open.
+    pub fn is_judged(&self) -> bool {
+        ![&self.proved, &self.seen, &self.open].into_iter().all(String::is_empty)
+    }
 }
 
 /// Reads the list; an absent one is empty.
@@ -79,6 +92,9 @@ fn one(value: &toml::Value, line: usize) -> std::result::Result<Label, String> {
             "page" => label.page = words()?,
             "room" => label.room = words()?,
             "note" => label.note = words()?,
+            "proved" => label.proved = words()?,
+            "seen" => label.seen = words()?,
+            "open" => label.open = words()?,
             _ => return Err(format!("unknown key {key}")),
         }
     }
@@ -118,6 +134,12 @@ pub fn faults(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
         }
         if !label.room.is_empty() && !repository.join(&label.room).is_file() {
             fault("unknown file", &label.room);
+        }
+        if label.is_judged() && label.page.is_empty() {
+            fault("proved, seen or open without a page", &label.label);
+        }
+        if !label.seen.is_empty() && label.example.is_empty() && label.test.is_empty() {
+            fault("seen without example and test", &label.label);
         }
         let is_empty = label.example.is_empty() || label.page.is_empty();
         if is_empty && label.note.is_empty() {
@@ -164,6 +186,15 @@ mod tests {
         }
         let directory = repository();
         assert!(faults(&list(directory.path()).unwrap(), directory.path()).unwrap().is_empty());
+        for more in ["proved = \"yes\"", "seen = \"so\""] {
+            let entry =
+                format!("[[label]]\nlabel = \"a\"\ngroup = \"g\"\nwords = \"w\"\nnote = \"n\"\n{more}\n");
+            write(&directory.path().join(LIST), ENTRY.to_owned() + &entry).unwrap();
+            assert!(
+                !faults(&list(directory.path()).unwrap(), directory.path()).unwrap().is_empty(),
+                "{more}"
+            );
+        }
         for text in
             ["[[label]]\nlabel = 3\n", "[[label]]\nwhat = \"x\"\n", "[[label", "[[label]]\nlabel = \"a\"\n"]
         {

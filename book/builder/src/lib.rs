@@ -6,6 +6,7 @@
 
 pub mod chapter;
 pub mod code;
+pub mod course;
 pub mod coverage;
 pub mod data;
 pub mod decimal;
@@ -32,6 +33,7 @@ pub mod scan;
 pub mod sentence;
 pub mod serve;
 pub mod slider;
+pub mod slides;
 pub mod stale;
 pub mod tables;
 pub mod typography;
@@ -106,6 +108,7 @@ fn pages(layout: &Layout, data: &Data) -> Result<(PathBuf, Vec<(String, String)>
     }
     none_of(verify::faults(&output, &pages)?)?;
     let plain = plain::edition(layout, &pages, &sources, &marked.labels)?;
+    none_of(plain::refused(&plain))?;
     Ok((output, plain))
 }
 

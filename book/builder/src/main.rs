@@ -1,6 +1,7 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the pages
 //! from the committed data. `cargo book labels`: writes the tables made from `labels.toml` and the list of chapters in
 //! `src/book.rs`, and nothing else. `cargo book large NAME`: makes a run of `large.toml` and keeps what it computed.
+//! `cargo book course`: writes slides and sheets of the course next to the pages.
 //! `cargo book serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
 
@@ -8,14 +9,14 @@ use book_builder::data::Data;
 use book_builder::error::{Error, Result};
 use book_builder::serve::{Laboratory, Limits, Server};
 use book_builder::{
-    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, stale, tables,
+    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, slides, stale, tables,
 };
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str = "usage: cargo book [build | check | labels | large NAME | serve [--port P]]";
+const USAGE: &str = "usage: cargo book [build | check | course | labels | large NAME | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -34,6 +35,15 @@ fn main() -> ExitCode {
                 return ExitCode::from(2);
             }
         },
+        ["course"] => {
+            return match committed(&layout).and_then(|data| slides::write_all(&layout, data)) {
+                Ok(files) => {
+                    files.iter().for_each(|file| println!("file://{}", file.display()));
+                    ExitCode::SUCCESS
+                }
+                Err(error) => said(Err(error)),
+            };
+        }
         ["labels"] => labels::list(&layout.repository)
             .and_then(|list| tables::renew(&list, &layout.repository))
             .map(|()| layout.repository.clone()),

@@ -17,6 +17,34 @@ use std::path::Path;
 /// Below the directory of the book.
 const DIRECTORY: &str = "pages";
 
+/// Macros that GitHub refuses ("The following macros are not allowed"): they could hide text or redefine others.
+const REFUSED: [&str; 24] = [
+    "operatorname",
+    "DeclareMathOperator",
+    "phantom",
+    "hphantom",
+    "vphantom",
+    "mbox",
+    "newcommand",
+    "renewcommand",
+    "providecommand",
+    "newenvironment",
+    "renewenvironment",
+    "def",
+    "gdef",
+    "edef",
+    "xdef",
+    "let",
+    "require",
+    "href",
+    "class",
+    "style",
+    "cssId",
+    "unicode",
+    "data",
+    "mmlToken",
+];
+
 /// Everything of the edition: file names with their text, the index first.
 ///
 /// # Errors
@@ -78,6 +106,22 @@ pub fn stale(layout: &Layout, files: &[(String, String)]) -> Result<Vec<Fault>> 
     let unknown = unknown.iter().filter(|name| !files.iter().any(|(known, _)| known == *name));
     faults.extend(unknown.map(|name| Fault::new(&place(name), 1, "no page of the book", name)));
     Ok(faults)
+}
+
+/// Formulas of the edition with a macro that a repository's own page refuses to render.
+pub fn refused(files: &[(String, String)]) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (name, text) in files {
+        for (k, line) in text.lines().enumerate() {
+            let words = line.split('\\').skip(1);
+            let words = words.map(|rest| rest.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or(""));
+            faults.extend(words.filter(|word| line.contains('$') && REFUSED.contains(word)).map(|word| {
+                let place = Path::new("book").join(DIRECTORY).join(name);
+                Fault::new(&place, k + 1, "a macro that a repository's page does not render", word)
+            }));
+        }
+    }
+    faults
 }
 
 /// One page.
@@ -269,7 +313,7 @@ fn table(html: &str) -> String {
 /// punctuation, bars, angles and stars.
 fn portable(latex: &str, labels: &Labels) -> String {
     let latex = latex.split_whitespace().collect::<Vec<_>>().join(" ");
-    let expanded = numbered(&expand(&latex), labels);
+    let expanded = allowed(&numbered(&expand(&latex), labels));
     let mut text = String::new();
     let mut rest = expanded.trim();
     while let Some(first) = rest.chars().next() {
@@ -342,6 +386,19 @@ fn argument(text: &str, at: usize) -> Option<(String, usize)> {
     None
 }
 
+/// Names of operators by other means, and nothing for space.
+fn allowed(latex: &str) -> String {
+    let mut text = latex.to_owned();
+    for (name, open) in [(r"\operatorname", r"\mathop{\mathrm{"), (r"\phantom", "")] {
+        while let Some(found) = text.find(name) {
+            let Some((inner, end)) = argument(&text, found + name.len()) else { break };
+            let inner = if open.is_empty() { String::new() } else { format!("{open}{inner}}}}}") };
+            text.replace_range(found..end, &inner);
+        }
+    }
+    text
+}
+
 /// References as numbers; an equation by its number in place of its label.
 fn numbered(latex: &str, labels: &Labels) -> String {
     let mut text = latex.replace(r"\begin{equation}", "").replace(r"\end{equation}", "");
@@ -366,6 +423,10 @@ mod tests {
         assert_eq!(of(r"\int \norm{v} \dd x"), r"\int \left\Vert v\right\Vert \thinspace\mathrm{d} x");
         assert_eq!(of(r"\abs{\abs{a} b}\Rho"), r"\left\vert\left\vert a\right\vert b\right\vert\Rho");
         assert_eq!(of(r"\abs E + \abs \theta"), r"\left\vert E\right\vert + \left\vert\theta\right\vert");
+        assert_eq!(of(r"\operatorname{div} u &\phantom{{}\le{}} a"), r"\mathop{\mathrm{div}} u & a");
+        let page =
+            |formula: &str| refused(&[("a.md".to_owned(), format!("text $\\{formula}{{a}}$\n"))]).len();
+        assert_eq!(["phantom", "mathrm", "mbox"].map(page), [1, 0, 1]);
         assert_eq!(of(r"\{a\} * b \\ c"), r"\lbrace a\rbrace \ast b \cr c");
         assert_eq!(of("\\begin{equation}\n a \\label{bound}\n\\end{equation}"), r"a \tag{5.2}");
         assert_eq!(of(r"b \le \eqref{bound}"), r"b \le \text{(5.2)}");

@@ -8,6 +8,10 @@ use std::path::Path;
 
 /// The chapters of the book in their order.
 const SUMMARY: &str = "book/src/SUMMARY.md";
+/// The page of what is proved, what is seen, what is open.
+const CERTAINTY: &str = "book/src/what_is_proved.md";
+/// Most rows that fit on one screen.
+const ONE_SCREEN: usize = 24;
 /// The page with the lemma cards.
 const CARDS: &str = "book/src/every_label.md";
 /// Every chapter as a documentation test.
@@ -29,6 +33,10 @@ fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     for (group, members) in groups(labels) {
         let marks = (format!("<!-- labels: {group} -->"), "<!-- end of labels -->");
         found.push(Region { file: CARDS, marks, lines: cards_table(&members), source: LIST });
+    }
+    if labels.iter().any(Label::is_judged) {
+        let marks = ("<!-- labels -->".to_owned(), "<!-- end of labels -->");
+        found.push(Region { file: CERTAINTY, marks, lines: certainty_table(labels), source: LIST });
     }
     let mut list = |file, begin: &str, end, lines, source| {
         found.push(Region { file, marks: (begin.to_owned(), end), lines, source });
@@ -73,6 +81,16 @@ fn cards_table(labels: &[&Label]) -> String {
     text
 }
 
+/// One row for each label that says what is proved, seen or open.
+fn certainty_table(labels: &[Label]) -> String {
+    let mut text = "| statement | proved | seen | open |\n| --- | --- | --- | --- |\n".to_owned();
+    for label in labels.iter().filter(|label| label.is_judged()) {
+        let Label { label: name, page, proved, seen, open, .. } = label;
+        let _ = writeln!(text, "| [{name}]({page}.md) | {proved} | {seen} | {open} |");
+    }
+    text
+}
+
 /// The README, then the chapters in the order of the summary.
 fn chapters(repository: &Path) -> Result<String> {
     let summary = read(&repository.join(SUMMARY))?;
@@ -98,6 +116,11 @@ fn bounds(text: &str, (begin, end): &(String, &str)) -> Option<(usize, usize)> {
 /// [`Error::File`]; [`Error::Data`] for a file without the lines that mark a region.
 pub fn stale(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
     let mut found = Vec::new();
+    let rows = labels.iter().filter(|label| label.is_judged()).count();
+    if rows > ONE_SCREEN {
+        let what = format!("{rows} rows, at most {ONE_SCREEN} fit on one screen");
+        found.push(Fault::new(Path::new(CERTAINTY), 1, "too long", &what));
+    }
     each(labels, repository, |region, text, (start, end)| {
         if text[start..end] != *region.lines {
             let line = crate::scan::line_at(text, start);
@@ -147,7 +170,8 @@ mod tests {
     const LABELS: &str = "[[label]]\nlabel = \"Lemma 1\"\ngroup = \"tools\"\nwords = \"so\"\nexample = \"ex\"\n\
         test = \"lemma::it_holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\n\
         [[label]]\nlabel = \"Remark\"\ngroup = \"rest\"\nwords = \"more\"\nnote = \"none\"\n\
-        [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\n";
+        [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\npage = \"two\"\n\
+        proved = \"yes\"\nopen = \"the constant\"\n";
 
     fn repository() -> tempfile::TempDir {
         let directory = tempfile::tempdir().unwrap();
@@ -155,6 +179,7 @@ mod tests {
         put(LIST, LABELS);
         put("examples/ex.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
+        put(CERTAINTY, "<!-- labels -->\n<!-- end of labels -->\n");
         put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
         put(CARDS, &format!("{cards}<!-- end of labels -->\n"));
@@ -169,11 +194,13 @@ mod tests {
             let faults = stale(&labels, directory.path()).unwrap();
             faults.into_iter().map(|fault| fault.file.display().to_string()).collect::<Vec<_>>()
         };
-        assert_eq!(stale_files(), [CARDS, CARDS, CHAPTERS]);
+        assert_eq!(stale_files(), [CARDS, CARDS, CERTAINTY, CHAPTERS]);
         renew(&labels, directory.path()).unwrap();
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
         assert!(text(CARDS).contains("{{verdict: ex}} |\n| Lemma 2 |"), "{}", text(CARDS));
+        let row = "| --- |\n| [Lemma 2](two.md) | yes |  | the constant |\n<!-- end";
+        assert!(text(CERTAINTY).contains(row), "{}", text(CERTAINTY));
         let lines = "    // chapters\n    readme: \"../../README.md\",\n    how: \"how.md\",\n    lemma: \"lemma.md\",\n    // end";
         assert!(text(CHAPTERS).contains(lines), "{}", text(CHAPTERS));
         // Another order: the list is old again.

@@ -85,15 +85,24 @@ fn closing(text: &str) -> Option<usize> {
     None
 }
 
-/// Letters and digits, with a sign in front, a star behind, and a point or slash between two of them.
+/// Letters and digits, with a sign in front, a star behind, a point between two of them and a slash between two digits.
 fn word_end(text: &str) -> usize {
     let sign = usize::from(text.starts_with('-'));
     let is_inner = |c: char| c.is_alphanumeric() && !"¹²³".contains(c);
-    let follows = |at: usize| text[at..].chars().nth(1).is_some_and(char::is_alphanumeric);
+    let next = |at: usize| text[at..].chars().nth(1);
+    // `H^1/2` is one exponent, `u^h/at` is not.
+    let is_fraction = |at: usize| {
+        text[..at].ends_with(|c: char| c.is_ascii_digit()) && next(at).is_some_and(|c| c.is_ascii_digit())
+    };
+    let joins = |at: usize, c: char| match c {
+        '.' => next(at).is_some_and(char::is_alphanumeric),
+        '/' => is_fraction(at),
+        _ => false,
+    };
     let end = text
         .char_indices()
         .skip(sign)
-        .find(|&(at, c)| !(is_inner(c) || matches!(c, '.' | '/') && follows(at)))
+        .find(|&(at, c)| !(is_inner(c) || joins(at, c)))
         .map_or(text.len(), |(at, _)| at);
     // A number with a power of ten.
     let ten =

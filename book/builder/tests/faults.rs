@@ -364,6 +364,7 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
 #[test]
 fn formulas_in_unmarked_places_fail() {
     expect(&[("first", "# First", "# First $x$", "first:1", "formula in a heading")]);
+    expect(&[("first", "# First", "# Other", "first:1", "not the title that SUMMARY.md gives the page")]);
     let twice = "$\\begin{equation} x \\label{bound} \\end{equation}$ by $\\eqref{bound}$";
     expect(&[("second", "$\\eqref{bound}$", twice, "second:5", "label given twice")]);
 }

@@ -1,4 +1,6 @@
-//! Programs of the session before the course. `cargo course skeleton before` writes this file with holes.
+//! Programs of the pages "Why half a derivative" and "A contact problem by hand". `cargo course skeleton before` writes this file with holes.
+
+use course::{check, near};
 
 /// The squared seminorm of order `nu` of `v` on (0, 1) by the midpoint rule on `n` by `n` cells, without the
 /// cells on the diagonal.
@@ -50,19 +52,32 @@ fn seminorm_squared_of_the_line() {
     // ∫∫ |x − y|^(1 − 2ν) = 2/((2 − 2ν)(3 − 2ν))
     for nu in [0.1, 0.25, 0.4] {
         let exact = 2.0 / ((2.0 - 2.0 * nu) * (3.0 - 2.0 * nu));
-        assert!((seminorm_squared(|x| x, nu, 300) / exact - 1.0).abs() < 0.02, "{nu}");
+        near(
+            "seminorm_squared",
+            &format!("v = x, ν = {nu}, 300 cells"),
+            seminorm_squared(|x| x, nu, 300),
+            exact,
+            0.02 * exact,
+        );
     }
     // a step: (4^ν − 1)/(ν (1 − 2ν))
     let step = |x: f64| if x < 0.5 { 0.0 } else { 1.0 };
     let exact = (2_f64.sqrt() - 1.0) * 8.0;
     let (coarse, fine) = (seminorm_squared(step, 0.25, 100), seminorm_squared(step, 0.25, 400));
-    assert!((fine - exact).abs() < 0.6 * (coarse - exact).abs());
+    let case = "step at 1/2, ν = 1/4, 400 cells";
+    check(
+        "seminorm_squared",
+        case,
+        fine,
+        &format!("nearer to {exact} than {coarse}, that of 100 cells, by 0.6"),
+        (fine - exact).abs() < 0.6 * (coarse - exact).abs(),
+    );
 }
 
 #[test]
 fn rate_of_powers() {
     let errors: Vec<(f64, f64)> = (2..9).map(|k| 0.5_f64.powi(k)).map(|h| (h, 3.0 * h.powf(0.7))).collect();
-    assert!((rate(&errors) - 0.7).abs() < 1e-12);
+    near("rate", "errors 3 h^0.7", rate(&errors), 0.7, 1e-12);
 }
 
 #[test]
@@ -70,8 +85,11 @@ fn springs_meet_the_contact_condition() {
     for k in 0..20 {
         let f2 = 0.1 * f64::from(k);
         let [v1, v2, sigma] = springs(f2);
-        assert!(v2 <= 0.0 && sigma <= 0.0 && v2 * sigma == 0.0, "{f2}");
-        assert!((2.0 * v1 - v2 + 1.0).abs() < 1e-12 && (v2 - v1 - f2 - sigma).abs() < 1e-12, "{f2}");
+        let (case, found) = (format!("f₂ = {f2:.1}; found are v₁, v₂, σ"), [v1, v2, sigma]);
+        let meets = v2 <= 0.0 && sigma <= 0.0 && v2 * sigma == 0.0;
+        check("springs", &case, found, "v₂ ≤ 0, σ ≤ 0, v₂ σ = 0", meets);
+        let balances = (2.0 * v1 - v2 + 1.0).abs() < 1e-12 && (v2 - v1 - f2 - sigma).abs() < 1e-12;
+        check("springs", &case, found, "2 v₁ − v₂ = −1, v₂ − v₁ = f₂ + σ", balances);
     }
 }
 
@@ -80,6 +98,6 @@ fn term_of_a_kink() {
     for (place, exact) in [(0.5, 1.0 / 16.0), (2.0 / 3.0, 2.0 / 27.0)] {
         let u = |x: f64| -(x - place).max(0.0);
         let sigma = |x: f64| if x < place { -1.0 } else { 0.0 };
-        assert!((term(u, sigma, 3000) - exact).abs() < 1e-6, "{place}");
+        near("term", &format!("contact on (0, {place}), 3000 cells"), term(u, sigma, 3000), exact, 1e-6);
     }
 }

@@ -1,5 +1,6 @@
 //! Programs of the first session. `cargo course skeleton contact` writes this file with holes.
 
+use course::{check, near};
 use signorini::Result;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -66,32 +67,52 @@ fn string(n: usize) -> Vec<Vec<f64>> {
 fn gauss_seidel_finds_the_minimum() {
     let load: Vec<f64> = (0..9).map(|i| if i < 4 { -0.1 } else { 0.2 }).collect();
     let v = gauss_seidel(&string(9), &load, 2000);
-    assert!(v[0] < 0.0 && v[8] == 0.0);
-    assert!(residual(&string(9), &load, &v) < 1e-12);
+    check(
+        "gauss_seidel",
+        "a string of 9 nodes, 2000 sweeps",
+        &v,
+        "v₁ < 0 and v₉ = 0",
+        v[0] < 0.0 && v[8] == 0.0,
+    );
+    near(
+        "gauss_seidel or residual",
+        "residual of the same string",
+        residual(&string(9), &load, &v),
+        0.0,
+        1e-12,
+    );
 }
 
 #[test]
 fn residual_sees_each_violation() {
     let a = string(2);
-    assert_eq!(residual(&a, &[0.0, 0.0], &[0.5, 0.0]), 1.0);
-    assert_eq!(residual(&a, &[-1.0, 0.0], &[0.0, 0.0]), 1.0);
-    assert_eq!(residual(&a, &[0.0, 1.0], &[0.0, 0.0]), 0.0);
+    near("residual", "f = (0, 0), v = (1/2, 0): v > 0", residual(&a, &[0.0, 0.0], &[0.5, 0.0]), 1.0, 0.0);
+    near("residual", "f = (−1, 0), v = 0: the stop pulls", residual(&a, &[-1.0, 0.0], &[0.0, 0.0]), 1.0, 0.0);
+    near("residual", "f = (0, 1), v = 0: the solution", residual(&a, &[0.0, 1.0], &[0.0, 0.0]), 0.0, 0.0);
 }
 
 #[test]
 fn cones_of_a_sawtooth() {
-    assert_eq!(cones(&[-1.0, 0.0, -2.0]), [true, true]);
-    assert_eq!(cones(&[1.0, -1.0, 1.0]), [false, true]);
-    assert_eq!(cones(&[1.0, 0.0, -1.0]), [false, false]);
+    let cases = [
+        ([-1.0, 0.0, -2.0], [true, true]),
+        ([1.0, -1.0, 1.0], [false, true]),
+        ([1.0, 0.0, -1.0], [false, false]),
+    ];
+    for (values, expected) in cases {
+        let found = cones(&values);
+        check("cones", &format!("{values:?}"), found, &format!("{expected:?}"), found == expected);
+    }
 }
 
 #[test]
 fn gain_is_positive_and_falls() {
     let gains: Vec<f64> = [8, 16, 32].map(|n| gain(n).unwrap()).to_vec();
-    assert!(gains[2] > 0.0 && gains[0] > gains[1] && gains[1] > gains[2], "{gains:?}");
+    let falls = gains[2] > 0.0 && gains[0] > gains[1] && gains[1] > gains[2];
+    check("gain", "8, 16, 32 segments", &gains, "positive and falling", falls);
 }
 
 #[test]
 fn touching_nodes_of_the_block() {
-    assert_eq!(touching(32).unwrap(), 11);
+    let found = touching(32).unwrap();
+    check("touching", "32 segments", found, "11", found == 11);
 }

@@ -1,5 +1,6 @@
 //! Programs of the second session. `cargo course skeleton estimate` writes this file with holes.
 
+use course::{check, near};
 use fractional_sobolev::{Function, Result};
 
 /// Both sides of J(v) − J(u) = ½ |v − u|² + σ (v₂ − u₂) for the two springs with the load (−1, 1), whose solution
@@ -62,7 +63,8 @@ fn cantor_gaps(generations: u32) -> Vec<(f64, f64)> {
 fn excess_has_two_equal_sides() {
     for v in [[0.3, -0.2], [-1.0, -0.5], [0.7, 0.0], [-0.5, 0.0]] {
         let [left, right] = excess(v);
-        assert!((left - right).abs() < 1e-14 && left >= 0.0, "{v:?}");
+        let is_right = (left - right).abs() < 1e-14 && left >= 0.0;
+        check("excess", &format!("v = {v:?}"), [left, right], "two equal numbers ≥ 0", is_right);
     }
 }
 
@@ -70,29 +72,44 @@ fn excess_has_two_equal_sides() {
 fn wave_is_not_small_in_the_dual_norm() {
     for n in [2, 4, 8] {
         let found = wave(n).unwrap();
-        assert!((1.0..1.5).contains(&found), "{found}");
+        check("wave", &format!("n = {n}"), found, "between 1 and 1.5", (1.0..1.5).contains(&found));
     }
 }
 
 #[test]
 fn first_case_needs_both_vertices() {
     let values = [0.0, -1.0, -1.0, -1.0, 0.0, 0.0, -1.0, -2.0, -3.0, -4.0, -5.0];
-    assert!(!first_case(&values, 0.4) && first_case(&values, 0.5));
-    assert!(first_case(&[0.0, 0.0, 0.0], 0.1) && !first_case(&[-1.0, -1.0, -1.0], 1.0));
+    let cases: [(&[f64], f64, bool); 4] = [
+        (&values, 0.4, false),
+        (&values, 0.5, true),
+        (&[0.0, 0.0, 0.0], 0.1, true),
+        (&[-1.0, -1.0, -1.0], 1.0, false),
+    ];
+    for (values, theta, expected) in cases {
+        let found = first_case(values, theta);
+        check(
+            "first_case",
+            &format!("{values:?}, θ = {theta}"),
+            found,
+            &expected.to_string(),
+            found == expected,
+        );
+    }
 }
 
 #[test]
 fn diameter_counts_what_lies_between() {
-    assert_eq!(diameter(&[-1.0, 0.0, -1.0, 0.0, -1.0]), 0.5);
-    assert_eq!(diameter(&[-1.0, 0.0, -1.0]), 0.0);
-    assert_eq!(diameter(&[0.0, 0.0, 0.0]), 1.0);
+    near("diameter", "zeros at 1/4 and 3/4", diameter(&[-1.0, 0.0, -1.0, 0.0, -1.0]), 0.5, 0.0);
+    near("diameter", "a zero at 1/2", diameter(&[-1.0, 0.0, -1.0]), 0.0, 0.0);
+    near("diameter", "zeros at 0, 1/2, 1", diameter(&[0.0, 0.0, 0.0]), 1.0, 0.0);
 }
 
 #[test]
 fn cantor_gaps_fill_one_half() {
     let gaps = cantor_gaps(12);
     let length: f64 = gaps.iter().map(|(a, b)| b - a).sum();
-    assert_eq!(gaps.len(), (1 << 12) - 1);
-    assert!((length - 0.5 * (1.0 - 0.5_f64.powi(12))).abs() < 1e-9, "{length}");
-    assert!(gaps.iter().all(|&(a, b)| 0.0 < a && a < b && b < 1.0));
+    check("cantor_gaps", "number of gaps, 12 generations", gaps.len(), "4095", gaps.len() == (1 << 12) - 1);
+    near("cantor_gaps", "their length together", length, 0.5 * (1.0 - 0.5_f64.powi(12)), 1e-9);
+    let outside = gaps.iter().find(|&&(a, b)| !(0.0 < a && a < b && b < 1.0));
+    check("cantor_gaps", "a gap (a, b) without 0 < a < b < 1", outside, "none", outside.is_none());
 }

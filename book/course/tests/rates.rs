@@ -1,5 +1,6 @@
 //! Programs of the fourth session. `cargo course skeleton rates` writes this file with holes.
 
+use course::{check, near};
 use signorini::cone::Cone;
 use signorini::problems::TransitionPowers;
 use signorini::strip::{Reference, StripKind, StripProblem};
@@ -89,21 +90,30 @@ fn explicit_constant() -> f64 {
 
 #[test]
 fn exponents_meet_at_the_ends() {
-    assert_eq!(exponents(1.5), [0.5, 0.5, 0.5]);
-    assert_eq!(exponents(2.0), [0.75, 1.0, 1.0]);
+    for (tau, expected) in [(1.5, [0.5, 0.5, 0.5]), (2.0, [0.75, 1.0, 1.0])] {
+        let found = exponents(tau);
+        check("exponents", &format!("τ = {tau}"), found, &format!("{expected:?}"), found == expected);
+    }
 }
 
 #[test]
 fn largest_loss_in_the_middle() {
     let tau = largest_loss();
-    assert!((tau - 1.75).abs() < 1e-9);
-    assert!((exponents(tau)[2] - exponents(tau)[1] - 1.0 / 16.0).abs() < 1e-12);
+    near("largest_loss", "τ", tau, 1.75, 1e-9);
+    near(
+        "exponents",
+        "optimal less printed at that τ",
+        exponents(tau)[2] - exponents(tau)[1],
+        1.0 / 16.0,
+        1e-12,
+    );
 }
 
 #[test]
 fn balance_is_the_choice_of_the_paper() {
     for (tau, h) in [(1.6, 0.1), (1.75, 0.01), (1.9, 0.001)] {
-        assert!((balance(tau, h) / f64::powf(h, 2.0 * tau - 3.0) - 1.0).abs() < 1e-9);
+        let expected = f64::powf(h, 2.0 * tau - 3.0);
+        near("balance", &format!("τ = {tau}, h = {h}"), balance(tau, h), expected, 1e-9 * expected);
     }
 }
 
@@ -112,26 +122,32 @@ fn errors_fall_with_the_optimal_order() {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let found = errors(1.75, cone).unwrap();
         let order = (found[0] / found[3]).log2() / 3.0;
-        assert!((order - 0.75).abs() < 0.1, "{order}");
+        near("errors", &format!("order for the {cone} cone, errors {found:?}"), order, 0.75, 0.1);
     }
 }
 
 #[test]
 fn worst_kink_is_at_two_thirds() {
-    assert!((worst_kink() - 2.0 / 3.0).abs() < 1e-6);
+    near("worst_kink", "largest a² (1 − a)/2", worst_kink(), 2.0 / 3.0, 1e-6);
 }
 
 #[test]
 fn segment_constant_is_accurate_near_zero() {
-    assert!((segment_constant(0.5) - 0.25).abs() < 1e-15);
+    near("segment_constant", "ν = 1/2", segment_constant(0.5), 0.25, 1e-15);
     let limit = segment_constant(0.0);
-    assert!((segment_constant(1e-12) / limit - 1.0).abs() < 1e-11);
-    assert!((segment_constant(1e-300) / limit - 1.0).abs() < 1e-15);
+    near("segment_constant", "ν = 1e-12 over ν = 0", segment_constant(1e-12) / limit, 1.0, 1e-11);
+    near("segment_constant", "ν = 1e-300 over ν = 0", segment_constant(1e-300) / limit, 1.0, 1e-15);
 }
 
 #[test]
 fn explicit_constant_has_the_interpolation_constant_of_kikuchi_and_liu() {
     let known =
         (0.4929124517549f64.powi(2) + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh()).sqrt();
-    assert!((explicit_constant() / known - 1.0).abs() < 1e-9);
+    near(
+        "explicit_constant",
+        "the scalar problem, right isosceles triangles",
+        explicit_constant(),
+        known,
+        1e-9 * known,
+    );
 }

@@ -1,5 +1,6 @@
 //! Programs of the third session. `cargo course skeleton zone` writes this file with holes.
 
+use course::{check, near};
 use fractional_sobolev::{Constraint, Function, Result, gamma};
 
 /// The exponent of θ in γ_θ between the zones of length 1e-6 and 1e-8.
@@ -81,8 +82,8 @@ fn sorting(values: &[f64], nu: f64) -> [f64; 2] {
 
 #[test]
 fn exponent_on_both_sides_of_one_half() {
-    assert!((exponent(0.25).unwrap() + 0.25).abs() < 0.01);
-    assert!(exponent(0.75).unwrap().abs() < 0.01);
+    near("exponent", "ν = 1/4", exponent(0.25).unwrap(), -0.25, 0.01);
+    near("exponent", "ν = 3/4", exponent(0.75).unwrap(), 0.0, 0.01);
 }
 
 #[test]
@@ -90,7 +91,8 @@ fn ramp_is_a_lower_bound_that_grows() {
     for theta in [1e-2, 1e-4] {
         let best = gamma(0.5, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap().constant.value;
         let found = ramp(theta).unwrap();
-        assert!(0.8 * best < found && found < best, "{found} {best}");
+        let expected = format!("between 0.8 and 1 times {best}");
+        check("ramp", &format!("θ = {theta}"), found, &expected, 0.8 * best < found && found < best);
     }
 }
 
@@ -100,15 +102,23 @@ fn doubling_is_an_upper_bound() {
         let at = |theta: f64| gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap().constant.value;
         for n in 1..4 {
             let bound = doubling(at(0.25), 0.25, nu, n);
-            assert!(at(0.25_f64.powi(1 << n)) <= bound, "{nu} {n}");
+            let gamma = at(0.25_f64.powi(1 << n));
+            check(
+                "doubling",
+                &format!("ν = {nu}, n = {n}"),
+                bound,
+                &format!("at least {gamma}"),
+                gamma <= bound,
+            );
         }
     }
-    assert_eq!(doubling(1.0, 0.25, 0.5, 3), 8.0);
+    near("doubling", "ν = 1/2, three steps from 1", doubling(1.0, 0.25, 0.5, 3), 8.0, 0.0);
 }
 
 #[test]
 fn best_place_is_the_centre() {
-    assert_eq!(best_place().unwrap(), 4);
+    let found = best_place().unwrap();
+    check("best_place", "number of the best of nine places, from 0", found, "4", found == 4);
 }
 
 #[test]
@@ -116,7 +126,7 @@ fn interpolation_error_has_its_order() {
     for (power, order) in [(2.0, 2.0), (0.75, 1.25)] {
         let at = |n| interpolation_error(|x: f64| x.powf(power), n, 200);
         let found: f64 = (at(64) / at(128)).log2();
-        assert!((found - order).abs() < 0.02, "{found}");
+        near("interpolation_error", &format!("order for x^{power}"), found, order, 0.02);
     }
 }
 
@@ -124,7 +134,7 @@ fn interpolation_error_has_its_order() {
 fn deviation_nears_its_closed_form() {
     for t in [0.0, 0.25, 0.5, 1.0] {
         let exact = ((f64::powi(t, 3) + f64::powi(1.0 - t, 3)) / 3.0).sqrt();
-        assert!((deviation(t, 400) / exact - 1.0).abs() < 1e-5);
+        near("deviation", &format!("t = {t}, 400 cells"), deviation(t, 400), exact, 1e-5 * exact);
     }
 }
 
@@ -133,6 +143,12 @@ fn sorting_lowers_the_seminorm() {
     for factor in 1..20 {
         let values: Vec<f64> = (0..40).map(|k| f64::from(k * k * factor % 41)).collect();
         let [before, after] = sorting(&values, 0.3);
-        assert!(after <= before * (1.0 + 1e-12));
+        check(
+            "sorting",
+            &format!("factor {factor}"),
+            [before, after],
+            "not larger after sorting",
+            after <= before * (1.0 + 1e-12),
+        );
     }
 }

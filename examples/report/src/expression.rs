@@ -1,8 +1,8 @@
 //! Functions of x and y from the command line: `"-cos(pi*x) - 0.5"`.
 //!
 //! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in parentheses;
-//! angles in radians, `log` and `ln` natural. Ambiguous expressions are rejected: `2*-x`, `2^3^2`, `sin x`,
-//! `2x`, `x y`.
+//! angles in radians, `log` and `ln` natural. An exponent may have a sign: `10^-2`, `e^-x`. Ambiguous expressions are
+//! rejected: `2*-x`, `2^3^2`, `e^-x^2`, `sin x`, `2x`, `x y`.
 
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -139,13 +139,19 @@ impl Reader<'_> {
         Ok(whole)
     }
 
-    /// atom [^ atom]
+    /// atom [^ [+-] atom]
     fn power(&mut self) -> Checked<Expression> {
         let base = self.atom()?;
         if !self.takes('^') {
             return Ok(base);
         }
-        let power = Expression::two(f64::powf, base, self.atom()?);
+        // A sign behind ^ has one reading: 10^-2 = 10^(-2).
+        let power = if self.takes('-') {
+            Expression::two(|a, b| a.powf(-b), base, self.atom()?)
+        } else {
+            self.takes('+');
+            Expression::two(f64::powf, base, self.atom()?)
+        };
         match self.peek() {
             Some('^') => Err("two powers in a row need parentheses: a^(b^c) or (a^b)^c".to_owned()),
             _ => Ok(power),
@@ -234,7 +240,7 @@ mod tests {
     fn expressions_mean_what_they_mean_on_paper() {
         let (x, y) = (0.75_f64, -1.5_f64);
         let pi = std::f64::consts::PI;
-        let cases: [(&str, f64); 16] = [
+        let cases: [(&str, f64); 23] = [
             ("-x^2", -x * x),
             ("2 - x^2*3", 2.0 - x * x * 3.0),
             ("(-x)^2", x * x),
@@ -251,6 +257,13 @@ mod tests {
             ("x^2 + y^2", x * x + y * y),
             ("log(e)+ln(e^2)+log10(100)", 5.0),
             ("abs(y)*signum(y)", y),
+            ("2*10^-2", 0.02),
+            ("x^-1", 1.0 / x),
+            ("e^-x", (-x).exp()),
+            ("-x^-2", -1.0 / (x * x)),
+            ("x^+2 - 1", x * x - 1.0),
+            ("3*e^-(x^2)/2", 1.5 * (-x * x).exp()),
+            ("2^-x*y", 2f64.powf(-x) * y),
         ];
         for (text, value) in cases {
             let found = Expression::parse(text).unwrap().at([x, y]);
@@ -267,7 +280,9 @@ mod tests {
             ("x + z", "unknown name 'z': expected x, y, pi, e, abs"),
             ("sin x", "'sin' needs its argument in parentheses"),
             ("2*-x", "two signs in a row"),
-            ("2^-1", "two signs in a row"),
+            ("2^--1", "two signs in a row"),
+            ("2^-", "ends too early"),
+            ("e^-x^2", "two powers in a row"),
             ("x**2", "a power is x^2"),
             ("2^3^2", "two powers in a row"),
             ("max(x)", "number of arguments of max: 1, expected 2"),

@@ -146,6 +146,11 @@ impl Report {
         Ok(())
     }
 
+    /// Adds a picture that the example has drawn itself: the text of an SVG file.
+    pub fn picture(&mut self, name: &str, svg: impl Into<String>) {
+        self.found.bodies.push((name.to_owned(), svg.into()));
+    }
+
     /// Adds a plot of u_N and −σ_N of a contact solution along its contact edges, each divided by the
     /// maximum of its absolute value.
     pub fn contact_edge(

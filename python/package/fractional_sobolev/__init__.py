@@ -20,12 +20,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
+from . import _native, contact
 from ._types import Estimate, InfiniteNorm, SobolevError, ToleranceNotMet
 
 __all__ = [
     "Constant",
-    "Contact",
     "Estimate",
     "InfiniteNorm",
     "SobolevError",
@@ -479,129 +478,3 @@ def interpolation_constant(
     else:
         mesh = _floats(domain)
     return Constant(_native.interpolation(s, length, mesh, triangle, norm, tol))
-
-
-class Contact:
-    """A discrete solution of Signorini's problem.
-
-    Attributes
-    ----------
-    nodes, triangles : ndarray
-        The triangulation.
-    displacement : ndarray, shape (n, 2) or (n,)
-        Displacement at the nodes.
-    contact_nodes : ndarray of int
-        Nodes of the contact edge in order.
-    normal_displacement, pressure : ndarray
-        u_N ≤ 0 and −σ_N ≥ 0 at the contact nodes.
-    active : ndarray of bool
-        Whether a constraint (a node, or a segment in the midpoint cone) is in contact.
-    energy : float
-        J(u) = ½ a(u, u) − F(u).
-    contact_force : float
-        −∫ σ_N over the contact edge.
-    residual : float
-        Largest scaled residual of the Karush-Kuhn-Tucker conditions.
-    """
-
-    def __init__(self, nodes, triangles, solved, components) -> None:
-        self.nodes = nodes
-        self.triangles = triangles
-        self.displacement = solved.displacement.reshape(-1, 2) if components == 2 else solved.displacement
-        self.contact_nodes = np.asarray(solved.contact_nodes)
-        self.normal_displacement = solved.normal_displacement
-        self.pressure = solved.pressure
-        self.active = np.asarray(solved.active)
-        self.energy = solved.energy
-        self.contact_force = solved.contact_force
-        self.residual = solved.residual
-        self._solved = solved
-
-    def __repr__(self) -> str:
-        return (
-            f"<Contact: {len(self.nodes)} nodes, {int(self.active.sum())} of {len(self.active)} constraints active, "
-            f"force {self.contact_force:.6g}, residual {self.residual:.1e}>"
-        )
-
-    def to_vtk(self, path: str | Path) -> None:
-        """Writes displacement, stress and contact pressure as a `.vtu` file, which ParaView and meshio open."""
-        Path(path).write_text(self._solved.to_vtu(), encoding="utf-8")
-
-
-def _edges(given, nodes: NDArray, outer: NDArray) -> NDArray[np.uintp]:
-    """Boundary edges as pairs of nodes, from pairs or from a condition on their midpoints."""
-    if callable(given):
-        middle = nodes[outer].mean(axis=1)
-        kept = [bool(given(x, y)) for x, y in middle.tolist()]
-        return outer[np.asarray(kept, dtype=bool)]
-    return np.asarray(given, dtype=np.uintp).reshape(-1, 2)
-
-
-def _outer_edges(triangles: NDArray) -> NDArray[np.uintp]:
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    found, count = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
-    return found[count == 1]
-
-
-def contact(
-    nodes: ArrayLike,
-    triangles: ArrayLike,
-    contact: Callable[[float, float], bool] | ArrayLike,
-    dirichlet: Callable[[float, float], bool] | ArrayLike,
-    load: Callable[..., Any] | ArrayLike = (0.0, 0.0),
-    *,
-    lame: tuple[float, float] | None = (1.0, 1.0),
-    cone: str = "nodal",
-) -> Contact:
-    """Solves Signorini's problem without friction on a triangulation, with piecewise linear elements.
-
-    Parameters
-    ----------
-    nodes : array_like, shape (n, 2)
-        Points.
-    triangles : array_like of int, shape (m, 3)
-        Counter-clockwise corners.
-    contact, dirichlet : callable or array_like of int, shape (k, 2)
-        Edges of the contact part and of the part with displacement zero: pairs of nodes, or a condition on the midpoint
-        (x, y) of a boundary edge. All other boundary edges are free.
-    load : callable or array_like
-        Volume load: a function of x and y, or values at the nodes, or one constant vector (a number if `lame` is None).
-    lame : (lambda, mu) or None
-        Lamé constants, plane strain; None for the scalar problem −Δu = f.
-    cone : {"nodal", "midpoint"}
-        u_N ≤ 0 at the nodes, or in the mean over the segments of the contact edge.
-
-    Returns
-    -------
-    Contact
-        The discrete solution.
-
-    Raises
-    ------
-    SobolevError
-        Invalid data, or an iteration that did not converge.
-
-    Examples
-    --------
-    A square that hangs from its top, over a floor:
-
-    >>> x = np.linspace(0, 1, 9)
-    >>> nodes = [(a, b) for b in x for a in x]
-    >>> lower = [(k, k + 1, k + 10) for k in range(72) if k % 9 < 8]
-    >>> upper = [(k, k + 10, k + 9) for k in range(72) if k % 9 < 8]
-    >>> found = contact(nodes, lower + upper, lambda x, y: y == 0, lambda x, y: y == 1, lambda x, y: (0, 1 - 3 * x))
-    >>> int(found.active.sum()), len(found.contact_nodes)
-    (5, 9)
-    """
-    nodes, corners = _floats(nodes), np.asarray(triangles, dtype=np.uintp)
-    outer = _outer_edges(corners)
-    components = 1 if lame is None else 2
-    function, values = None, np.empty(0)
-    if callable(load):
-        function = load
-    else:
-        values = np.ascontiguousarray(np.broadcast_to(_floats(load), (len(nodes), components))
-            if np.size(load) == components else _floats(load)).ravel()
-    touch, held = _edges(contact, nodes, outer), _edges(dirichlet, nodes, outer)
-    solved = _native.contact(nodes, corners, touch, held, function, values, lame, cone)
-    return Contact(nodes, corners, solved, components)

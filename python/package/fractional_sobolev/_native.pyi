@@ -44,13 +44,15 @@ def poincare(
 def interpolation(
     s: float, length: float, mesh: Array | None, triangle: Array | None, norm: str, tol: float
 ) -> Any: ...
+def states_a_part(name: str) -> bool: ...
 def contact(
     nodes: Array,
     triangles: Indices,
-    contact: Indices,
-    dirichlet: Indices,
+    edges: list[list[int]],
+    names: list[str],
+    regions: list[str],
     load: Any,
     values: Array,
-    lame: tuple[float, float] | None,
+    lame: list[tuple[str, float, float]] | None,
     cone: str,
 ) -> Any: ...

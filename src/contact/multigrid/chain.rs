@@ -107,5 +107,6 @@ fn coarse_problem(
         load,
         values,
         gap,
+        floats: false,
     })
 }

@@ -87,7 +87,7 @@ impl ContactProblem {
     fn directly(&self, cone: Cone, why: Fallback) -> Result<ContactSolution> {
         let solution = condensed::solve_by_cascade(self, cone)?;
         let report = MultigridReport {
-            coarsest_steps: solution.history.len(),
+            coarsest_steps: solution.steps.len(),
             error: None,
             discretisation: None,
             levels: Vec::new(),

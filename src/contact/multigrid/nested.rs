@@ -144,7 +144,7 @@ impl<'a> Job<'a> {
         self.conclude(
             unknowns,
             outcome,
-            (first.history.len(), reports),
+            (first.steps.len(), reports),
             Seconds {
                 assembly: self.problems.iter().map(|problem| problem.assembly_seconds()).sum(),
                 factorization,
@@ -179,7 +179,7 @@ impl<'a> Job<'a> {
                 multiplier: outcome.multiplier,
                 contact_set: outcome.set,
                 status: outcome.status,
-                history: outcome.history,
+                steps: Vec::new(),
                 work,
                 accepted,
             },

@@ -1,30 +1,35 @@
-//! Reading Gmsh meshes: the ASCII formats 4.1 and 2.2 (Gmsh reference manual, sections "MSH file format" and
-//! "MSH file format version 2").
+//! Reading Gmsh meshes: the formats 2.0, 2.1, 2.2, 4.0 and 4.1 in text or in binary (Gmsh reference manual, sections
+//! "MSH file format" and "MSH file format version 2"; format 4.0 as Gmsh 4.0 wrote it).
 //!
-//! Two-node lines of curves in a physical group become boundary edges, three-node triangles the mesh,
-//! physical surfaces its regions in ascending order of their tags. The boundary condition on a curve is
-//! given by the name of its group, case-insensitively, up to the first blank, `_` or `-`:
+//! Lines of curves in a physical group become boundary edges, or interfaces if they lie inside the body; triangles the
+//! mesh, physical surfaces its regions in ascending order of their tags. Elements of higher order are read by their
+//! corners. The boundary condition on a curve is given by the name of its group, case-insensitively, up to the first
+//! blank, `_` or `-`:
 //!
 //! | name | part |
 //! | --- | --- |
-//! | `clamped`, `fixed`, `dirichlet` | [`Part::Dirichlet`](super::Part::Dirichlet) |
-//! | `contact` | [`Part::Contact`](super::Part::Contact) |
-//! | `free`, `neumann` | [`Part::Neumann`](super::Part::Neumann) |
+//! | `clamped`, `fixed`, `dirichlet` | [`Part::Dirichlet`] |
+//! | `contact` | [`Part::Contact`] |
+//! | `free`, `neumann` | [`Part::Neumann`] |
 //!
-//! Thus `contact left` and `contact_2` are contact, too. Each curve belongs to at most one group. Nodes in no
-//! triangle (points of the geometry) are omitted. All triangles lie in one plane z = const; a surface whose triangles
-//! are all clockwise is reoriented. The result passes the checks of [`Triangulation::new`]. Cost: O(N log N)
-//! for N lines; no memory is reserved on the basis of counts in the file.
+//! Thus `contact left` and `contact_2` are contact, too. Groups with other names are given with their parts, or lie
+//! inside the body. Each curve belongs to at most one group. Nodes in no triangle (points of the geometry) are omitted.
+//! All triangles lie in one plane z = const up to rounding; those that are clockwise are turned. What is not used is
+//! in [`Triangulation::remarks`]. The result passes the checks of [`Triangulation::new`]. Cost: O(N log N) for N
+//! elements; no memory is reserved on the basis of counts in the file.
 
-mod lines;
+mod kinds;
 mod raw;
 mod sections;
+mod source;
 
-use self::lines::Lines;
 use self::raw::Raw;
+use self::sections::Four;
+use self::source::Source;
 use crate::error::Result;
+use crate::mesh::geometry::Part;
 use crate::mesh::triangulation::Triangulation;
-use crate::text::{quoted, read_text};
+use crate::text::{quoted, read_bytes};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -39,11 +44,24 @@ use std::path::Path;
 /// # Errors
 /// [`File`](crate::Error::File) if the file cannot be read, and the errors of [`parse_msh`].
 pub fn read_msh(path: impl AsRef<Path>) -> Result<Triangulation> {
-    // Binary files also state their format in a line of text.
-    parse_msh(&read_text(path.as_ref())?)
+    read_msh_with(path, &[])
 }
 
-/// The triangulation in the text of a `.msh` file.
+/// The triangulation in a `.msh` file of Gmsh, with the boundary parts of groups whose names do not state them.
+///
+/// ```no_run
+/// use signorini::mesh::{Part, read_msh_with};
+/// let mesh = read_msh_with("bracket.msh", &[("floor", Part::Contact), ("wall", Part::Dirichlet)])?;
+/// # Ok::<(), signorini::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`read_msh`] and [`Triangulation::from_groups`].
+pub fn read_msh_with(path: impl AsRef<Path>, parts: &[(&str, Part)]) -> Result<Triangulation> {
+    parse_msh_with(&read_bytes(path.as_ref())?, parts)
+}
+
+/// The triangulation in the content of a `.msh` file.
 ///
 /// ```
 /// let text = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n\
@@ -56,64 +74,119 @@ pub fn read_msh(path: impl AsRef<Path>) -> Result<Triangulation> {
 /// ```
 ///
 /// # Errors
-/// [`Syntax`](crate::Error::Syntax) with the line at which the text does not follow the format, also for binary
-/// files; [`AtLine`](crate::Error::AtLine) with the line of invalid data:
+/// [`Syntax`](crate::Error::Syntax) with the line at which a text does not follow the format;
+/// [`AtLine`](crate::Error::AtLine) with the line of invalid data:
 /// [`UnknownName`](crate::ToolkitError::UnknownName) for a group that is not a boundary part,
 /// [`Node`](crate::ToolkitError::Node) for a node with a different z, and the errors of
-/// [`Triangulation::new`].
-pub fn parse_msh(text: &str) -> Result<Triangulation> {
+/// [`Triangulation::new`]. [`AtByte`](crate::Error::AtByte) for both in a binary file.
+pub fn parse_msh(content: impl AsRef<[u8]>) -> Result<Triangulation> {
+    parse_msh_with(content, &[])
+}
+
+/// As [`parse_msh`], with the boundary parts of groups whose names do not state them.
+///
+/// # Errors
+/// As for [`parse_msh`] and [`Triangulation::from_groups`].
+pub fn parse_msh_with(content: impl AsRef<[u8]>, parts: &[(&str, Part)]) -> Result<Triangulation> {
+    let mut source = Source::of(content.as_ref());
+    refuse_others(&source)?;
     let mut raw = Raw::default();
-    let mut lines = Lines::of(text);
     let (mut format, mut known) = (None, BTreeSet::new());
-    while let Some(header) = lines.next_header()? {
-        let is_read = ["$MeshFormat", "$PhysicalNames", "$Entities", "$Nodes", "$Elements"].contains(&header);
-        if is_read && !known.insert(header) {
-            return Err(lines.fault(&format!("duplicate section {header}")));
+    while let Some(header) = source.next_header()? {
+        let is_read = [
+            "$MeshFormat",
+            "$PhysicalNames",
+            "$Entities",
+            "$PartitionedEntities",
+            "$Nodes",
+            "$ParametricNodes",
+            "$Elements",
+        ];
+        if is_read.contains(&&*header) && !known.insert(header.to_string()) {
+            return Err(source.fault(&format!("duplicate section {header}")));
         }
-        match (header, format) {
-            ("$MeshFormat", _) => format = Some(read_format(&mut lines)?),
-            ("$PhysicalNames", _) => raw.read_names(&mut lines)?,
-            ("$Entities", Some(Format::Four)) => raw.read_entities(&mut lines)?,
-            ("$Nodes", Some(Format::Four)) => raw.read_blocks_of_nodes(&mut lines)?,
-            ("$Elements", Some(Format::Four)) => raw.read_blocks_of_elements(&mut lines)?,
-            ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut lines)?,
-            ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut lines)?,
-            ("$Nodes" | "$Elements" | "$Entities", None) => {
-                return Err(lines.fault("$MeshFormat must precede all other sections"));
+        match (&*header, format) {
+            ("$MeshFormat", _) => {
+                format = Some(read_format(&mut source)?);
+                raw.is_binary = source.is_binary();
+            }
+            ("$PhysicalNames", _) => raw.read_names(&mut source)?,
+            ("$Entities", Some(Format::Four(four))) => raw.read_entities(&mut source, four)?,
+            ("$PartitionedEntities", Some(Format::Four(four))) => {
+                raw.read_partitioned_entities(&mut source, four)?;
+            }
+            ("$Nodes", Some(Format::Four(four))) => raw.read_blocks_of_nodes(&mut source, four)?,
+            ("$Elements", Some(Format::Four(four))) => raw.read_blocks_of_elements(&mut source, four)?,
+            ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut source, false)?,
+            ("$ParametricNodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut source, true)?,
+            ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut source)?,
+            ("$Nodes" | "$ParametricNodes" | "$Elements" | "$Entities" | "$PartitionedEntities", None) => {
+                return Err(source.fault("$MeshFormat must precede all other sections"));
             }
             _ => {
-                lines.skip_section(header)?;
+                source.skip_section(&header)?;
                 continue;
             }
         }
-        lines.expect_end(header)?;
+        source.expect_end(&header)?;
     }
     if format.is_none() {
-        return Err(lines.fault("no $MeshFormat section: not a .msh file of Gmsh"));
+        return Err(source.fault("no $MeshFormat section: not a .msh file of Gmsh"));
     }
-    raw.triangulation(lines.number())
+    raw.triangulation(parts, source.place())
 }
 
 /// The supported formats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Format {
-    Four,
+    Four(Four),
     Two,
 }
 
-fn read_format(lines: &mut Lines<'_>) -> Result<Format> {
-    let line = lines.next_line()?;
+/// Version, 0 for text or 1 for binary, size of a number.
+fn read_format(source: &mut Source<'_>) -> Result<Format> {
+    let line = source.next_line()?;
     let mut words = line.split_whitespace();
-    match (words.next(), words.next()) {
-        (Some("4.1" | "2.2"), Some("1")) => {
-            Err(lines.fault("the file is binary: save as ASCII (gmsh -bin 0, or Mesh.Binary = 0)"))
+    let version = words.next().unwrap_or("");
+    let format = match version {
+        "4.1" => Format::Four(Four::One),
+        "4" | "4.0" => Format::Four(Four::Zero),
+        "2" | "2.0" | "2.1" | "2.2" => Format::Two,
+        _ => {
+            let found = quoted(version);
+            let what =
+                "expected 2.0 to 2.2, 4.0 or 4.1: gmsh body.msh -save -format msh41 -o new.msh converts it";
+            return Err(source.fault(&format!("found format {found}, {what}")));
         }
-        (Some("4.1"), Some("0")) => Ok(Format::Four),
-        (Some("2.2"), Some("0")) => Ok(Format::Two),
-        (version, _) => {
-            let found = quoted(version.unwrap_or(""));
-            let why = format!("found format {found}, expected 4.1 or 2.2: save as ASCII in one of these");
-            Err(lines.fault(&why))
+    };
+    match words.next() {
+        Some("0") => {}
+        Some("1") => {
+            let size = words.next().and_then(|word| word.parse().ok()).unwrap_or(0);
+            source.begin_binary(size)?;
         }
+        _ => return Err(source.fault("expected 0 (text) or 1 (binary) behind the format")),
     }
+    Ok(format)
+}
+
+/// Names the format of files that end in `.msh` and are not of this kind.
+fn refuse_others(source: &Source<'_>) -> Result<()> {
+    let first = source.first_line();
+    let is_count = |word: &str| word.parse::<u64>().is_ok();
+    let what = if first == "$NOD" {
+        "format 1 of Gmsh, in which groups have no names: mesh the .geo file again, or convert by gmsh body.msh -save \
+         -format msh41 -o new.msh; its groups are then called 1, 2, ..."
+    } else if first.split_whitespace().count() == 3 && first.split_whitespace().all(is_count) {
+        "a mesh of FreeFEM, not of Gmsh: its nodes, triangles and edges can be given to Python as arrays"
+    } else if first.starts_with('(') {
+        "a mesh of Fluent, not of Gmsh: meshio convert -i ansys body.msh -o gmsh new.msh converts it"
+    } else if first.starts_with("\u{fffd}\u{fffd}") {
+        "not a text in UTF-8: Windows PowerShell writes UTF-16 by >; use gmsh -o body.msh"
+    } else {
+        return Ok(());
+    };
+    let mut copy = Source::of(first.as_bytes());
+    copy.next_line().ok();
+    Err(copy.fault(what))
 }

@@ -6,12 +6,13 @@
 //! is no longer than its distance from a singularity at the breakpoint, the difference decreases like (3 +
 //! √8)^{-p}. In all three norms ||v|| ≥ ∥v∥_0, so that the dual norm of the difference is at most its L²
 //! norm. This is integrated at other points; on the last piece it is integrated layer by layer as far as f
-//! can be evaluated, and continued by a geometric series.
+//! can be evaluated, and continued by a geometric series. Where one polynomial is not sufficient, pieces are cut at
+//! the cells that all norms of f have in common ([`Look`]).
 
 use super::functional::DualOf;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
-use crate::functions::{Arm, Normalized, SingularFunction};
+use crate::functions::{Arm, Look, Normalized, SingularFunction};
 use crate::mesh::Mesh;
 use crate::numeric::legendre;
 use crate::order::Order;
@@ -49,13 +50,18 @@ impl SingularFunction<'_> {
         let Normalized { size: scale, length, u: unit } = self.normalized(tolerance)?;
         let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
         let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let look = unit.looked(tolerance)?;
         let mut best: Option<Estimate> = None;
         for degree in DEGREES {
-            let goal = 1e-4 * tolerance.relative() * size;
+            // A dual norm much smaller than the L² norm needs more of its digits.
+            let small = best.map_or(f64::INFINITY, |best| 0.1 * tolerance.relative() * best.value);
+            let small = small / length.sqrt();
+            let goal = (1e-4 * tolerance.relative() * size).min(small);
             let mut pieces = Interpolant::default();
             for arm in unit.arms() {
-                match pieces.add(&unit, &arm, degree, goal * goal) {
+                match pieces.add(&unit, &arm, &look, degree, goal * goal) {
                     Err(_) if best.is_some() && unit.work_left() == 0 => {
+                        let best = best.map(|best| best.times(scale)).transpose()?;
                         return Err(Error::best_of("dual norm", tolerance.relative(), best, SPENT));
                     }
                     other => other?,
@@ -63,9 +69,9 @@ impl SingularFunction<'_> {
             }
             let (u, left) = pieces.finish(length)?;
             let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
-            let found = Estimate::new(found.value, found.error + left, found.work)?.times(scale)?;
+            let found = Estimate::new(found.value, found.error + left, found.work)?;
             if found.relative_error() <= tolerance.relative() || found.value == 0.0 {
-                return Ok(found);
+                return found.times(scale);
             }
             // What is left no longer falls, or is not what limits.
             let stuck = best.is_some_and(|best| found.error > 0.5 * best.error);
@@ -76,6 +82,7 @@ impl SingularFunction<'_> {
                 break;
             }
         }
+        let best = best.map(|best| best.times(scale)).transpose()?;
         let why =
             "the error of the piecewise polynomial approximation or of its dual norm exceeds the tolerance";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
@@ -97,7 +104,14 @@ impl Interpolant {
     }
 
     /// Appends a side, from left to right.
-    pub(crate) fn add(&mut self, u: &SingularFunction, arm: &Arm, degree: usize, goal: f64) -> Result<()> {
+    pub(crate) fn add(
+        &mut self,
+        u: &SingularFunction,
+        arm: &Arm,
+        look: &Look,
+        degree: usize,
+        goal: f64,
+    ) -> Result<()> {
         let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
         let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
         let middle = |k: usize| u.at(arm, 0.75 * radius(k));
@@ -112,8 +126,20 @@ impl Interpolant {
             }
             before = value;
         }
+        let nearest = look.nearest(arm.anchor, arm.sign > 0.0);
+        while layers + 1 < deepest && radius(layers) > nearest {
+            layers += 1;
+        }
         layers = (layers + 2).min(deepest);
-        let mut cells: Vec<[f64; 2]> = (0..layers).map(|k| [radius(k + 1), radius(k)]).collect();
+        let mut cells: Vec<[f64; 2]> = Vec::with_capacity(layers + 1);
+        for k in 0..layers {
+            let (near, mut far) = (radius(k + 1), radius(k));
+            for &cut in look.cuts(arm, near, far).iter().rev() {
+                cells.push([cut, far]);
+                far = cut;
+            }
+            cells.push([near, far]);
+        }
         cells.push([0.0, radius(layers)]);
         if arm.sign > 0.0 {
             cells.reverse();

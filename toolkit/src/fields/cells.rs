@@ -9,6 +9,7 @@ use super::layout::{Part, layout};
 use super::samples::Sampled;
 use crate::energy::{CellEnergies, PairSum, Samples};
 use crate::error::Result;
+use crate::estimate::Tolerance;
 use crate::kernel::power::{GaussRules, PowerKernel};
 use crate::mesh::Mesh;
 use crate::numeric::parallel;
@@ -36,7 +37,8 @@ pub(super) struct FieldCells {
 impl FieldCells {
     pub(super) fn new(difference: &Difference, tolerance: f64) -> Result<Self> {
         let (function, field) = (difference.function, difference.field);
-        let planned = layout(field.mesh(), function.breaks())?;
+        let look = function.looked(Tolerance::new(tolerance.clamp(1e-14, 1e-3))?)?;
+        let planned = layout(field.mesh(), function.breaks(), &look)?;
         let found: Vec<Vec<(Part, Content)>> = parallel::map_together(planned.len(), TOGETHER, &|k| {
             let part = &planned[k];
             if part.is_singular {

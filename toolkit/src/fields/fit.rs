@@ -10,6 +10,10 @@ use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
 const DEGREES: [usize; 5] = [5, 8, 12, 16, 20];
 /// Rounding error of bubbles, in units of that of the values.
 const NOISE: f64 = 8.0;
+/// Ratio of the error at a sample to that of the last coefficients from which the function is not the polynomial.
+const UNSEEN: f64 = 16.0;
+/// Values of a function of size 1 whose squares are no numbers.
+const NOTHING: f64 = 1e-150;
 /// Largest number of bisections of a cell.
 const DEEPEST: usize = 30;
 
@@ -73,7 +77,8 @@ impl Difference<'_> {
             let rest = piece.bubbles[count - 2..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
             let whole = piece.bubbles.iter().fold(0.25 * (right - left).abs(), |most, c| most.max(c.abs()));
             let is_last = degree == DEGREES[DEGREES.len() - 1] && depth == 0;
-            if rest <= tolerance * whole || rest <= NOISE * noise || is_last {
+            let allowed = (tolerance * whole).max(NOISE * noise).max(NOTHING);
+            if is_last || rest <= allowed && self.agrees(&part, &piece, allowed) {
                 let rest = if rest <= NOISE * noise { 0.0 } else { rest };
                 found.push(Fitted { part, piece, rest, noise });
                 return Ok(());
@@ -83,6 +88,23 @@ impl Difference<'_> {
             self.fit_into(half, tolerance, depth - 1, found)?;
         }
         Ok(())
+    }
+
+    /// True if a polynomial agrees with the samples of u in a part.
+    fn agrees(&self, part: &Part, piece: &Piece, allowed: f64) -> bool {
+        let off = |t: f64, value: f64| {
+            let local = part.from * (1.0 - t) + part.to * t;
+            let difference = value - self.field.pieces()[part.element].value(local);
+            (difference - piece.value(t)).abs() <= UNSEEN * allowed
+        };
+        let arms = self.function.arms();
+        let [left, right] = [&arms[2 * part.gap], &arms[2 * part.gap + 1]];
+        let from_left = self.function.seen_within(left, part.left, part.left + part.length);
+        let from_right = self.function.seen_within(right, part.right, part.right + part.length);
+        from_left.into_iter().all(|(delta, value)| off((delta - part.left) / part.length, value))
+            && from_right
+                .into_iter()
+                .all(|(delta, value)| off(1.0 - (delta - part.right) / part.length, value))
     }
 
     fn bubbles(&self, part: &Part, degree: usize, ends: [f64; 2]) -> Result<Vec<f64>> {

@@ -1,10 +1,12 @@
 //! The cells on which u − u_h is smooth, and those at the breakpoints of u.
 //!
 //! The elements of the mesh are cut at the breakpoints, and further until no cell is longer than its distance
-//! to the nearest breakpoint. The two pieces next to a breakpoint are bisected: the half at the breakpoint is
+//! to the nearest breakpoint. The two pieces next to a breakpoint are bisected until there is no structure in them on
+//! a scale much shorter than the distance to the breakpoint: the half at the breakpoint is
 //! singular, the other one is as long as its distance to it. The two halves at a breakpoint form its *patch*.
 
 use crate::error::{Error, Result};
+use crate::functions::Look;
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
 
@@ -40,9 +42,17 @@ impl Part {
     }
 
     /// The cells of the part, from left to right.
-    fn refine(self, cells: &mut Vec<Self>) {
+    fn refine(self, look: &Look, cells: &mut Vec<Self>) {
         let [first, second] = self.halves();
         match (self.left == 0.0, self.right == 0.0) {
+            (true, false) if self.length > look.nearest(self.gap, true) => {
+                first.refine(look, cells);
+                second.refine(look, cells);
+            }
+            (false, true) if self.length > look.nearest(self.gap + 1, false) => {
+                first.refine(look, cells);
+                second.refine(look, cells);
+            }
             (true, false) => {
                 let patch = Some(self.gap);
                 cells.extend([Self { patch, is_singular: true, ..first }, Self { patch, ..second }]);
@@ -53,15 +63,15 @@ impl Part {
             }
             (false, false) if self.length <= 1.01 * self.left.min(self.right) => cells.push(self),
             _ => {
-                first.refine(cells);
-                second.refine(cells);
+                first.refine(look, cells);
+                second.refine(look, cells);
             }
         }
     }
 }
 
 /// The cells of all elements, from left to right.
-pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
+pub(super) fn layout(partition: &Mesh, breaks: &[f64], look: &Look) -> Result<Vec<Part>> {
     let size = breaks.iter().fold(0.0_f64, |most, c| most.max(c.abs())).max(partition.total());
     let end = partition.left() + partition.total();
     let last = breaks[breaks.len() - 1];
@@ -121,7 +131,7 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64]) -> Result<Vec<Part>> {
             part.right = right.value();
             right.add(part.length);
         }
-        parts.iter().for_each(|part| part.refine(&mut cells));
+        parts.iter().for_each(|part| part.refine(look, &mut cells));
     }
     Ok(cells)
 }

@@ -9,7 +9,7 @@ use crate::dual::DualOf;
 use crate::dual::closure::Interpolant;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::functions::SingularFunction;
+use crate::functions::{Look, SingularFunction};
 use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
@@ -94,7 +94,7 @@ impl FieldError<'_> {
                 }
                 Part::Patch(function) => {
                     for arm in function.arms() {
-                        pieces.add(&function, &arm, DEGREE, goal * goal)?;
+                        pieces.add(&function, &arm, &Look::default(), DEGREE, goal * goal)?;
                     }
                 }
             }

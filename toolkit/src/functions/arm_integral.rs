@@ -27,6 +27,8 @@ pub(crate) struct ArmIntegral {
     /// number of layers towards t = 0
     start_layers: usize,
     order: f64,
+    /// 1 − 2ν, with all its digits
+    decay: f64,
 }
 
 /// Number of standard deviations by which the rounding error may exceed its expectation.
@@ -46,13 +48,17 @@ const SETTLED: f64 = 6.0;
 const BLOCK: f64 = 42.0;
 const BLOCK_CELLS: usize = 3;
 
+/// Largest value of (1 − 2ν) T, T the depth of a side, for which the decay like e^{−(1−2ν)t} next to a jump is not
+/// seen in values of ℓ.
+const UNSEEN_DECAY: f64 = 1e-3;
+
 /// Depth from which the tail formula is used: up to this depth, differences of values keep the digits that the
 /// tolerance requires.
 const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
-    /// The parameters; `spread` is ln of the largest ratio of side lengths, `order` is ν, for messages.
-    pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64) -> Result<Self> {
+    /// The parameters; `spread` is ln of the largest ratio of side lengths, `order` is ν and `decay` is 1 − 2ν.
+    pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64, decay: f64) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.
         let below = (0.5 * (0.1 * tolerance).ln()).min(tolerance.ln() / (3.0 - 2.0 * order));
@@ -64,6 +70,7 @@ impl ArmIntegral {
             structured: 45.0 + spread,
             start_layers: layers as usize,
             order,
+            decay,
         })
     }
 
@@ -114,11 +121,12 @@ impl ArmIntegral {
             let whole = sum.abs() + scale;
             // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small
             // that its squares are zero.
-            if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole {
+            let ratio = (cell / previous).abs();
+            let is_nothing = cell == 0.0 || ratio < 0.95 && cell.abs() / (1.0 - ratio) <= 1e-15 * whole;
+            if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole && is_nothing {
                 settled.set(1.0);
                 return Ok(Limit { value: sum, error: 1e-17 * whole });
             }
-            let ratio = (cell / previous).abs();
             previous = cell;
             if end < self.structured
                 && rounding.get() > (0.02 * self.tolerance * whole).max(0.03 * cell.abs())
@@ -252,6 +260,9 @@ impl ArmIntegral {
                 break;
             }
             if cells % BLOCK_CELLS == 0 && cells >= 5 * BLOCK_CELLS {
+                if let Some(limit) = self.beside_a_jump(found) {
+                    return Ok(Some(limit));
+                }
                 // An extrapolated divergent integral has a limit too, and it means nothing.
                 if let Some(limit) = found.limit()
                     && !found.diverges()
@@ -264,15 +275,29 @@ impl ArmIntegral {
         Ok(None)
     }
 
+    /// True if the decay of a bounded function next to a breakpoint is not seen.
+    fn is_slow(&self, found: &Partials) -> bool {
+        self.decay > 0.0 && self.decay * found.end() < UNSEEN_DECAY
+    }
+
+    /// The limit next to a jump, where values of ℓ do not show its decay.
+    fn beside_a_jump(&self, found: &Partials) -> Option<Limit> {
+        if self.is_slow(found) { found.beside_a_jump(self.decay) } else { None }
+    }
+
     /// The limit of the partial sums, or the reason why there is none.
     fn decide(&self, found: &Partials) -> Result<Limit> {
-        if found.diverges() {
+        if let Some(limit) = self.beside_a_jump(found) {
+            return Ok(limit);
+        }
+        let is_slow = self.is_slow(found);
+        if found.diverges() && (found.explodes() || !is_slow) {
             return Err(Error::InfiniteNorm {
                 order: self.order,
                 why: "the contributions near a breakpoint do not decay",
             });
         }
-        if found.still_grows() {
+        if is_slow && found.diverges() || found.still_grows() {
             // No more of it can be seen, and the largest part may lie beyond.
             return Err(Error::out_of_reach("integral", self.tolerance, f64::INFINITY, GROWS));
         }

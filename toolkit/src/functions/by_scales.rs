@@ -9,6 +9,7 @@
 
 use super::arm::Arm;
 use super::function::SingularFunction;
+use super::look::Look;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::quadrature::Rule;
@@ -62,7 +63,12 @@ fn extrapolation(points: &[f64], end: f64) -> Vec<f64> {
 impl SingularFunction<'_> {
     /// ∫ f(u(x)) dx with its error, which may exceed the tolerance; cells are bisected to the relative
     /// tolerance.
-    pub(super) fn integral_by_scales(&self, tolerance: f64, f: &impl Fn(f64) -> f64) -> Result<Estimate> {
+    pub(super) fn integral_by_scales(
+        &self,
+        look: &Look,
+        tolerance: f64,
+        f: &impl Fn(f64) -> f64,
+    ) -> Result<Estimate> {
         let [coarse, fine] = [Rule::gauss_legendre(ORDERS[0])?, Rule::gauss_legendre(ORDERS[1])?];
         let to_ends = [0.0, 1.0].map(|end| extrapolation(fine.points(), end));
         let between: Vec<Vec<f64>> =
@@ -98,14 +104,23 @@ impl SingularFunction<'_> {
             let width = arm.depth / count;
             let mut last = [0.0; 2];
             for k in 0..count as usize {
-                let from = width * k as f64;
-                let sums = all(&arm, from, width)?;
-                size += sums[1].abs();
-                last = [last[1], sums[1]];
-                open.push((arm, from, width, sums, 0));
+                let (mut from, end) = (width * k as f64, width * (k + 1) as f64);
+                let mut whole = 0.0;
+                let cuts = look.cuts(&arm, arm.delta(end), arm.delta(from)).iter().rev();
+                for to in cuts.map(|&cut| (arm.length / cut).ln().min(end)).chain([end]) {
+                    if to > from {
+                        let sums = all(&arm, from, to - from)?;
+                        size += sums[1].abs();
+                        whole += sums[1];
+                        open.push((arm, from, to - from, sums, 0));
+                        from = to;
+                    }
+                }
+                last = [last[1], whole];
             }
-            let ratio = (last[1] / last[0]).abs();
-            if last[1] != 0.0 {
+            // Quotients of subnormal numbers have no digits.
+            if last[1].abs() > f64::MIN_POSITIVE / f64::EPSILON {
+                let ratio = (last[1] / last[0]).abs();
                 if ratio.is_nan() || ratio > FALLS {
                     return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, GROWS));
                 }

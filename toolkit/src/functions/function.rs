@@ -1,6 +1,7 @@
 //! Functions given by code with declared breakpoints, between which they are smooth.
 
 use super::arm::Arm;
+use super::look::{LOOKS, distance};
 use crate::error::{Error, Result};
 use crate::estimate::{SPENT, Tolerance};
 use crate::numeric::budget::Budget;
@@ -115,6 +116,8 @@ pub(crate) struct SingularFunction<'a> {
     budget: Budget,
     /// the unit of length, a power of two, in which the breakpoints are given
     pub(super) unit: f64,
+    /// the values at equal distances on every side, once the function is normalized
+    samples: Vec<Vec<f64>>,
 }
 
 /// A function divided by its unit, on an interval divided by a unit of length: both units are powers of two
@@ -196,7 +199,14 @@ impl<'a> SingularFunction<'a> {
                 "(c + 1e-290 max(1, L), inf), c the previous breakpoint, L the length of the interval";
             require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
-        Ok(Self { breaks: breaks.to_vec(), function, sight, budget: Budget::new(u64::MAX, 0.0), unit: 1.0 })
+        Ok(Self {
+            breaks: breaks.to_vec(),
+            function,
+            sight,
+            budget: Budget::new(u64::MAX, 0.0),
+            unit: 1.0,
+            samples: Vec::new(),
+        })
     }
 
     /// The breakpoints.
@@ -209,10 +219,21 @@ impl<'a> SingularFunction<'a> {
         self.breaks[self.breaks.len() - 1] - self.breaks[0]
     }
 
-    /// A power of two near the largest value at some points of every side, so that squares and powers of u
+    /// The values at equal distances on every side.
+    fn look(&self) -> Result<Vec<Vec<f64>>> {
+        let of = |arm: &Arm| (0..LOOKS).map(|j| self.at(arm, distance(arm, j))).collect();
+        self.arms().iter().map(of).collect()
+    }
+
+    /// The samples of a side.
+    pub(super) fn samples_of(&self, arm: usize) -> &[f64] {
+        self.samples.get(arm).map_or(&[], Vec::as_slice)
+    }
+
+    /// A power of two near the largest of the samples and of values closer to the breakpoints, so that squares and powers of u
     /// divided by it neither over- nor underflow; 1 where all of them vanish.
-    fn size(&self) -> Result<f64> {
-        let mut largest = 0.0_f64;
+    fn size(&self, samples: &[Vec<f64>]) -> Result<f64> {
+        let mut largest = samples.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
         for arm in self.arms() {
             for k in 0..SAMPLES {
                 let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
@@ -228,9 +249,18 @@ impl<'a> SingularFunction<'a> {
 
     /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
     /// dimensionless. The function is called at the points of the original interval, with exact offsets; its
-    /// evaluations are counted in the work limit of the tolerance.
+    /// evaluations are counted in the work limit of the tolerance, those of the samples at equal distances too.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] if the limit does not suffice for these samples; those of the values.
     pub(crate) fn normalized(&self, tolerance: Tolerance) -> Result<Normalized<'_>> {
-        let size = self.size()?;
+        let budget = Budget::new(tolerance.work(), tolerance.relative());
+        if !budget.spend((LOOKS * self.arms().len()) as u64) {
+            return Err(budget.spent("norm", SPENT));
+        }
+        let mut samples = self.look()?;
+        let size = self.size(&samples)?;
+        samples.iter_mut().flatten().for_each(|value| *value /= size);
         let length = power_of_two(self.length());
         let breaks = self.breaks.iter().map(|at| at / length).collect();
         let shift = length.ln();
@@ -244,8 +274,9 @@ impl<'a> SingularFunction<'a> {
             breaks,
             function: Box::new(function),
             sight: self.sight,
-            budget: Budget::new(tolerance.work(), tolerance.relative()),
+            budget,
             unit: self.unit * length,
+            samples,
         };
         Ok(Normalized { size, length, u })
     }

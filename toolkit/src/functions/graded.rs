@@ -14,7 +14,7 @@
 use super::arm::Arm;
 use super::function::SingularFunction;
 use super::resolution::of_residual;
-use super::scales::{Profile, log_sum};
+use super::scales::Profile;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
@@ -112,7 +112,7 @@ impl SingularFunction<'_> {
         let kernel = PowerKernel::new(order);
         let asked = tolerance.relative();
         // Nothing may be seen between the samples.
-        let seen = (0.5 * log_sum(&profile.energies(kernel))).exp();
+        let seen = (0.5 * profile.energies(kernel).whole).exp();
         let size = if seen > 0.0 { seen } else { 1.0 };
         let (mut best, mut why): (Option<Estimate>, _) = (None, LIMIT);
         let mut accuracy = 0.2 * asked * 0.03f64.powf(order.value());
@@ -330,12 +330,13 @@ impl SingularFunction<'_> {
             })
         };
         let mut piece = Piece { left: ends[0], right: ends[1], bubbles: bubbles_of(fit.degree, ends, seen)? };
-        let values: Vec<f64> = fit.between.points().iter().map(|&t| seen(t)).collect();
+        let (mut places, mut values) = self.seen_in_cell(arm, near, far);
+        places.extend(fit.between.points());
+        values.extend(fit.between.points().iter().map(|&t| seen(t)));
         let bounds = values.iter().fold(ends, |[low, high], &v| [low.min(v), high.max(v)]);
         let (low, high) = (bounds[0].min(ends[1]), bounds[1].max(ends[0]));
         let off = |piece: &Piece| {
-            let pairs = fit.between.points().iter().zip(&values);
-            pairs.map(|(&t, value)| (value - piece.value(t)).abs()).fold(0.0, f64::max)
+            values.iter().zip(piece.values(&places)).map(|(v, p)| (v - p).abs()).fold(0.0, f64::max)
         };
         // Rounding of a straight line is no bubble.
         let line = Piece { left: ends[0], right: ends[1], bubbles: Vec::new() };

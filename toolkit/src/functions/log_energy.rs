@@ -84,7 +84,7 @@ impl<'a> LogEnergy<'a> {
         let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
         let spread = (self.unit / shortest).ln();
         let order = 0.5 * self.kernel.twice;
-        let integral = ArmIntegral::new(self.level, tolerance, spread, order)?;
+        let integral = ArmIntegral::new(self.level, tolerance, spread, order, self.kernel.one_minus)?;
         let (mut value, mut tail, mut rounding) = (0.0, 0.0, 0.0);
         for arm in 0..self.arms.len() {
             let depth = self.arms[arm].depth;

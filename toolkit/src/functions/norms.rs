@@ -6,6 +6,7 @@ use super::function::{Normalized, SingularFunction};
 use super::graded::UNDECLARED;
 use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
+use super::look::Look;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
 use super::scales::{Profile, hidden, is_deep, is_endless};
@@ -44,9 +45,9 @@ impl SingularFunction<'_> {
     ///
     /// A function with many oscillations, or with structure on several scales, is interpolated on short
     /// cells, at a cost of O(cells). Every side is sampled once per unit of ln δ, down to the smallest
-    /// distance, so that a layer e^{−δ/w} at a breakpoint is resolved for w ≥ 1e-290. A layer narrower than
-    /// 1/50 of an interval away from the breakpoints may be missed: declare its position as a breakpoint,
-    /// and give the function by positions.
+    /// distance, so that a layer e^{−δ/w} at a breakpoint is resolved for w ≥ 1e-290. A feature narrower than
+    /// 1/500 of an interval away from the breakpoints may be missed ([`super::look`]): declare its position as a
+    /// breakpoint, and give the function by positions.
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`] if the contributions near a breakpoint do not decay, [`Error::ToleranceNotMet`],
@@ -138,14 +139,16 @@ impl SingularFunction<'_> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let Normalized { size, length, u } = self.normalized(tolerance)?;
         if q == f64::INFINITY {
-            return u.largest(tolerance)?.times(size);
+            let back = |found: Estimate| found.times(size);
+            return u.largest(tolerance).map_err(|error| error.carry("L^inf norm", back)).and_then(back);
         }
         let back = |found: Estimate| found.times(length.powf(1.0 / q))?.times(size);
-        let is_inside = match u.l2_norm_of_waves(tolerance)? {
-            OfWaves::Found(found) if q == 2.0 => return back(found),
-            OfWaves::Found(_) | OfWaves::AtBreaks => false,
-            OfWaves::Inside => true,
-        };
+        let (waves, look) = u.l2_norm_of_waves(tolerance)?;
+        if let Some(found) = waves
+            && q == 2.0
+        {
+            return back(found);
+        }
         // Powers of a layer high above what counts of it in L² would overflow.
         let profile = Profile::of(&u);
         let unit = profile.unit_in_lq(q);
@@ -160,7 +163,7 @@ impl SingularFunction<'_> {
             let rounding = 32.0 * f64::EPSILON * value;
             back(Estimate::new(value, error + rounding, power.work)?.times(unit)?)
         };
-        u.integral_of(&profile, is_inside, tolerance, q, q, |u| (u / unit).abs().powf(q))
+        u.integral_of(&profile, &look, tolerance, q, q, |u| (u / unit).abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
             .and_then(root)
     }
@@ -172,9 +175,9 @@ impl SingularFunction<'_> {
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
         let Normalized { size: scale, u, .. } = self.normalized(tolerance)?;
         let profile = Profile::of(&u);
-        let is_inside = matches!(u.l2_norm_of_waves(tolerance)?, OfWaves::Inside);
+        let (_, look) = u.l2_norm_of_waves(tolerance)?;
         let crude = Tolerance::fast().with_work(tolerance.work());
-        let size = Estimate::or_best(u.integral_of(&profile, is_inside, crude, 1.0, 1.0, f64::abs))?.value;
+        let size = Estimate::or_best(u.integral_of(&profile, &look, crude, 1.0, 1.0, f64::abs))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -185,7 +188,7 @@ impl SingularFunction<'_> {
             let factor = size / length;
             Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?.times(scale)
         };
-        u.integral_of(&profile, is_inside, tolerance, 0.3, 1.0, |u| u / size + shift)
+        u.integral_of(&profile, &look, tolerance, 0.3, 1.0, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))
             .and_then(back)
     }
@@ -194,7 +197,7 @@ impl SingularFunction<'_> {
     fn integral_of(
         &self,
         profile: &Profile,
-        is_inside: bool,
+        look: &Look,
         tolerance: Tolerance,
         factor: f64,
         q: f64,
@@ -202,15 +205,15 @@ impl SingularFunction<'_> {
     ) -> Result<Estimate> {
         let asked = factor * tolerance.relative();
         let by_scales = || {
-            let found = self.integral_by_scales(asked, &f)?;
+            let found = self.integral_by_scales(look, asked, &f)?;
             if found.relative_error() <= asked {
                 return Ok(found);
             }
-            let why = if is_inside { UNDECLARED } else { LIMIT };
+            let why = if look.is_inside { UNDECLARED } else { LIMIT };
             Err(Error::not_met("integral", tolerance.relative(), found, why))
         };
         let logs = profile.densities(q);
-        if is_inside || is_deep(&logs, asked) {
+        if look.is_inside || is_deep(&logs, asked) {
             return by_scales();
         }
         match self.integral_by_rules(profile, tolerance, factor, &f) {
@@ -241,7 +244,7 @@ impl SingularFunction<'_> {
         };
         let samples: Vec<Vec<(f64, f64)>> = arms.iter().enumerate().map(seen).collect();
         refine(self, tolerance, factor, false, |level, tolerance| {
-            let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0)?;
+            let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0, 1.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             let mut is_settled = true;
             for (arm, samples) in arms.iter().zip(&samples) {

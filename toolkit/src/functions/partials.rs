@@ -113,6 +113,22 @@ impl Partials {
         algebraic || self.explodes() || self.still_grows() && !self.comes_down()
     }
 
+    /// The limit for ℓ = C e^{−pt} (1 + O(e^{−t})), p = `decay` so small that ℓ changes by less than its rounding: next
+    /// to a jump the integral beyond T is ℓ(T)/p. `None` if ℓ e^{pt} is not constant on the last fifth of the
+    /// side; a power t^a with an exponent that cannot be told from 0 there is part of the error.
+    pub(super) fn beside_a_jump(&self, decay: f64) -> Option<Limit> {
+        const CONSTANT: f64 = 1e-10;
+        let (from, last) = (self.ends.partition_point(|&t| t < 0.8 * self.end()), self.ends.len() - 1);
+        let [start, end] = [self.ends[from], self.ends[last]];
+        let growth = (self.densities[last] / self.densities[from]).ln() + decay * (end - start);
+        let off = growth.abs() + 8.0 * f64::EPSILON;
+        let rest = self.densities[last] / decay;
+        let powers = 1.0 + (1.0 / (decay * end)).ln().max(0.0) / (end / start).ln();
+        let is_constant = from < last && off < CONSTANT && rest.is_finite();
+        is_constant
+            .then(|| Limit { value: self.sum() + rest, error: off * powers * rest.abs() + self.rounding })
+    }
+
     pub(super) fn limit(&self) -> Option<Limit> {
         // On the first cells the integrand still feels the whole interval.
         let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);

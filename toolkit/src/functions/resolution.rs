@@ -24,6 +24,10 @@ const DEEPEST: f64 = 45.0;
 /// Rounding error of the projection of a smooth function, in ulps of the largest value per point of a rule.
 const ROUNDING: f64 = 3.0;
 
+/// Ratio of the residual at the samples to that between the points of a rule, from which it is not due to the position
+/// of these points.
+const UNSEEN: f64 = 8.0;
+
 /// The contribution of one cell to the bound of |e|²_ν.
 pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, length: f64, total: f64) -> f64 {
     let steep = 2.0 * ((degree + 2) as f64).powi(2);
@@ -65,6 +69,18 @@ pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) ->
             for (t, row) in between.points().iter().zip(&at_others) {
                 let p: f64 = coefficients.iter().zip(row).map(|(c, p)| c * p).sum();
                 residual = residual.max((value(t)? - p).abs());
+            }
+            // What no point of the rules meets.
+            let (near, far) = (arm.delta(start + level.width), arm.delta(start));
+            let mut row = vec![0.0; n];
+            let off = |(delta, value): (f64, f64)| {
+                let t = ((arm.length / delta).ln() - start) / level.width;
+                legendre::fill(&mut row, 2.0 * t - 1.0);
+                (value - coefficients.iter().zip(&row).map(|(c, p)| c * p).sum::<f64>()).abs()
+            };
+            let unseen = u.seen_within(&arm, near, far).map(off).fold(0.0, f64::max);
+            if unseen > UNSEEN * residual {
+                residual = unseen;
             }
             // Rounding is no wave, and counted where the rules are; here h^{1−2ν} would blow it up.
             residual = (residual - ROUNDING * n as f64 * f64::EPSILON * largest).max(0.0);

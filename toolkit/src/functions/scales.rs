@@ -13,6 +13,7 @@
 
 use super::arm::Arm;
 use super::function::SingularFunction;
+use super::look::{LOOKS, distance};
 use crate::kernel::power::PowerKernel;
 use crate::numeric::scale::power_of_two;
 
@@ -35,14 +36,18 @@ const ULPS: f64 = 16.0 * f64::EPSILON;
 /// Ratio of neighbouring intervals from which the shorter one is treated as a layer.
 const UNEQUAL: f64 = 1e8;
 
-/// Values of u at t = 1/2, 3/2, ... along every side.
+/// Values of u at t = 1/2, 3/2, ... along every side, and at equal distances ([`super::look`]).
 pub(super) struct Profile {
     arms: Vec<Arm>,
     values: Vec<Vec<f64>>,
+    evenly: Vec<Vec<f64>>,
 }
 
-/// ln of a profile along every side.
-pub(super) type Logs = Vec<Vec<f64>>;
+/// ln of a profile along every side, and of its sum, which includes what only the samples at equal distances meet.
+pub(super) struct Logs {
+    arms: Vec<Vec<f64>>,
+    pub(super) whole: f64,
+}
 
 /// t of sample k.
 fn place(k: usize) -> f64 {
@@ -60,7 +65,8 @@ impl Profile {
                 (0..count).map_while(|k| u.at(arm, arm.delta(place(k))).ok()).collect()
             })
             .collect();
-        Self { arms, values }
+        let evenly = (0..arms.len()).map(|k| u.samples_of(k).to_vec()).collect();
+        Self { arms, values, evenly }
     }
 
     /// (δ, u) of the samples of a side, from its far end on.
@@ -71,7 +77,7 @@ impl Profile {
 
     /// True if all values are equal to rounding.
     pub(super) fn is_constant(&self) -> bool {
-        let all = || self.values.iter().flatten();
+        let all = || self.values.iter().chain(&self.evenly).flatten();
         let (low, high) =
             all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
         high - low <= 4.0 * ULPS * high.abs().max(low.abs())
@@ -109,12 +115,23 @@ impl Profile {
             };
             logs.push(values.iter().enumerate().map(log).collect());
         }
-        logs
+        let step = |arm: &Arm| kernel.scaling(arm.length / LOOKS as f64);
+        let differences = |(arm, values): (&Arm, &Vec<f64>)| {
+            step(arm) * values.windows(2).map(|pair| (pair[1] - pair[0]).powi(2)).sum::<f64>()
+        };
+        let evenly: f64 = self.arms.iter().zip(&self.evenly).map(differences).sum();
+        Logs { whole: log_sum(&logs).max(evenly.ln()), arms: logs }
     }
 
     /// A power of two near the largest δ^{1/q} |u|; 1 where that is not far from 1.
     pub(super) fn unit_in_lq(&self, q: f64) -> f64 {
-        let largest = self.densities(q).into_iter().flatten().fold(f64::NEG_INFINITY, f64::max) / q;
+        let logs = self.densities(q);
+        let evenly = |(arm, values): (&Arm, &Vec<f64>)| {
+            let at = |(j, value): (usize, &f64)| distance(arm, j).ln() + q * value.abs().ln();
+            values.iter().enumerate().map(at).fold(f64::NEG_INFINITY, f64::max)
+        };
+        let evenly = self.arms.iter().zip(&self.evenly).map(evenly);
+        let largest = logs.arms.into_iter().flatten().chain(evenly).fold(f64::NEG_INFINITY, f64::max) / q;
         if largest.is_finite() && largest.abs() > MODERATE { power_of_two(largest.exp()) } else { 1.0 }
     }
 
@@ -124,12 +141,17 @@ impl Profile {
             let log = |(k, value): (usize, &f64)| arm.length.ln() - place(k) + q * value.abs().ln();
             values.iter().enumerate().map(log).collect()
         };
-        self.arms.iter().zip(&self.values).map(of).collect()
+        let logs: Vec<Vec<f64>> = self.arms.iter().zip(&self.values).map(of).collect();
+        let sum = |(arm, values): (&Arm, &Vec<f64>)| {
+            arm.length / LOOKS as f64 * values.iter().map(|value| value.abs().powf(q)).sum::<f64>()
+        };
+        let evenly: f64 = self.arms.iter().zip(&self.evenly).map(sum).sum();
+        Logs { whole: log_sum(&logs).max(evenly.ln()), arms: logs }
     }
 }
 
 /// ln of the sum of a profile.
-pub(super) fn log_sum(logs: &Logs) -> f64 {
+fn log_sum(logs: &[Vec<f64>]) -> f64 {
     let all = || logs.iter().flatten().copied().filter(|log| !log.is_nan());
     let largest = all().fold(f64::NEG_INFINITY, f64::max);
     if largest.is_finite() {
@@ -142,9 +164,9 @@ pub(super) fn log_sum(logs: &Logs) -> f64 {
 /// True if a contribution significant at this tolerance lies behind a local minimum, or the profile bends
 /// sharply at a large depth.
 pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
-    let whole = log_sum(logs);
+    let whole = logs.whole;
     let (counts, nothing) = (whole + (COUNTS * tolerance).ln(), whole + tolerance.ln());
-    logs.iter().any(|arm| {
+    logs.arms.iter().any(|arm| {
         let mut lowest = f64::INFINITY;
         (0..arm.len()).any(|k| {
             let here = arm[k];
@@ -163,7 +185,7 @@ pub(super) fn is_deep(logs: &Logs, tolerance: f64) -> bool {
 
 /// Share of the whole in what lies behind a local minimum and does not count for [`is_deep`].
 pub(super) fn hidden(logs: &Logs, tolerance: f64) -> f64 {
-    let whole = log_sum(logs);
+    let whole = logs.whole;
     let (counts, nothing) = (whole + (COUNTS * tolerance).ln(), whole + tolerance.ln());
     let behind = |arm: &Vec<f64>| {
         let (mut lowest, mut sum) = (f64::INFINITY, 0.0);
@@ -177,14 +199,14 @@ pub(super) fn hidden(logs: &Logs, tolerance: f64) -> f64 {
         }
         sum
     };
-    logs.iter().map(behind).sum()
+    logs.arms.iter().map(behind).sum()
 }
 
 /// True if significant contributions extend to the smallest distance without decreasing over half of the
 /// side.
 pub(super) fn is_endless(logs: &Logs, tolerance: f64) -> bool {
-    let counts = log_sum(logs) + (COUNTS * tolerance).ln();
-    logs.iter().any(|arm| match arm.last() {
+    let counts = logs.whole + (COUNTS * tolerance).ln();
+    logs.arms.iter().any(|arm| match arm.last() {
         Some(&last) => last > counts && last > arm[arm.len() / 2] - FADES,
         None => false,
     })

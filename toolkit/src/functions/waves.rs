@@ -12,6 +12,7 @@
 
 use super::arm::Arm;
 use super::function::SingularFunction;
+use super::look::{Look, NARROW};
 use super::resolution::of_residual;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
@@ -94,6 +95,13 @@ struct Fit {
     between: Rule,
 }
 
+impl Fit {
+    fn to(accuracy: f64) -> Result<Self> {
+        let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
+        Ok(Self { degree, accuracy, between: Rule::gauss_legendre(2 * degree)? })
+    }
+}
+
 impl SingularFunction<'_> {
     /// |u|_ν of a function of size 1 with many oscillations; for all others the location of their
     /// structure.
@@ -106,13 +114,13 @@ impl SingularFunction<'_> {
         // A cell of about a wave: |e|_ν/|u|_ν is about ε (D/6)^ν.
         let mut accuracy = 0.1 * asked * 0.03f64.powf(order.value());
         for _ in 0..ROUNDS {
-            let waves = match self.waves(accuracy.max(FLOOR)) {
+            let waves = match self.waves(accuracy.max(FLOOR), MOST) {
                 Err(_) if best.is_some() && self.work_left() == 0 => {
                     return Err(Error::best_of("seminorm", asked, best, SPENT));
                 }
                 other => other?,
             };
-            let resolved = match (waves, &best) {
+            let resolved = match (waves.0, &best) {
                 (Waves::Resolved(resolved), _) => resolved,
                 (Waves::None, None) => return Ok(OfWaves::AtBreaks),
                 (Waves::Inside, None) => return Ok(OfWaves::Inside),
@@ -137,44 +145,56 @@ impl SingularFunction<'_> {
         Err(Error::best_of("seminorm", asked, best, LIMIT))
     }
 
-    /// The L² norm of a function of size 1 with many oscillations; for all others the location of their
-    /// structure.
+    /// The L² norm of a function of size 1 with many oscillations, if it is one, and the cells of the function.
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`].
-    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<OfWaves> {
-        match self.waves((0.1 * tolerance.relative()).max(FLOOR))? {
-            Waves::Resolved(resolved) => resolved.l2_norm().map(OfWaves::Found),
-            Waves::Inside => Ok(OfWaves::Inside),
-            Waves::None | Waves::TooMany => Ok(OfWaves::AtBreaks),
-        }
+    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<(Option<Estimate>, Look)> {
+        let (waves, mut look) = self.waves((0.1 * tolerance.relative()).max(FLOOR), MOST)?;
+        look.is_inside |= matches!(waves, Waves::Inside);
+        let found = match waves {
+            Waves::Resolved(resolved) => Some(resolved.l2_norm()?),
+            Waves::Inside | Waves::None | Waves::TooMany => None,
+        };
+        Ok((found, look))
     }
 
-    /// The classification of the function by polynomials that agree with it to the given accuracy.
-    fn waves(&self, accuracy: f64) -> Result<Waves> {
-        let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
-        let fit = Fit { degree, accuracy, between: Rule::gauss_legendre(2 * degree)? };
+    /// The cells of the function at a tolerance; none where thousands of cells do not resolve it.
+    ///
+    /// # Errors
+    /// Those of the values.
+    pub(crate) fn looked(&self, tolerance: Tolerance) -> Result<Look> {
+        let most = BEYOND_RULES * self.breaks().len();
+        Ok(self.waves((0.1 * tolerance.relative()).max(FLOOR), most)?.1)
+    }
+
+    /// The classification of the function by polynomials that agree with it to the given accuracy, on at most `most`
+    /// cells, with these cells.
+    fn waves(&self, accuracy: f64, most: usize) -> Result<(Waves, Look)> {
+        let fit = Fit::to(accuracy)?;
         let (mut cells, mut slack) = (Vec::new(), Vec::new());
-        let (mut is_smooth, mut is_inside) = (true, false);
+        let (mut is_smooth, mut is_inside, mut look) = (true, false, Look::default());
         for arm in self.arms() {
-            let Some((mut found, all)) = self.cells_of(&arm, &fit, MOST - cells.len().min(MOST))? else {
-                return Ok(if is_smooth { Waves::TooMany } else { Waves::None });
+            let Some((mut found, all)) = self.cells_of(&arm, &fit, most - cells.len().min(most))? else {
+                return Ok((if is_smooth { Waves::TooMany } else { Waves::None }, Look::default()));
             };
+            let ends = std::iter::once(0.0).chain(found.iter().map(|cell| cell.far));
+            look.push(&ends.collect::<Vec<f64>>());
             is_smooth &= all;
             is_inside |= shrinks_inside(&found);
             if arm.sign < 0.0 {
                 found.reverse();
             }
             let at_break = if arm.sign < 0.0 { found.len() - 1 } else { 0 };
-            slack.push(found[at_break].slack(&arm, degree));
+            slack.push(found[at_break].slack(&arm, fit.degree));
             cells.push(found);
         }
         let count: usize = cells.iter().map(Vec::len).sum();
         if is_inside && (!is_smooth || count < MANY) {
-            return Ok(Waves::Inside);
+            return Ok((Waves::Inside, look));
         }
         if count < MANY {
-            return Ok(Waves::None);
+            return Ok((Waves::None, look));
         }
         let mut flat: Vec<Cell> = Vec::with_capacity(count);
         for (k, arm) in cells.into_iter().enumerate() {
@@ -191,21 +211,22 @@ impl SingularFunction<'_> {
             }
         }
         if !is_smooth || is_graded(&flat) {
-            return Ok(if is_inside {
+            let waves = if is_inside {
                 Waves::Inside
             } else if count > BEYOND_RULES * self.breaks().len() {
                 Waves::TooMany
             } else {
                 Waves::None
-            });
+            };
+            return Ok((waves, look));
         }
         let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
         let ends: Vec<[f64; 2]> = flat.iter().map(|cell| cell.ends).collect();
         let residuals = flat.iter().map(|cell| cell.residual).collect();
-        let points = 3 * (degree * count) as u64;
+        let points = 3 * (fit.degree * count) as u64;
         let bubbles = flat.into_iter().map(|cell| cell.bubbles).collect();
         let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
-        Ok(Waves::Resolved(Box::new(Resolved { u, degree, residuals, points })))
+        Ok((Waves::Resolved(Box::new(Resolved { u, degree: fit.degree, residuals, points })), look))
     }
 
     /// The cells of a side from its breakpoint outwards, and whether all are resolved; `None` if there are more
@@ -252,6 +273,11 @@ impl SingularFunction<'_> {
             residual = residual.max((found - piece.value(t)).abs());
             (low, high) = (low.min(found), high.max(found));
         }
+        let (places, samples) = self.seen_in_cell(arm, near, far);
+        for (found, value) in samples.iter().zip(piece.values(&places)) {
+            residual = residual.max((found - value).abs());
+            (low, high) = (low.min(*found), high.max(*found));
+        }
         let residual = UNSEEN * residual;
         let slope = (high - low) / (far - near);
         let noise = FLOOR * (low.abs().max(high.abs()) + slope * (arm.start.abs() + far));
@@ -272,11 +298,12 @@ impl Cell {
     }
 }
 
-/// True if the shortest cell of a side is not the one at its breakpoint.
+/// True if the shortest cell of a side is not the one at its breakpoint, or some cell is narrow.
 fn shrinks_inside(cells: &[Cell]) -> bool {
     let length = |cell: &Cell| cell.far - cell.near;
     let shortest = cells.iter().map(length).fold(f64::INFINITY, f64::min);
-    length(&cells[0]) >= INSIDE * shortest
+    let is_narrow = |cell: &Cell| 2.0 * NARROW * length(cell) < cell.near;
+    length(&cells[0]) >= INSIDE * shortest || cells.iter().any(is_narrow)
 }
 
 /// True if cells shrink geometrically somewhere.

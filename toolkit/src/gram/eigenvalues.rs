@@ -42,6 +42,9 @@ const NEW: f64 = 1e-8;
 /// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
 
+/// Rounding error of xᵀA x, in units of ε Σ a_ii x_i².
+const ROUNDING: f64 = 16.0;
+
 struct Small<'a> {
     operator: &'a GramOperator,
     spectral: &'a Spectral,
@@ -71,6 +74,12 @@ impl Pencil for Small<'_> {
     fn is_separated(&self) -> bool {
         true
     }
+
+    fn rounding(&self, x: &[f64]) -> f64 {
+        // |x|ᵀ|A||x| ≤ 2 Σ a_ii x_i² for a matrix with rows of sum zero and one positive entry.
+        let terms = self.operator.diagonal().iter().zip(x).map(|(a, x)| a * x * x);
+        ROUNDING * f64::EPSILON * terms.sum::<f64>()
+    }
 }
 
 struct Large<'a> {
@@ -97,6 +106,10 @@ impl Pencil for Large<'_> {
 
     fn is_separated(&self) -> bool {
         false
+    }
+
+    fn rounding(&self, x: &[f64]) -> f64 {
+        self.small.rounding(x)
     }
 }
 

@@ -1,6 +1,11 @@
 //! Extreme eigenvalues of A x = λ M x by the locally optimal block preconditioned conjugate gradient method (LOBPCG;
 //! Knyazev 2001): each step minimises the Rayleigh quotient over the block, its preconditioned residuals and the last
 //! directions.
+//!
+//! On very unequal elements the quotients of these directions differ by many orders of magnitude. The smallest Ritz values of a
+//! positive definite form are therefore computed from its inverse, after a scaling of all directions to energy 1:
+//! their errors are those of rounding relative to themselves, not to the largest Ritz value (Demmel & Veselić, SIAM J.
+//! Matrix Anal. Appl. 13 (1992) 1204-1245). Images are computed anew before a value is accepted.
 
 use super::dense::symmetric_eigen;
 use super::sum::pairwise_dot;
@@ -25,6 +30,8 @@ pub(crate) trait Pencil {
     fn is_separated(&self) -> bool;
     /// The product M⁻¹ r.
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
+    /// A bound of the rounding error of xᵀA x.
+    fn rounding(&self, x: &[f64]) -> f64;
 }
 
 /// A vector with its images under A and M.
@@ -44,6 +51,11 @@ impl Imaged {
         }
         x.iter_mut().for_each(|x| *x /= size);
         Ok(Some(Self { a: pencil.apply(&x)?, m: m.iter().map(|m| m / size).collect(), x }))
+    }
+
+    /// The same vector with images that are not sums of others.
+    fn renewed(self, pencil: &impl Pencil) -> Result<Option<Self>> {
+        Self::new(pencil, self.x)
     }
 
     fn combined(basis: &[Self], weights: impl Fn(usize) -> f64) -> Self {
@@ -73,7 +85,7 @@ pub(crate) struct Smallest {
 ///
 /// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), where R_k are the
 /// residuals of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within
-/// ‖R_1‖.
+/// ‖R_1‖. The rounding error of the quotient is added.
 pub(crate) fn smallest(
     pencil: &impl Pencil,
     start: Vec<Vec<f64>>,
@@ -86,11 +98,13 @@ pub(crate) fn smallest(
         block.extend(Imaged::new(pencil, x)?);
     }
     let mut directions: Vec<Imaged> = Vec::new();
+    let mut is_renewed = false;
     for steps in 0.. {
         let size = block.len();
         let mut basis = std::mem::take(&mut block);
         basis.append(&mut directions);
-        let Some((values, vectors)) = ritz(&basis) else { return Ok(None) };
+        let found = if pencil.is_separated() { ritz_of_inverse(&basis) } else { ritz(&basis) };
+        let Some((values, vectors)) = found else { return Ok(None) };
         let kept = wanted.min(values.len());
         block = (0..kept).map(|j| Imaged::combined(&basis, |k| vectors[(k, j)])).collect();
         let new = |k: usize, j: usize| if k < size { 0.0 } else { vectors[(k, j)] };
@@ -109,8 +123,19 @@ pub(crate) fn smallest(
             error = f64::min(error, if pencil.is_separated() && gap > size { squares / gap } else { size });
         }
         if error <= tolerance * values[0].abs() || steps == most {
-            return Ok(Some(Smallest { value: values[0], error, steps }));
+            if is_renewed || steps == most {
+                let error = error + pencil.rounding(&block[0].x);
+                return Ok(Some(Smallest { value: values[0], error, steps }));
+            }
+            let mut renewed = Vec::with_capacity(block.len());
+            for one in block {
+                renewed.extend(one.renewed(pencil)?);
+            }
+            (block, is_renewed) = (renewed, true);
+            directions.clear();
+            continue;
         }
+        is_renewed = false;
         for r in &residuals {
             let mut direction = pencil.precondition(r);
             for one in &block {
@@ -135,15 +160,41 @@ pub(crate) fn smallest(
 /// M.
 fn ritz(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let n = basis.len();
-    let product = |of: fn(&Imaged) -> &Vec<f64>| {
-        let raw = DMatrix::from_fn(n, n, |i, j| pairwise_dot(&basis[i].x, of(&basis[j])));
-        (&raw + raw.transpose()) * 0.5
-    };
-    let (a, m) = (product(|one| &one.a), product(|one| &one.m));
+    let (a, m) = (products(basis, |one| &one.a), products(basis, |one| &one.m));
     let (sizes, vectors) = symmetric_eigen(&m)?;
     let largest = sizes.last().copied()?;
     let kept: Vec<usize> = (0..n).filter(|&k| sizes[k] > DEPENDENT * largest).collect();
     let reduce = DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
     let (values, inner) = symmetric_eigen(&(reduce.transpose() * a * &reduce))?;
     Some((values, reduce * inner))
+}
+
+/// The same for a positive definite A, from the largest eigenvalues of M x = λ⁻¹ A x.
+fn ritz_of_inverse(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    let n = basis.len();
+    let (a, m) = (products(basis, |one| &one.a), products(basis, |one| &one.m));
+    let units: Vec<f64> = (0..n).map(|i| a[(i, i)].max(0.0).sqrt().recip()).collect();
+    if units.iter().any(|unit| !unit.is_finite()) {
+        return ritz(basis);
+    }
+    let scaled = |of: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| units[i] * of[(i, j)] * units[j]);
+    let (sizes, vectors) = symmetric_eigen(&scaled(&a))?;
+    let largest = sizes.last().copied()?;
+    let kept: Vec<usize> = (0..n).filter(|&k| sizes[k] > DEPENDENT * largest).collect();
+    let reduce = DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
+    let (inverses, inner) = symmetric_eigen(&(reduce.transpose() * scaled(&m) * &reduce))?;
+    let positive: Vec<usize> = (0..inverses.len()).rev().filter(|&k| inverses[k] > 0.0).collect();
+    let values = positive.iter().map(|&k| inverses[k].recip()).collect();
+    let unscaled = DMatrix::from_fn(n, kept.len(), |i, k| units[i] * reduce[(i, k)]);
+    let all = unscaled * inner;
+    let vectors =
+        DMatrix::from_fn(n, positive.len(), |i, k| all[(i, positive[k])] / inverses[positive[k]].sqrt());
+    Some((values, vectors))
+}
+
+/// The symmetric matrix of the products of a basis with its images.
+fn products(basis: &[Imaged], of: fn(&Imaged) -> &Vec<f64>) -> DMatrix<f64> {
+    let n = basis.len();
+    let raw = DMatrix::from_fn(n, n, |i, j| pairwise_dot(&basis[i].x, of(&basis[j])));
+    (&raw + raw.transpose()) * 0.5
 }

@@ -10,13 +10,14 @@
 //! | bisection, golden-section search | `search`, of `fractional_sobolev_numeric` |
 //! | Legendre polynomials | [`legendre`] |
 //! | differences of ln Γ and ψ | `gamma` |
+//! | numbers of twice the digits | `twofold` |
 //! | conjugate gradients | `conjugate_gradients`, of `fractional_sobolev_numeric` |
 //! | extreme eigenvalues of large pencils | [`block_iteration`] |
 //! | parallel maps | `parallel` |
 //! | dense matrices: products, Cholesky factors, eigenvectors | `dense` |
 //! | extremal quotients of two quadratic forms | `pencil` |
 //!
-//! Everything is in `f64`; nothing here depends on norms or meshes.
+//! Everything else is in `f64`; nothing here depends on norms or meshes.
 
 pub(crate) mod block_iteration;
 pub(crate) mod budget;
@@ -28,6 +29,7 @@ pub(crate) mod legendre;
 pub(crate) mod parallel;
 pub(crate) mod pencil;
 pub(crate) mod scale;
+pub(crate) mod twofold;
 
 use crate::error::Error;
 pub(crate) use fractional_sobolev_numeric::{conjugate_gradients, search, sum};

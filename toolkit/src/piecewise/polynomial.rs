@@ -248,6 +248,23 @@ impl Piece {
         (self.left - c) * (1.0 - t) + (self.right - c) * t + t * (1.0 - t) * self.bubble_sum(t).0
     }
 
+    /// The values at several points.
+    pub(crate) fn values(&self, points: &[f64]) -> Vec<f64> {
+        let x: Vec<f64> = points.iter().map(|t| 2.0 * t - 1.0).collect();
+        let [mut sums, mut previous, mut current] = [0.0, 0.0, 1.0].map(|start| vec![start; points.len()]);
+        for (k, c) in self.bubbles.iter().enumerate() {
+            // (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}
+            let k = k as f64;
+            let [up, down] = [(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0)];
+            for (((sum, before), now), x) in sums.iter_mut().zip(&mut previous).zip(&mut current).zip(&x) {
+                *sum += c * *now;
+                (*before, *now) = (*now, up * x * *now - down * *before);
+            }
+        }
+        let line = |t: f64| self.left * (1.0 - t) + self.right * t;
+        points.iter().zip(sums).map(|(&t, sum)| line(t) + t * (1.0 - t) * sum).collect()
+    }
+
     pub(crate) fn degree(&self) -> usize {
         if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
     }

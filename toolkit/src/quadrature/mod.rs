@@ -3,6 +3,7 @@
 //! All rules are given on (0, 1), so that a point t close to 0 has full relative accuracy; the distance 1 + x
 //! of a point x ∈ (−1, 1) from −1 would not.
 
+mod jacobi;
 mod power_weight;
 mod rules;
 mod tail;

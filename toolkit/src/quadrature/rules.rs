@@ -1,9 +1,8 @@
 //! Gauss-Legendre and Gauss-Jacobi rules on (0, 1).
 
+use super::jacobi::jacobi_rule;
 use crate::error::{Error, Result};
-use crate::numeric::dense::symmetric_eigen;
 use gauss_quad::GaussLegendre;
-use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
 /// A quadrature rule with increasing points in (0, 1) and positive weights.
@@ -15,8 +14,9 @@ use std::sync::OnceLock;
 /// ∫₀¹ (1−t)^α t^β f(t) dt ≈ Σ wᵢ f(tᵢ), exact for polynomials of degree 2n − 1; α, β > −1. Legendre rules (α = β = 0)
 /// are computed by `gauss-quad` and Newton steps on the recurrence in t, and are cached up to 64 points.
 /// Jacobi rules are computed from the eigenvalues of the Jacobi matrix (Golub & Welsch, Math. Comp. 23 (1969)
-/// 221-230), followed by Newton steps on the three-term recurrence in t itself. Cost: O(n²) for Legendre
-/// rules, O(n³) for Jacobi rules.
+/// 221-230), followed by Newton steps on the three-term recurrence in t, the last one and the weights with twice
+/// the digits: points and weights have a relative error of a few units of rounding for n ≤ 4096, points next to 1
+/// an absolute one. Cost: O(n²), a second for n = 4096.
 #[doc(alias("Gauss-Legendre", "Gauss-Jacobi", "quadrature"))]
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rule {
@@ -74,18 +74,7 @@ impl Rule {
         for (name, exponent) in [("alpha", alpha), ("beta", beta)] {
             Error::require(name, exponent, "(-1, inf)", exponent > -1.0 && exponent.is_finite())?;
         }
-        let recurrence = Recurrence::new(n, alpha, beta);
-        // Exponents beyond what binary64 squares have no finite recurrence.
-        let mut points = recurrence.eigenvalues().ok_or(Error::OutOfRange {
-            name: "alpha + beta",
-            value: alpha + beta,
-            range: "the range in which the recurrence is finite",
-        })?;
-        points.iter_mut().for_each(|t| *t = recurrence.polish(*t));
-        points.sort_by(f64::total_cmp);
-        let mass = beta_function(alpha + 1.0, beta + 1.0);
-        let weights = points.iter().map(|&t| mass / recurrence.evaluate(t).square_sum).collect();
-        Ok(Self { points, weights })
+        jacobi_rule(n, alpha, beta)
     }
 
     /// The points in (0, 1), in increasing order.
@@ -173,95 +162,6 @@ fn legendre_rule(n: usize) -> Rule {
     Rule { points, weights }
 }
 
-/// B(a, b) for a, b > 0.
-fn beta_function(a: f64, b: f64) -> f64 {
-    if a + b < 100.0 {
-        libm::tgamma(a) * (libm::tgamma(b) / libm::tgamma(a + b))
-    } else {
-        (libm::lgamma(a) + libm::lgamma(b) - libm::lgamma(a + b)).exp()
-    }
-}
-
-/// Orthonormal polynomials of the probability measure (1−t)^α t^β dt / B(α+1, β+1):
-/// √b_{k+1} p_{k+1} = (t − a_k) p_k − √b_k p_{k−1}.
-struct Recurrence {
-    diagonal: Vec<f64>,
-    /// √b_1 ... √b_n
-    off_diagonal: Vec<f64>,
-}
-
-/// The orthonormal polynomial of degree n at a point, its derivative, and Σ_{k<n} p_k².
-struct Evaluation {
-    value: f64,
-    derivative: f64,
-    square_sum: f64,
-}
-
-impl Recurrence {
-    fn new(n: usize, alpha: f64, beta: f64) -> Self {
-        let sum = alpha + beta;
-        let diagonal = (0..n)
-            .map(|k| match k {
-                0 => (beta + 1.0) / (sum + 2.0),
-                _ => {
-                    let s = 2.0 * k as f64 + sum;
-                    0.5 * (1.0 + (beta - alpha) * sum / (s * (s + 2.0)))
-                }
-            })
-            .collect();
-        let off_diagonal = (1..=n)
-            .map(|k| {
-                let (k, s) = (k as f64, 2.0 * k as f64 + sum);
-                // k + α + β and s − 1 cancel at k = 1, where both may vanish
-                let ratio = if k == 1.0 { 1.0 } else { (k + sum) / (s - 1.0) };
-                (k * (k + alpha) * (k + beta) * ratio / (s * s * (s + 1.0))).sqrt()
-            })
-            .collect();
-        Self { diagonal, off_diagonal }
-    }
-
-    fn eigenvalues(&self) -> Option<Vec<f64>> {
-        let n = self.diagonal.len();
-        let matrix = DMatrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
-            0 => self.diagonal[i],
-            1 => self.off_diagonal[i.min(j)],
-            _ => 0.0,
-        });
-        symmetric_eigen(&matrix).map(|(values, _)| values)
-    }
-
-    fn evaluate(&self, t: f64) -> Evaluation {
-        let (mut previous, mut value) = (0.0, 1.0);
-        let (mut previous_derivative, mut derivative) = (0.0, 0.0);
-        let mut square_sum = 0.0;
-        let mut below = 0.0;
-        for (&a, &b) in self.diagonal.iter().zip(&self.off_diagonal) {
-            square_sum += value * value;
-            let next = ((t - a) * value - below * previous) / b;
-            let next_derivative = (value + (t - a) * derivative - below * previous_derivative) / b;
-            (previous, value) = (value, next);
-            (previous_derivative, derivative) = (derivative, next_derivative);
-            below = b;
-        }
-        Evaluation { value, derivative, square_sum }
-    }
-
-    /// The root found by Newton's method from an eigenvalue with an absolute error of about 1e-15: three steps
-    /// reach rounding.
-    fn polish(&self, start: f64) -> f64 {
-        let mut t = start.clamp(f64::MIN_POSITIVE, 1.0);
-        for _ in 0..3 {
-            let at = self.evaluate(t);
-            let next = t - at.value / at.derivative;
-            if !(next > 0.0 && next < 1.0) {
-                break;
-            }
-            t = next;
-        }
-        t
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -278,7 +178,8 @@ mod tests {
                 let rule = Rule::gauss_jacobi(n, alpha, beta).unwrap();
                 for k in 0..2 * n {
                     let moment = rule.integrate(|t| t.powi(k as i32));
-                    let exact = beta_function(alpha + 1.0, beta + 1.0 + k as f64);
+                    let exact = libm::tgamma(alpha + 1.0) / libm::tgamma(alpha + beta + 2.0 + k as f64)
+                        * libm::tgamma(beta + 1.0 + k as f64);
                     assert!(
                         (moment / exact - 1.0).abs() < MOMENT_TOLERANCE,
                         "n {n} alpha {alpha} beta {beta} k {k}: {moment} against {exact}"

@@ -10,8 +10,10 @@ mod common;
 mod hard;
 
 mod constants;
+mod features;
 mod half_order_moments;
 mod numbers;
+mod rules;
 mod scales;
 
 /// The part of the random cases that is run by default; `attacks` runs more.

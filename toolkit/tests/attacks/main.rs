@@ -12,6 +12,8 @@ mod hard;
 mod constants;
 #[path = "../norms/errors_of_fields.rs"]
 mod errors_of_fields;
+#[path = "../accuracy/features.rs"]
+mod features;
 #[path = "../accuracy/numbers.rs"]
 mod numbers;
 #[path = "../norms/rough_loads.rs"]

@@ -93,3 +93,116 @@ fn the_largest_eigenvalue_of_a_random_mesh_does_not_depend_on_the_tolerance() {
         }
     }
 }
+
+/// The smallest positive eigenvalue of (A, M) for piecewise constants, by inverse iteration. A is a sum of squares of
+/// differences: elimination keeps this form, without subtraction.
+fn smallest_by_elimination(form: &Gram, mesh: &Mesh) -> Result<f64> {
+    let (a, n) = (form.to_dense()?, form.len());
+    let mut links = DMatrix::from_fn(n, n, |i, j| if i == j { 0.0 } else { -a[(i, j)] });
+    let mut sums = vec![0.0; n];
+    for k in 0..n - 1 {
+        sums[k] = (k + 1..n).map(|j| links[(k, j)]).sum();
+        for i in k + 1..n {
+            for j in k + 1..n {
+                if i != j {
+                    links[(i, j)] += links[(i, k)] * links[(k, j)] / sums[k];
+                }
+            }
+        }
+    }
+    let masses = mesh.lengths();
+    let total: f64 = masses.iter().sum();
+    let mut x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).cos()).collect();
+    let mut value = 0.0;
+    for _ in 0..400 {
+        let mean = x.iter().zip(masses).map(|(x, m)| x * m).sum::<f64>() / total;
+        let load: Vec<f64> = x.iter().zip(masses).map(|(x, m)| (x - mean) * m).collect();
+        let mut y = load.clone();
+        for k in 0..n - 1 {
+            for i in k + 1..n {
+                y[i] += links[(i, k)] / sums[k] * y[k];
+            }
+        }
+        y[n - 1] = 0.0;
+        for k in (0..n - 1).rev() {
+            y[k] = (y[k] + (k + 1..n).map(|j| links[(k, j)] * y[j]).sum::<f64>()) / sums[k];
+        }
+        let form: f64 = y.iter().zip(&load).map(|(y, f)| y * f).sum();
+        let mean = y.iter().zip(masses).map(|(y, m)| y * m).sum::<f64>() / total;
+        let size: f64 = y.iter().zip(masses).map(|(y, m)| m * (y - mean).powi(2)).sum();
+        value = form / size;
+        x = y.iter().map(|y| (y - mean) / size.sqrt()).collect();
+    }
+    Ok(value)
+}
+
+/// The same for hat functions, by Cholesky factors of A + σ m mᵀ, m = M 1, scaled to a diagonal of 1: constants have the
+/// eigenvalue σ times the length.
+fn smallest_by_factors(form: &Gram, mesh: &Mesh) -> Result<f64> {
+    let (mut a, n) = (form.to_dense()?, form.len());
+    let m = form.mass(&vec![1.0; n])?;
+    let total: f64 = mesh.lengths().iter().sum();
+    let shift = 1e3 / total.powi(2);
+    for i in 0..n {
+        for j in 0..n {
+            a[(i, j)] += shift * m[i] * m[j];
+        }
+    }
+    let units: Vec<f64> = (0..n).map(|i| a[(i, i)].sqrt().recip()).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, j| units[i] * a[(i, j)] * units[j]);
+    let factor = Cholesky::new(scaled).expect("positive definite");
+    let mut x: Vec<f64> = (0..n).map(|i| (1.3 * i as f64).cos()).collect();
+    let mut value = 0.0;
+    for _ in 0..400 {
+        let mean = x.iter().zip(&m).map(|(x, m)| x * m).sum::<f64>() / total;
+        let centred: Vec<f64> = x.iter().map(|x| x - mean).collect();
+        let load = form.mass(&centred)?;
+        let right = nalgebra::DVector::from_fn(n, |i, _| units[i] * load[i]);
+        let found = factor.solve(&right);
+        let y: Vec<f64> = (0..n).map(|i| units[i] * found[i]).collect();
+        let form_of: f64 = y.iter().zip(&load).map(|(y, f)| y * f).sum();
+        let size: f64 = y.iter().zip(form.mass(&y)?).map(|(y, m)| y * m).sum();
+        value = form_of / size;
+        x = y.iter().map(|y| y / size.sqrt()).collect();
+    }
+    Ok(value)
+}
+
+#[test]
+fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
+    let mut random = SplitMix::new(51);
+    let (mut tried, mut refused) = (0, 0);
+    for _ in 0..crate::hard::cases(2400) {
+        let count = 4 + random.below(6);
+        let lengths: Vec<f64> = (0..count).map(|_| 10f64.powf(random.between(-12.0, 0.0))).collect();
+        let mesh = Mesh::from_lengths(&lengths)?;
+        let below = 10f64.powf(random.between(-7.0, -1.0));
+        let (form, exact) = if random.below(2) == 0 {
+            let s = if random.below(2) == 0 { random.between(0.02, 0.48) } else { 0.5 - below };
+            let form = Gram::constants(&mesh, s, 1e-10)?;
+            let exact = smallest_by_elimination(&form, &mesh)?;
+            (form, exact)
+        } else {
+            let s = if random.below(2) == 0 { random.between(0.1, 0.6) } else { 0.5 + below };
+            let form = Gram::new(&mesh, s, 1e-10)?;
+            let exact = smallest_by_factors(&form, &mesh)?;
+            (form, exact)
+        };
+        tried += 1;
+        let low = match form.extreme_eigenvalues() {
+            Ok([low, _]) => low,
+            Err(error) => {
+                refused += 1;
+                // The best value may be that of the largest eigenvalue.
+                match error.best() {
+                    Some(best) if best.value < 10.0 * exact => best,
+                    _ => continue,
+                }
+            }
+        };
+        let apart = (low.value - exact).abs();
+        assert!(apart <= low.error + 1e-11 * exact, "{lengths:?} {form:?}: {low}, {exact}");
+    }
+    assert!(10 * refused <= tried, "{refused} of {tried} refused");
+    Ok(())
+}

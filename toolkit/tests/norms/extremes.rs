@@ -1,6 +1,6 @@
 //! The hardest admissible input gives digits; the inadmissible gives an error. Never a panic, never NaN.
 
-use fractional_sobolev::{Error, Function, Gram, Mesh, Order, Tolerance, closed_forms};
+use fractional_sobolev::{DualOf, Error, Function, Gram, Mesh, Order, Tolerance, closed_forms};
 
 #[test]
 fn one_element_and_a_million() {
@@ -82,4 +82,39 @@ fn closures_of_any_size_scale_out() {
     let u = Function::from_fn(&[0.0, 1.0], |x: f64| 1e-2 * x).unwrap();
     let found = u.lp(200.0, tolerance).unwrap().value;
     assert!((found / 9.738_319_515_772_5e-3 - 1.0).abs() <= tolerance.relative(), "{found}");
+}
+
+#[test]
+fn a_jump_barely_below_one_half_has_its_seminorm() {
+    let jumps = |x: f64| if x > 0.5 { 1.0 } else { 0.0 };
+    let plain = Function::from_fn(&[0.0, 0.5, 1.0], jumps).unwrap();
+    let positions = Function::from_positions(&[0.0, 0.5, 1.0], |at| {
+        let is_right = at.anchor() == 2 || at.anchor() == 1 && at.offset() > 0.0;
+        if is_right { 3.0 + at.x() } else { at.x() }
+    })
+    .unwrap();
+    for offset in [-1e-300, -1e-16, -1e-14, -1e-12, -1e-10, -1e-9] {
+        let order = Order::half_plus(offset).unwrap();
+        // 4/(2ν (1 − 2ν)) (1 − (1 + O(1)) (1 − 2ν) ...) on (0, 1), cut in the middle
+        let exact = closed_forms::jump_seminorm_squared(0.5, 0.5, order).unwrap().value.sqrt();
+        let found = plain.seminorm(order, 1e-6).unwrap();
+        assert!((found.value - exact).abs() <= found.error + 1e-5 * exact, "{offset:e}: {found}, {exact}");
+        // beside it the smooth part is below the tolerance
+        let found = positions.seminorm(order, 1e-3).unwrap();
+        assert!((found.value - 3.0 * exact).abs() <= found.error + 1e-3 * exact, "{offset:e}: {found}");
+    }
+    let half = plain.seminorm(Order::HALF, 1e-6);
+    assert!(matches!(half, Err(Error::InfiniteNorm { .. })), "{half:?}");
+}
+
+#[test]
+fn a_line_has_its_dual_norm_at_orders_next_to_minus_one() {
+    let line = Function::from_fn(&[0.0, 1.0], |x| x - 0.5).unwrap();
+    let values = Function::linears(&Mesh::uniform(1, 1.0).unwrap(), &[-0.5, 0.5]).unwrap();
+    for from_one in [1e-14, 1e-12, 1e-10, 1e-6] {
+        let order = Order::new(1.0 - from_one).unwrap();
+        let [found, exact] = [&line, &values].map(|u| u.dual_norm(DualOf::Slobodeckij, order, 1e-6).unwrap());
+        let apart = (found.value - exact.value).abs();
+        assert!(apart <= found.error + exact.error, "{from_one:e}: {found}, {exact}");
+    }
 }

@@ -1,0 +1,110 @@
+//! A guaranteed error against seconds: uniform and adaptive meshes on three bodies.
+//!
+//! The bound of |||u − u^h||| by an equilibrated stress (example `two_sided_energies`) is a sum over triangles and contact
+//! segments. On uniform meshes every triangle is cut into four. On adaptive meshes the triangles that carry half of the
+//! bound are bisected, and both problems are solved again.
+//!
+//! - `block`: the elastic unit square, λ = μ = 1, clamped on top, f = (0, −cos πx), contact on the bottom edge.
+//! - `L`: the scalar problem −Δu = 1 − x on (0, 2)² less [1, 2)², u = 0 on y = 2, u ≤ 0 on y = 0.
+//! - `waves`: the scalar problem −Δu = cos 4πx + 1/5 on the unit square, u = 0 on top, u ≤ 0 on the bottom: three contact
+//!   intervals.
+//!
+//! For linear elements no sequence of meshes has a better order than
+//!
+//! ```text
+//! |||u − u^h||| = O(N^(−1/2)),        N the number of unknowns;
+//! ```
+//!
+//! uniform meshes reach it only for u in H². Where u behaves like r^α at a corner or where the boundary condition changes,
+//! their order is −α/2: α = 2/3 at the corner of the L, 0.7112 where the clamped top of the block meets its free sides.
+//!
+//! The order is measured between the first mesh with a fiftieth of the largest number of unknowns and the last mesh. The
+//! claim is refuted if on adaptive meshes it is not −1/2 ± 0.03, if the order on uniform meshes is the better one by 0.03,
+//! or if the bound rises on a finer mesh.
+//!
+//! `cargo run --release --example guaranteed_error_against_seconds -- --unknowns 300000 --out out`
+
+use example_report::prelude::*;
+use signorini::bounds::Refinement;
+use signorini::contact::Body;
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{Part, SideParts, unit_square, unit_squares};
+use std::f64::consts::PI;
+use std::time::Instant;
+
+example! { seconds "A guaranteed error, its cost", "the bound of |||u − u^h||| falls like N^(−1/2) on adaptive meshes, whatever the corners";
+    /// largest number of unknowns
+    unknowns: usize = "20000" in "[2000, 2000000]",
+}
+
+/// One mesh of a sequence.
+struct Point {
+    unknowns: f64,
+    bound: f64,
+    seconds: f64,
+}
+
+fn bodies() -> signorini::Result<Vec<(&'static str, Body<'static>)>> {
+    let block = Body::new(unit_square(4, SideParts::HANGING)?, Form::elastic(Lame::new(1.0, 1.0)?))
+        .load(|[x, _]: [f64; 2]| [0.0, -(PI * x).cos()]);
+    let part = |[_, y]: [f64; 2]| match y {
+        0.0 => Part::Contact,
+        2.0 => Part::Dirichlet,
+        _ => Part::Neumann,
+    };
+    let l = Body::new(unit_squares(2, &[[0, 0], [1, 0], [0, 1]], part)?, Form::LAPLACE)
+        .load(|[x, _]: [f64; 2]| 1.0 - x);
+    let waves = Body::new(unit_square(8, SideParts::HANGING)?, Form::LAPLACE)
+        .load(|[x, _]: [f64; 2]| (4.0 * PI * x).cos() + 0.2);
+    Ok(vec![("block", block), ("L", l), ("waves", waves)])
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    out.column("relative", "bound/|||u|||", "guaranteed, on the last mesh");
+    out.column("order", "order in N", "of the bound");
+    out.column("seconds", "s", "all meshes up to this one, both problems on each");
+    let mut curves = Vec::new();
+    for (body_name, body) in bodies()? {
+        let mut orders = Vec::new();
+        for (meshes, share) in [("uniform", 1.0), ("adaptive", 0.5)] {
+            // A tolerance that is out of reach: the limit of unknowns ends the refinement.
+            let refinement = Refinement {
+                tolerance: 1e-9,
+                unknowns: options.unknowns,
+                share,
+                growth: 1.0,
+                ..Refinement::default()
+            };
+            let (start, mut points) = (Instant::now(), Vec::<Point>::new());
+            let (last, _) = refinement.run(&body, |found| {
+                points.push(Point {
+                    unknowns: found.problem.free_unknowns() as f64,
+                    bound: found.error,
+                    seconds: start.elapsed().as_secs_f64(),
+                });
+            })?;
+            let first = points.partition_point(|point| point.unknowns < 0.02 * options.unknowns as f64);
+            let [begin, .., end] = &points[first..] else { continue };
+            let order = (end.bound / begin.bound).ln() / (end.unknowns / begin.unknowns).ln();
+            let rise = points.windows(2).map(|pair| pair[1].bound / pair[0].bound).fold(0.0, f64::max);
+            out.check("bound on the finer mesh/bound").at_most(rise, 1.0, "nested meshes");
+            if meshes == "adaptive" {
+                out.check("adaptive meshes: order of the bound in N").near(order, -0.5, 0.03, "N^(−1/2)");
+            }
+            out.row(cells! { body: body_name, meshes => unknowns: end.unknowns as usize,
+            relative: last.relative_error(), order, seconds: (1e3 * end.seconds).ceil() / 1e3 });
+            orders.push(order);
+            let line = points.iter().map(|point| (point.seconds, point.bound / last.norm.upper)).collect();
+            curves.push((format!("{body_name}, {meshes}"), line));
+        }
+        if let [uniform, adaptive] = orders[..] {
+            out.check("order, uniform less adaptive").at_least(uniform - adaptive, -0.03, "no better order");
+        }
+    }
+    let axes = Axes::LogLog("seconds", "guaranteed error / |||u|||");
+    let plot = out.plot("guaranteed_error_against_seconds", "What a guaranteed error costs", axes);
+    for (name, points) in curves {
+        plot.line(&name, points);
+    }
+    Ok(())
+}

@@ -1,0 +1,482 @@
+//! Two-sided energies: the bound of a computed contact problem beside its true error.
+
+#[path = "../common/enclosures.rs"]
+mod enclosures;
+
+use enclosures::{Beside, Scene, exponent};
+use signorini::bounds::Refinement;
+use signorini::cone::Cone;
+use signorini::contact::Body;
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{
+    BoundaryEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid, unit_square, unit_squares,
+};
+use std::f64::consts::PI;
+
+fn elastic(lambda: f64, mu: f64) -> Form {
+    Form::elastic(Lame::new(lambda, mu).unwrap())
+}
+
+fn block(mesh: Triangulation) -> Body<'static> {
+    Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
+}
+
+fn l_domain() -> Triangulation {
+    let part = |[_, y]: Point| match y {
+        0.0 => Part::Contact,
+        2.0 => Part::Dirichlet,
+        _ => Part::Neumann,
+    };
+    unit_squares(2, &[[0, 0], [1, 0], [0, 1]], part).unwrap()
+}
+
+fn l_body(mesh: Triangulation) -> Body<'static> {
+    Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - x)
+}
+
+/// The bound against the distance to a mesh of 16 times as many triangles, for both cones where both are defined.
+fn check(scene: &Scene, most: f64) -> Vec<Beside> {
+    let mut all = Vec::new();
+    for cone in Cone::ALL {
+        let beside = match scene.beside(cone, 2) {
+            Ok(beside) => beside,
+            Err(error) if cone == Cone::Midpoint && error.to_string().contains("pieces") => continue,
+            Err(error) => panic!("{} {cone}: {error}", scene.name),
+        };
+        let Beside { found, fine, distance, forces } = &beside;
+        println!(
+            "{:32} {cone:9} bound {:.4e} distance {distance:.4e} ratio {:.3} relative {:.3} osc {:.1e} \
+             rounding {:.1e} correction {:.1e} fine {:.3e} forces {forces:.5?}",
+            scene.name,
+            found.error,
+            beside.effectivity(),
+            found.relative_error(),
+            found.oscillation,
+            found.rounding,
+            found.correction,
+            fine.error,
+        );
+        let wrong = beside.violations(&scene.name);
+        assert!(wrong.is_empty(), "{cone}: {wrong:#?}");
+        assert!(beside.effectivity() < most, "{} {cone}: {}", scene.name, beside.effectivity());
+        all.push(beside);
+    }
+    all
+}
+
+/// Energies of another package: an interior point method for both problems.
+#[test]
+fn energies_of_the_block_are_those_of_the_table() {
+    let table = [
+        (8, -0.0163244618, -0.0178568680, 1e-9),
+        (16, -0.0172496119, -0.0177014497, 1e-9),
+        (32, -0.0175239764, -0.017655775, 1e-8),
+    ];
+    // J(u) to 1e-6: the tenth of a percent of |||u|||² = −2 J(u) for the error 3 %.
+    let body = block(unit_square(8, SideParts::HANGING).unwrap());
+    let exact = Refinement { tolerance: 0.03, ..Refinement::default() }.solve(&body).unwrap().energy;
+    println!("J(u) in {exact:?}");
+    for (n, above, below, accuracy) in table {
+        let found = block(unit_square(n, SideParts::HANGING).unwrap()).enclose(Cone::Nodal).unwrap();
+        let distance = (2.0 * (found.solution.energy - exact.upper)).sqrt();
+        println!(
+            "{n}: {:.12} {:.12} bound {:.5} over (2 (J(u^h) − J(u)))^½ {:.4}",
+            found.solution.energy,
+            found.dual_energy,
+            found.error,
+            found.error / distance
+        );
+        assert!(
+            (found.solution.energy - above).abs() <= 1e-9 && (found.dual_energy - below).abs() <= accuracy
+        );
+        assert!(found.error / distance <= 1.12 && found.energy.contains(exact.upper));
+        let sum: f64 = found.shares.iter().sum();
+        assert!((sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12 * sum.max(1e-3));
+    }
+}
+
+/// Energies of the prototype: another method for both problems.
+#[test]
+fn energies_of_the_scalar_l_are_those_of_the_prototype() {
+    let table = [
+        (18, -0.1300737240, -0.1628623830),
+        (60, -0.1400066150, -0.1509010169),
+        (216, -0.1434233892, -0.1470630064),
+        (816, -0.1445600618, -0.1458172503),
+    ];
+    let mut meshes = Hierarchy::new(l_domain());
+    for (free, above, below) in table {
+        let found = l_body(meshes.finest().clone()).enclose(Cone::Nodal).unwrap();
+        let sum: f64 = found.shares.iter().sum();
+        let gap = 2.0 * (found.solution.energy - found.dual_energy);
+        println!(
+            "{} {:.11} {:.11} sum of the parts less 2 (J − J*): {:.1e}",
+            found.problem.free_unknowns(),
+            found.solution.energy,
+            found.dual_energy,
+            sum - gap
+        );
+        assert_eq!(found.problem.free_unknowns(), free);
+        assert!((found.solution.energy - above).abs() < 0.6e-10, "{above}");
+        assert!((found.dual_energy - below).abs() < 0.6e-10, "{below}");
+        assert!((sum - gap).abs() < 1e-12);
+        meshes.refine_where(|_, _| true).unwrap();
+    }
+}
+
+/// Number of unknowns and bound on every mesh.
+fn history(body: &Body<'_>, share: f64, unknowns: usize) -> Vec<(f64, f64)> {
+    let mut points = Vec::new();
+    let refinement = Refinement { tolerance: 1e-9, unknowns, share, ..Refinement::default() };
+    refinement
+        .run(body, |found| points.push((found.problem.free_unknowns() as f64, found.relative_error())))
+        .unwrap();
+    points
+}
+
+/// The exponents on adaptive and on uniform meshes, the latter at most `uniform`.
+fn orders(name: &str, body: &Body<'_>, unknowns: usize, uniform: [f64; 2]) {
+    let adaptive = history(body, 0.5, unknowns);
+    let whole = history(body, 1.0, unknowns);
+    let late = |points: &[(f64, f64)], from: f64| {
+        let last = points[points.len() - 1].0;
+        points.iter().copied().filter(|p| p.0 * from >= last).collect::<Vec<_>>()
+    };
+    let (own, other) = (exponent(&late(&adaptive, 16.0)), exponent(&late(&whole, 17.0)));
+    println!("{name}: adaptive {own:.3}, uniform {other:.3}, {adaptive:.4?} {whole:.4?}");
+    assert!((own + 0.5).abs() <= 0.03, "{name}: {own}");
+    assert!(uniform[0] <= other && other <= uniform[1], "{name}: uniform {other}");
+}
+
+#[test]
+fn adaptive_meshes_have_the_best_order_on_the_block() {
+    orders("block", &block(unit_square(4, SideParts::HANGING).unwrap()), 20_000, [-0.5, -0.4]);
+}
+
+#[test]
+fn adaptive_meshes_have_the_best_order_on_the_l() {
+    orders("L", &l_body(l_domain()), 10_000, [-0.42, -0.3]);
+}
+
+/// Dirichlet and Neumann sides at an angle of 10/11 π: r^0.55, u in H^τ for τ < 1.55.
+#[test]
+fn adaptive_meshes_have_the_best_order_at_a_weak_corner() {
+    let place = 0.5 + 0.5 / (5.0 * PI / 11.0).tan();
+    let map = |[x, y]: Point| [x * (1.0 - y) + x * y * place, y * (1.0 - x) + x * y * place];
+    let mesh = mapped_grid(4, 4, SideParts::HANGING, map).unwrap();
+    let body = Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - 3.0 * x);
+    orders("corner", &body, 10_000, [-0.45, -0.25]);
+}
+
+/// The square (−1, 1)² with a slit from the left to the middle.
+fn slit(n: usize) -> Triangulation {
+    let width = 2 * n + 1;
+    let at = |i: usize| i as f64 / n as f64 - 1.0;
+    let mut nodes: Vec<Point> = (0..width).flat_map(|j| (0..width).map(move |i| [at(i), at(j)])).collect();
+    // The upper face of the slit, without its tip.
+    let upper = nodes.len();
+    nodes.extend((0..n).map(|i| [at(i), 0.0]));
+    let node = |i: usize, j: usize, above: bool| {
+        if j == n && i < n && above { upper + i } else { j * width + i }
+    };
+    let (mut triangles, mut boundary) = (Vec::new(), Vec::new());
+    let mut edge = |part, from, to| boundary.push(BoundaryEdge { nodes: [from, to], part });
+    for j in 0..2 * n {
+        for i in 0..2 * n {
+            let above = j >= n;
+            let [a, b, c, d] =
+                [node(i, j, above), node(i + 1, j, above), node(i + 1, j + 1, above), node(i, j + 1, above)];
+            triangles.extend([[a, b, c], [a, c, d]]);
+            if j == 0 {
+                edge(Part::Contact, a, b);
+            }
+            if j == 2 * n - 1 {
+                edge(Part::Dirichlet, c, d);
+            }
+            if i == 0 {
+                edge(Part::Neumann, d, a);
+            }
+            if i == 2 * n - 1 {
+                edge(Part::Neumann, b, c);
+            }
+            if i < n && j == n {
+                edge(Part::Neumann, a, b);
+            }
+            if i < n && j + 1 == n {
+                edge(Part::Neumann, c, d);
+            }
+        }
+    }
+    Triangulation::new(&nodes, &triangles, &boundary).unwrap()
+}
+
+#[test]
+fn adaptive_meshes_have_the_best_order_at_a_slit() {
+    let body = Body::new(slit(2), elastic(1.0, 1.0)).load(|[x, y]: Point| [0.2 * y, -0.5 - 0.3 * x]);
+    orders("slit", &body, 20_000, [-0.4, -0.2]);
+}
+
+/// A square of 4 × 4 cells without the four in the middle; contact below, clamped above.
+fn with_hole() -> Triangulation {
+    let places: Vec<[i32; 2]> = (0..4)
+        .flat_map(|i| (0..4).map(move |j| [i, j]))
+        .filter(|place| !place.iter().all(|&k| k == 1 || k == 2))
+        .collect();
+    let part = |[_, y]: Point| match y {
+        0.0 => Part::Contact,
+        4.0 => Part::Dirichlet,
+        _ => Part::Neumann,
+    };
+    unit_squares(2, &places, part).unwrap()
+}
+
+/// A grid of the unit square, parts by the midpoints of the boundary edges.
+fn labelled(n: usize, part: impl Fn(Point) -> Part) -> Triangulation {
+    let whole = mapped_grid(n, n, SideParts::HANGING, |point| point).unwrap();
+    let boundary: Vec<BoundaryEdge> = whole
+        .boundary()
+        .iter()
+        .map(|edge| {
+            let [a, b] = whole.ends(edge);
+            BoundaryEdge { nodes: edge.nodes, part: part([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]) }
+        })
+        .collect();
+    Triangulation::new(whole.nodes(), whole.triangles(), &boundary).unwrap()
+}
+
+#[test]
+fn a_hole() {
+    let scene = Scene::new("hole", with_hole(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.0, -0.2 + 0.15 * x])
+    });
+    check(&scene, 1.25);
+    let scene = Scene::new("hole, scalar", with_hole(), |mesh| {
+        Body::new(mesh, Form::LAPLACE).load(|[x, y]: Point| x - 1.5 - 0.1 * x * y)
+    });
+    check(&scene, 1.25);
+}
+
+/// A hole with pieces of its own of all three kinds: the resultants on its rim are unknown.
+#[test]
+fn a_hole_with_a_floor_and_a_clamped_side() {
+    let places: Vec<[i32; 2]> =
+        (0..3).flat_map(|i| (0..3).map(move |j| [i, j])).filter(|place| *place != [1, 1]).collect();
+    let part = |[x, y]: Point| match (x, y) {
+        (_, 0.0) => Part::Dirichlet,
+        (_, 2.0) if 1.0 < x && x < 2.0 => Part::Contact,
+        (2.0, _) if 1.0 < y && y < 1.8 => Part::Dirichlet,
+        _ => Part::Neumann,
+    };
+    let mesh = unit_squares(2, &places, part).unwrap();
+    let scene = Scene::new("hole, floor and clamp inside", mesh, |mesh| {
+        Body::new(mesh, elastic(2.0, 1.0)).load(|[x, y]: Point| [0.1 * y, -0.3 * x])
+    });
+    check(&scene, 1.3);
+}
+
+#[test]
+fn two_floors() {
+    let part = |[x, y]: Point| match (x, y) {
+        (_, 0.0) => Part::Contact,
+        (1.0, _) if y < 0.6 => Part::Contact,
+        (_, 1.0) => Part::Dirichlet,
+        _ => Part::Neumann,
+    };
+    // Between the floors one free edge: pieces have no common node.
+    let part = move |[x, y]: Point| if y == 0.0 && x > 0.8 { Part::Neumann } else { part([x, y]) };
+    let scene = Scene::new("two floors", labelled(8, part), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0)).load(|[x, y]: Point| [0.4 - y, -(PI * x).cos()])
+    });
+    let found = check(&scene, 1.2);
+    assert!(found[0].forces.iter().all(|[coarse, _]| coarse.lower > 0.0));
+}
+
+#[test]
+fn a_gap() {
+    let mesh = || unit_square(8, SideParts::HANGING).unwrap();
+    let scene = Scene::new("gap", mesh(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0)).load(|[_, _]: Point| [0.0, -1.0]).gap(|[x, _]| 0.1 + 0.4 * x)
+    });
+    check(&scene, 1.2);
+    // A convex gap is penetrated between the nodes, at a clamped end as well.
+    let clamped = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
+    for sides in [SideParts::HANGING, clamped] {
+        let scene = Scene::new("convex gap", unit_square(8, sides).unwrap(), |mesh| {
+            Body::new(mesh, elastic(1.0, 1.0)).load(|[_, _]: Point| [0.0, -1.0]).gap(|[x, _]| 0.3 * x * x)
+        });
+        check(&scene, 1.3);
+    }
+    let scene = Scene::new("gap, scalar", mesh(), |mesh| {
+        Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 + x).gap(|[x, _]| 0.2 + 0.1 * (4.0 * x).sin())
+    });
+    check(&scene, 1.3);
+}
+
+#[test]
+fn a_traction() {
+    let scene = Scene::new("traction", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0)).traction(|[x, y]: Point| [-0.5 * y, 0.2 - x])
+    });
+    check(&scene, 1.25);
+    let scene = Scene::new("traction, curved", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0))
+            .traction(|[x, y]: Point| [(5.0 * y).sin(), 0.2 - x])
+            .load(|[x, y]: Point| [x * y, -x * x])
+    });
+    check(&scene, 1.6);
+    let scene = Scene::new("flux, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+        Body::new(mesh, Form::LAPLACE).traction(|[x, y]: Point| 0.5 - x * y)
+    });
+    check(&scene, 1.25);
+}
+
+#[test]
+fn a_jump_of_the_material() {
+    let mesh = unit_square(8, SideParts::HANGING).unwrap();
+    let middle = |t: usize| (0..3).map(|k| mesh.corners(t)[k][0]).sum::<f64>() / 3.0;
+    let regions: Vec<u32> = (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
+    for contrast in [10.0, 1e6] {
+        let mesh = mesh.clone().with_regions(&regions).unwrap();
+        let scene = Scene::new(format!("jump of {contrast:e}"), mesh, move |mesh| {
+            let materials = vec![Lame::new(1.0, 1.0).unwrap(), Lame::new(contrast, contrast).unwrap()];
+            Body::new(mesh, Form::Elastic { materials }).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
+        });
+        check(&scene, 1.35);
+    }
+}
+
+#[test]
+fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
+    // Corner to corner between two clamped sides, and between two free ones.
+    for side in [Part::Dirichlet, Part::Neumann] {
+        let sides = SideParts { left: side, right: side, ..SideParts::HANGING };
+        let scene =
+            Scene::new(format!("corner to corner, {side:?}"), unit_square(8, sides).unwrap(), |mesh| {
+                Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x])
+            });
+        check(&scene, 1.25);
+    }
+    for (end, beyond) in [(0.5, Part::Neumann), (0.5, Part::Dirichlet)] {
+        let part = move |[x, y]: Point| match y {
+            0.0 if x < end => Part::Contact,
+            0.0 => beyond,
+            1.0 => Part::Dirichlet,
+            _ => Part::Neumann,
+        };
+        let scene = Scene::new(format!("ends inside, then {beyond:?}"), labelled(8, part), |mesh| {
+            Body::new(mesh, elastic(1.0, 1.0)).load(|_: Point| [0.1, -1.0])
+        });
+        check(&scene, 1.25);
+    }
+}
+
+#[test]
+fn nothing_touches_and_everything_touches() {
+    for (name, push) in [("nothing touches", 1.0), ("everything touches", -1.0)] {
+        let scene = Scene::new(name, unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
+            Body::new(mesh, elastic(1.0, 1.0)).load(move |_: Point| [0.0, push])
+        });
+        for beside in check(&scene, 1.25) {
+            let touching = beside.found.pressure.iter().flatten().filter(|p| **p > 0.0).count();
+            assert_eq!(touching, if push > 0.0 { 0 } else { 16 }, "{name}");
+        }
+    }
+    // No load at all.
+    let free = Body::new(unit_square(4, SideParts::HANGING).unwrap(), elastic(1.0, 1.0));
+    let found = free.enclose(Cone::Nodal).unwrap();
+    assert!(found.error == 0.0 && found.relative_error() == 0.0, "{}", found.error);
+}
+
+/// −Δu + c u = f with u ≤ 0 on the whole boundary (Remark 1), and on a part of it.
+#[test]
+fn remark_1_with_its_reaction_term() {
+    let whole =
+        SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+    for (name, sides) in [("whole boundary", whole), ("bottom", SideParts::HANGING)] {
+        for reaction in [1.0, 100.0] {
+            let mesh = unit_square(8, sides).unwrap();
+            let scene = Scene::new(format!("reaction {reaction}, {name}"), mesh, move |mesh| {
+                Body::new(mesh, Form::Scalar { reaction }).load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y)
+            });
+            check(&scene, 1.4);
+        }
+    }
+}
+
+#[test]
+fn a_curved_prescribed_displacement() {
+    let scene = Scene::new("curved u_D", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0))
+            .displacement(|[x, _]: Point| [0.1 * x * x, -0.2 * (PI * x).sin()])
+            .load(|_: Point| [0.0, -0.2])
+    });
+    check(&scene, 1.5);
+    let scene = Scene::new("curved u_D, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+        Body::new(mesh, Form::LAPLACE).displacement(|[x, _]: Point| (2.0 * PI * x).cos())
+    });
+    check(&scene, 1.5);
+}
+
+#[test]
+fn a_load_on_one_region() {
+    let mesh = unit_square(8, SideParts::HANGING).unwrap();
+    let middle = |t: usize| (0..3).map(|k| mesh.corners(t)[k][1]).sum::<f64>() / 3.0;
+    let regions: Vec<u32> = (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
+    let mesh = mesh.clone().with_regions(&regions).unwrap();
+    let scene = Scene::new("regional load", mesh.clone(), |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0)).load_on(1, |_: Point| [0.3, -1.0])
+    });
+    check(&scene, 1.25);
+    let scene = Scene::new("regional load, sine", mesh, |mesh| {
+        Body::new(mesh, elastic(1.0, 1.0))
+            .load(|[x, _]: Point| [0.0, 0.5 - x])
+            .load_on(1, |[x, y]: Point| [(3.0 * x).sin(), (2.0 * y).cos()])
+    });
+    check(&scene, 1.6);
+}
+
+/// What of the load no stress of the mesh carries is in the bound, with constants: it falls faster than the bound.
+#[test]
+fn a_load_with_a_kink_has_oscillation() {
+    let kink = |form: Form, name: &str, most: f64| {
+        let mut shares = Vec::new();
+        for n in [8, 16] {
+            let mesh = unit_square(n, SideParts::HANGING).unwrap();
+            let is_elastic = form.components() == 2;
+            let form = form.clone();
+            let scene = Scene::new(name, mesh, move |mesh| {
+                let load = |[x, y]: Point| (x - 0.31).abs() + 0.5 * (y - 0.47 * x).abs() - 0.4;
+                let body = Body::new(mesh, form.clone());
+                if is_elastic {
+                    body.load(move |p: Point| [0.3 * load(p), -load(p)])
+                } else {
+                    body.load(load)
+                }
+            });
+            let found = check(&scene, most);
+            let share = found[0].found.oscillation / found[0].found.error;
+            assert!(share > 0.0);
+            shares.push(share);
+        }
+        println!("{name}: {shares:?}");
+        assert!(shares[1] < 0.6 * shares[0], "{shares:?}");
+    };
+    kink(Form::LAPLACE, "kink, scalar", 1.6);
+    kink(elastic(1.0, 1.0), "kink", 2.5);
+}
+
+/// P1 locks near ν = ½, and the bound, whose stress does not, grows with the error.
+#[test]
+fn the_bound_sees_locking() {
+    let mut errors = Vec::new();
+    for poisson in [0.3, 0.49, 0.4999] {
+        let scene =
+            Scene::new(format!("ν = {poisson}"), unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
+                let form = Form::elastic(Lame::plane_strain(1.0, poisson).unwrap());
+                Body::new(mesh, form).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
+            });
+        let found = check(&scene, 5.0);
+        errors.push(found[0].found.relative_error());
+    }
+    assert!(errors[2] > 1.5 * errors[0], "{errors:?}");
+}

@@ -1,0 +1,162 @@
+//! Undeclared bells, boxes and hats at or above the stated width of 1/500 of the interval, at random places, for every
+//! norm of a formula: none is missed. The known answer is that of the same function with declared breakpoints.
+
+use crate::common::SplitMix;
+use crate::hard::{Case, Family, decades, judge};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Result, Tolerance};
+
+/// A bell, a box or a hat beside a smooth function, on an interval.
+struct Feature {
+    what: String,
+    ends: [f64; 2],
+    /// breakpoints of the feature
+    inner: Vec<f64>,
+    jumps: bool,
+    f: Box<dyn Fn(f64) -> f64 + Sync>,
+}
+
+fn feature(random: &mut SplitMix) -> Feature {
+    let left = random.between(-2.0, 1.0);
+    let length = if random.below(4) == 0 { decades(random, -3.0, 3.0) } else { random.between(0.5, 3.0) };
+    let kind = random.below(3);
+    // the bell's standard deviation is half of its width
+    let width = length * decades(random, -2.699, -1.3);
+    let centre = left + width + (length - 2.0 * width) * random.uniform();
+    let height = if random.below(2) == 0 { 1.0 } else { decades(random, -1.0, 1.0) };
+    let beside = random.below(4);
+    let smooth = move |x: f64| match beside {
+        0 => 0.0,
+        1 => 1.0,
+        2 => 1.0 + (x - left) / length,
+        _ => (7.0 * (x - left) / length).sin(),
+    };
+    let (name, inner, f): (_, _, Box<dyn Fn(f64) -> f64 + Sync>) = match kind {
+        0 => {
+            let bell = move |x: f64| (-0.5 * ((x - centre) / (0.5 * width)).powi(2)).exp();
+            ("bell", vec![centre], Box::new(move |x| smooth(x) + height * bell(x)))
+        }
+        1 => {
+            let [from, to] = [centre - 0.5 * width, centre + 0.5 * width];
+            let inside = move |x: f64| if x > from && x < to { height } else { 0.0 };
+            ("box", vec![from, to], Box::new(move |x| smooth(x) + inside(x)))
+        }
+        _ => {
+            let hat = move |x: f64| (1.0 - (x - centre).abs() / width).max(0.0);
+            (
+                "hat",
+                vec![centre - width, centre, centre + width],
+                Box::new(move |x| smooth(x) + height * hat(x)),
+            )
+        }
+    };
+    let what = format!(
+        "{name} of width {width:e} and height {height} at {centre} on ({left}, {left} + {length}) beside {beside}"
+    );
+    Feature { what, ends: [left, left + length], inner, jumps: kind == 1, f }
+}
+
+/// The quantity and the value with the given breakpoints.
+fn verb(kind: usize, order: f64, f: &Function, asked: Tolerance) -> Result<Estimate> {
+    match kind {
+        0 => f.lp(2.0, asked),
+        1 => f.lp(1.0, asked),
+        2 => f.lp(4.0, asked),
+        3 => f.lp(f64::INFINITY, asked),
+        4 => f.mean(asked),
+        5 => f.seminorm(order, asked),
+        6 => f.dual_norm(DualOf::Interpolation, order, asked),
+        _ => f.norm(order, asked),
+    }
+}
+
+fn undeclared(random: &mut SplitMix, kind: usize) -> Case {
+    loop {
+        let u = feature(random);
+        let [left, right] = u.ends;
+        let order = if u.jumps { random.between(0.05, 0.4) } else { random.between(0.05, 0.9) };
+        let asked = Tolerance::new(decades(random, -8.0, -3.0)).unwrap();
+        let breaks: Vec<f64> = std::iter::once(left).chain(u.inner.iter().copied()).chain([right]).collect();
+        let declared = Function::from_fn(&breaks, &u.f).unwrap();
+        let Ok(exact) = verb(kind % 8, order, &declared, asked) else { continue };
+        // zeros of u and of its derivative are declared for other exponents
+        if kind % 8 == 1 && u.what.ends_with('3') {
+            continue;
+        }
+        let plain = Function::from_fn(&u.ends, &u.f).unwrap();
+        let mesh = Mesh::uniform(1 + random.below(20), right - left).unwrap();
+        let zero = Function::piecewise(&mesh, 0, &vec![0.0; mesh.len()]).unwrap();
+        let found = match kind {
+            0..8 => verb(kind, order, &plain, asked),
+            _ => shifted(&u, order, kind - 8, asked, &zero),
+        };
+        if let Err(Error::InfiniteNorm { .. }) = found
+            && u.jumps
+        {
+            continue;
+        }
+        let what = format!("verb {kind}, order {order}, {}", u.what);
+        // A mean is relative to that of |u|.
+        let asked = if kind == 4 { None } else { Some(asked) };
+        return Case { what, asked, found, exact, is_deep: true };
+    }
+}
+
+/// The norms of u − 0, on an interval that starts at 0, as a mesh does.
+fn shifted(u: &Feature, order: f64, kind: usize, asked: Tolerance, zero: &Function) -> Result<Estimate> {
+    let [left, right] = u.ends;
+    let moved = Function::from_fn(&[0.0, right - left], |x| (u.f)(left + x))?;
+    let difference = moved.minus(zero)?;
+    match kind {
+        0 => difference.lp(2.0, asked),
+        5 => difference.seminorm(order, asked),
+        6 => difference.dual_norm(DualOf::Interpolation, order, asked),
+        _ => difference.norm(order, asked),
+    }
+}
+
+#[test]
+fn undeclared_features_of_the_stated_width_are_seen_by_every_norm() {
+    let families: [Family; 12] = [
+        ("features in L2", 3400, 0.2, |r| undeclared(r, 0)),
+        ("features in L1", 2000, 0.2, |r| undeclared(r, 1)),
+        ("features in L4", 2000, 0.2, |r| undeclared(r, 2)),
+        ("features in the maximum", 2000, 0.2, |r| undeclared(r, 3)),
+        ("features in the mean", 2000, 0.2, |r| undeclared(r, 4)),
+        ("features in seminorms", 3000, 0.5, |r| undeclared(r, 5)),
+        ("features in dual norms", 1500, 0.5, |r| undeclared(r, 6)),
+        ("features in norms", 1500, 0.5, |r| undeclared(r, 7)),
+        ("features in differences, L2", 1000, 0.5, |r| undeclared(r, 8)),
+        ("features in differences, seminorm", 1000, 0.7, |r| undeclared(r, 13)),
+        ("features in differences, dual", 100, 0.5, |r| undeclared(r, 14)),
+        ("features in differences, norm", 500, 0.7, |r| undeclared(r, 15)),
+    ];
+    judge(300, &families);
+}
+
+/// 1 + a bell of standard deviation 0.0037: its L² norm from ∫ (1 + g)² = 2 + 2 w √(2π) + w √π.
+#[test]
+fn narrow_bells_of_the_issue_have_their_norms() {
+    let bell = |c: f64, w: f64| move |x: f64| (-0.5 * ((x - c) / w).powi(2)).exp();
+    let pi = std::f64::consts::PI;
+    let alone = |w: f64| (w * pi.sqrt()).sqrt();
+    for (c, w) in [(0.137, 5e-4), (0.137, 1e-3), (0.0, 5e-4), (0.62, 0.005), (0.62, 0.004), (0.62, 0.006)] {
+        let u = Function::from_fn(&[-1.0, 1.0], bell(c, w)).unwrap();
+        let found = u.norm(0.0, 1e-8).unwrap();
+        assert!((found.value - alone(w)).abs() <= found.error, "{c} {w}: {found}, {}", alone(w));
+        let declared = Function::from_fn(&[-1.0, c, 1.0], bell(c, w)).unwrap();
+        for order in [-0.5, 0.25, 0.5, 0.75] {
+            let [found, exact] = [&u, &declared].map(|u| u.norm(order, 1e-6).unwrap());
+            let apart = (found.value - exact.value).abs();
+            assert!(apart <= found.error + exact.error, "{c} {w} {order}: {found}, {exact}");
+        }
+    }
+    let (c, w) = (0.249, 0.0037);
+    let u = Function::from_fn(&[-1.0, 1.0], move |x| 1.0 + bell(c, w)(x)).unwrap();
+    let found = u.norm(0.0, 1e-8).unwrap();
+    let exact = (2.0 + 2.0 * w * (2.0 * pi).sqrt() + w * pi.sqrt()).sqrt();
+    assert!((found.value - exact).abs() <= found.error, "{found}, {exact}");
+    let tiny = Function::from_fn(&[0.0, 1.0], bell(0.62, 0.005)).unwrap();
+    for order in [Order::new(0.3).unwrap(), Order::HALF] {
+        assert!(tiny.norm(order, 1e-8).is_ok());
+    }
+}
