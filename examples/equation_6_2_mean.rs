@@ -6,21 +6,20 @@
 //! |v(x) − v̄| ≤ h^(1/2) ‖v'‖₀        for every x.
 //! ```
 //!
-//! Both sides scale alike, so the interval is (0, 1). The best constant at x is κ(x), κ(x)² = (x³ + (1−x)³)/3: it is
-//! largest at the ends, 1/√3, and half of that in the centre.
+//! Both sides scale alike, so the interval is (0, 1). The best constant at x is κ(x), κ(x)² = (x³ +
+//! (1−x)³)/3: it is largest at the ends, 1/√3, and half of that in the centre.
 //!
-//! Refuted if κ is above 1 at a point, if a random function has a quotient above κ(x), or if the best of all functions with
-//! N constant slopes misses κ² by another number than 1/(12 N²): this implies the random ones, by Cauchy and Schwarz.
+//! Refuted if κ is above 1 at a point, if a random function has a quotient above κ(x), or if the
+//! best of all functions with N constant slopes misses κ² by another number than 1/(12 N²): this
+//! implies the random ones, by Cauchy and Schwarz.
 //!
 //! `cargo run --release --example equation_6_2_mean -- --cells 4096 --functions 20000`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts. Where `stronger` holds, the statement is loose. `observe`
-// decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, projection_constant};
 
-example! { quick "(6.2)", "|v(x) − v̄| ≤ h^(1/2) ‖v'‖₀  on an interval of length h, at every point x";
+example! { quick "(6.2)",
+    "|v(x) − v̄| ≤ h^(1/2) ‖v'‖₀  on an interval of length h, at every point x";
     /// number N of cells, with a constant slope on each
     cells: usize = "256" in "[1, 65536]",
     /// number of random functions
@@ -30,8 +29,9 @@ example! { quick "(6.2)", "|v(x) − v̄| ≤ h^(1/2) ‖v'‖₀  on an interva
 /// Points of the table: sixteenths of the interval, rounded to nodes.
 const POINTS: usize = 16;
 
-/// kᵢ = v(x) − v̄ for the function with slope 1 on cell i and 0 on the others, x = node/N: its value at x is 1/N behind the
-/// cell and 0 before; its mean is 1/N behind the cell and half of that on it. For slopes s, v(x) − v̄ = Σ kᵢ sᵢ.
+/// kᵢ = v(x) − v̄ for the function with slope 1 on cell i and 0 on the others, x = node/N: its
+/// value at x is 1/N behind the cell and 0 before; its mean is 1/N behind the cell and half of that
+/// on it. For slopes s, v(x) − v̄ = Σ kᵢ sᵢ.
 fn functional(cells: usize, node: usize) -> Vec<f64> {
     let h = 1.0 / cells as f64;
     let mean = |i: usize| h * (1.0 - (i as f64 + 0.5) * h);
@@ -49,13 +49,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let n = options.cells;
     let mut state = 1u64; // of Knuth's linear congruential generator
     let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 * 2f64.powi(-52) - 1.0 // in (−1, 1)
     };
-    // κ by the library: the norm of v(x) − v̄ as a functional of v', a closed form; ± is its rounding, 1e-16, not the 1e-12
-    // asked. The sums of N slopes carry no ±: rounding of 1e-16 there is 12 N² 1e-16 of `missed`, 1e-5 for the largest N.
+    // κ by the library: the norm of v(x) − v̄ as a functional of v', a closed form; ± is its
+    // rounding, 1e-16, not the 1e-12 asked. The sums of N slopes carry no ±: rounding of 1e-16
+    // there is 12 N² 1e-16 of `missed`, 1e-5 for the largest N.
     let kappa = |x: f64| -> Result<Measured> {
-        Ok(projection_constant(Domain::Interval(1.0), ErrorNorm::At(x), 1.0, 1e-12)?.constant.into())
+        Ok(projection_constant(Domain::Interval(1.0), ErrorNorm::At(x), 1.0, 1e-12)?
+            .constant
+            .into())
     };
     for point in 0..=POINTS {
         let node = (point * n + POINTS / 2) / POINTS;
@@ -71,8 +75,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             tried = tried.max(quotient(&k, &slopes));
         }
         out.check("best constant κ(x)").at_most(kappa, 1.0, "(6.2)");
-        out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v").at_most(kappa.recip() * tried, 1.0, "best constant");
-        out.check("12 N² (κ² − κ_N²), v linear on N cells").near(missed, 1.0, 1e-3, "κ² − κ_N² = 1/(12 N²)");
+        out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v").at_most(
+            kappa.recip() * tried,
+            1.0,
+            "best constant",
+        );
+        out.check("12 N² (κ² − κ_N²), v linear on N cells").near(
+            missed,
+            1.0,
+            1e-3,
+            "κ² − κ_N² = 1/(12 N²)",
+        );
         out.stronger("max κ(x)").at_most(kappa, 0.5774, "1/√3");
         out.row(cells! { x => kappa, of_steps, tried, missed: missed.value });
     }

@@ -1,25 +1,26 @@
-//! The integral fractional Laplacian on an interval, by piecewise linears on uniform and on graded meshes.
+//! The integral fractional Laplacian on an interval, by piecewise linears on uniform and on graded
+//! meshes.
 //!
-//! For 0 < s < 1 let (−Δ)^s u(x) = C PV∫ (u(x) − u(y)) / |x − y|^(1+2s) dy over the whole line, with
-//! C = 4^s Γ(s + 1/2) / (√π |Γ(−s)|), and u the solution of (−Δ)^s u = 1 on (−1, 1), u = 0 outside:
-//! u = (1 − x²)^s / Γ(1 + 2s). Its energy is C/2 ∬ (u(x) − u(y))² / |x − y|^(1+2s) dx dy over R² = ∫ u
-//! = √π Γ(1 + s) / (Γ(3/2 + s) Γ(1 + 2s)). Galerkin solutions u_h are orthogonal to their error, so that the square of
-//! the energy norm of u − u_h is the difference of the energies.
+//! For 0 < s < 1 let (−Δ)^s u(x) = C PV∫ (u(x) − u(y)) / |x − y|^(1+2s) dy over the whole line,
+//! with C = 4^s Γ(s + 1/2) / (√π |Γ(−s)|), and u the solution of (−Δ)^s u = 1 on (−1, 1), u = 0
+//! outside: u = (1 − x²)^s / Γ(1 + 2s). Its energy is C/2 ∬ (u(x) − u(y))² / |x − y|^(1+2s) dx dy
+//! over R² = ∫ u = √π Γ(1 + s) / (Γ(3/2 + s) Γ(1 + 2s)). Galerkin solutions u_h are orthogonal to
+//! their error, so that the square of the energy norm of u − u_h is the difference of the energies.
 //!
-//! u grows like the power s of the distance to an end: the order in the number n of elements is 1/2 on uniform meshes
-//! and 2 − s on meshes with the nodes (2i/n)^β from each end, β = 2 (2 − s) (Acosta & Borthagaray 2017 for the first;
-//! the second is that of interpolation). Refuted if an order is off by 0.03 (0.08 on graded meshes, where both ends add a
-//! logarithm), if a solution takes more than 25 iterations, or if `by_definition` gives another energy by 1e-9.
+//! u grows like the power s of the distance to an end: the order in the number n of elements is 1/2
+//! on uniform meshes and 2 − s on meshes with the nodes (2i/n)^β from each end, β = 2 (2 − s)
+//! (Acosta & Borthagaray 2017 for the first; the second is that of interpolation). Refuted if an
+//! order is off by 0.03 (0.08 on graded meshes, where both ends add a logarithm), if a solution
+//! takes more than 25 iterations, or if `by_definition` gives another energy by 1e-9.
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
 use nalgebra::{Cholesky, DVector};
 use std::f64::consts::PI;
 use std::time::Instant;
 
-example! { seconds "Fractional Laplacian", "(−Δ)^s u = 1 on (−1, 1):  ‖u − u_h‖ ≤ C n^(−1/2) on uniform, C n^(s−2) on graded meshes";
+example! { seconds "Fractional Laplacian",
+    "(−Δ)^s u = 1 on (−1, 1):  ‖u − u_h‖ ≤ C n^(−1/2) on uniform, C n^(s−2) on graded meshes";
     /// orders s
     s: Vec<f64> = "0.25,0.75" in "[0.1, 0.9]" slider "0.1 to 0.9",
     /// meshes of 16, 64, .. 4^finest elements
@@ -36,7 +37,9 @@ const ELIMINATED: usize = 256;
 fn two_sided(n: usize, beta: f64) -> Result<Mesh> {
     let half = Mesh::algebraic(n / 2, beta, 1.0)?;
     let lengths = half.lengths();
-    Ok(Mesh::from_lengths(&lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>())?)
+    Ok(Mesh::from_lengths(
+        &lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>(),
+    )?)
 }
 
 /// Γ(x) for x > 0: x Γ(x) = Γ(x + 1) up to 20, then Stirling's series; 14 digits.
@@ -49,8 +52,8 @@ fn gamma(x: f64) -> f64 {
     (2.0 * PI / x).sqrt() * (x * x.ln() - x + series).exp()
 }
 
-/// bᵀ A⁻¹ b by elimination, with the regional matrix of a mesh that has an element of length 1e30 (s ≥ 1/2) or 1e60 on
-/// either side, where u vanishes: what lies beyond is below rounding.
+/// bᵀ A⁻¹ b by elimination, with the regional matrix of a mesh that has an element of length 1e30
+/// (s ≥ 1/2) or 1e60 on either side, where u vanishes: what lies beyond is below rounding.
 fn by_definition(mesh: &Mesh, s: f64, load: &[f64]) -> Result<f64> {
     let far = if s < 0.5 { 1e60 } else { 1e30 };
     let wide = Mesh::from_lengths(&[&[far], mesh.lengths(), &[far]].concat())?;
@@ -80,9 +83,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             for n in (2..=options.finest).map(|level| 4usize.pow(level)) {
                 let mesh = two_sided(n, beta)?;
                 // ∫ φ_i / (C/2): A u = b with A of the double integral over the line.
-                let load: Vec<f64> = mesh.lengths().windows(2).map(|h| 0.5 * (h[0] + h[1]) / half).collect();
+                let load: Vec<f64> =
+                    mesh.lengths().windows(2).map(|h| 0.5 * (h[0] + h[1]) / half).collect();
                 let started = Instant::now();
-                // Entries by closed forms and Gauss rules to rounding, products by FFT or H²-matrices.
+                // Entries by closed forms and Gauss rules to rounding, products by FFT or
+                // H²-matrices.
                 let (_, energy) = Gram::zero_outside(&mesh, s, 1e-13)?.solve(&load)?;
                 let seconds = started.elapsed().as_secs_f64();
                 let (error, steps) =
@@ -105,11 +110,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 }
             }
             let found = out.exponent("n", "error") * -1.0;
-            out.check(format!("s = {s}, {mesh_name}: order")).near(found, order, within, "regularity of u");
+            out.check(format!("s = {s}, {mesh_name}: order")).near(
+                found,
+                order,
+                within,
+                "regularity of u",
+            );
             curves.push((format!("s = {s}, {mesh_name}"), measured));
         }
     }
-    for (k, name, title) in [(0, "fractional_laplacian", "n"), (1, "fractional_laplacian_seconds", "seconds")]
+    for (k, name, title) in
+        [(0, "fractional_laplacian", "n"), (1, "fractional_laplacian_seconds", "seconds")]
     {
         let plot = out.plot(name, "Errors in the energy norm", Axes::LogLog(title, "error"));
         for (curve, points) in &curves {

@@ -1,8 +1,9 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2, every step beside its bound.
 //!
-//! γ(θ) is the best constant in ‖u‖₀ ≤ γ |u|_ν for u with mean zero on (0, θ), as in Lemma 5.2; 0 < ν < 1. The proof
-//! stretches (0, 1) by 1/θ to I = (0, 1/θ), so that a zone of length θ² becomes one of length θ: ũ on (0, 1), u(x) = ũ(θx) on I.
-//! With |u|²_ν = ∬ (u(x) − u(y))²/|x − y|^(1+2ν) and c the mean of u over (0, 1) it uses
+//! γ(θ) is the best constant in ‖u‖₀ ≤ γ |u|_ν for u with mean zero on (0, θ), as in Lemma 5.2; 0 <
+//! ν < 1. The proof stretches (0, 1) by 1/θ to I = (0, 1/θ), so that a zone of length θ² becomes
+//! one of length θ: ũ on (0, 1), u(x) = ũ(θx) on I. With |u|²_ν = ∬ (u(x) − u(y))²/|x − y|^(1+2ν)
+//! and c the mean of u over (0, 1) it uses
 //!
 //! ```text
 //! ‖u‖₀ on I = θ^(−1/2) ‖ũ‖₀ on (0, 1),   |u|_ν on I = θ^(ν−1/2) |ũ|_ν on (0, 1)                    (5.5)
@@ -12,25 +13,26 @@
 //! γ(t^(2ⁿ)) ≤ γ(t) ∏ (1 + t^(2^i (ν−1/2))) over i < n, t the first zone                          (5.9)
 //! ```
 //!
-//! Here t = 1/2 is squared five times; (5.6) and the middle of (5.7) are evaluated for ũ the extremal function of the zone θ²:
-//! one function a step. The first ≤ of (5.7) is Cauchy and Schwarz, the last (0, 1) ⊂ I: no number decides them. The last lines
-//! of the proof bound the product by C θ^(ν−1/2), 2 ln θ/ln t, C with C an exponential of a series.
+//! Here t = 1/2 is squared five times; (5.6) and the middle of (5.7) are evaluated for ũ the
+//! extremal function of the zone θ²: one function a step. The first ≤ of (5.7) is Cauchy and
+//! Schwarz, the last (0, 1) ⊂ I: no number decides them. The last lines of the proof bound the
+//! product by C θ^(ν−1/2), 2 ln θ/ln t, C with C an exponential of a series.
 //!
-//! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient of (5.5) is off 1 by 1e-6.
-//! Not sharp if at ν = 1/2 the last step gives away √2 to 0.02: γ grows like (ln(1/θ))^(1/2) (page `lemma_5_2_exact_law`), by √2 in
-//! a step, where the product doubles; ± is the change since the step before. So (5.2) has ln(1/θ) and not its root.
+//! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient
+//! of (5.5) is off 1 by 1e-6. Not sharp if at ν = 1/2 the last step gives away √2 to 0.02: γ grows
+//! like (ln(1/θ))^(1/2) (page `lemma_5_2_exact_law`), by √2 in a step, where the product doubles; ±
+//! is the change since the step before. So (5.2) has ln(1/θ) and not its root.
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts. Where `not_sharp` holds, the statement is not sharp. `proof`: true
-// by the proof on that page of the book. ± of sums, products and quotients: those of the parts, to first order, added.
+// ± of sums, products and quotients: those of the parts, to first order, added.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Extremal, Function, gamma};
 use std::cmp::Ordering::{Equal, Greater, Less};
 use std::f64::consts::SQRT_2;
 
-example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1 + θ^(ν−1/2)), and the product of these factors";
+example! { quick "(5.5)-(5.9)",
+    "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1 + θ^(ν−1/2)), and the product of these factors";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
     /// length t of the first zone
@@ -39,39 +41,50 @@ example! { quick "(5.5)-(5.9)", "mean zero on (0, θ²):  γ(θ²) ≤ γ(θ) (1
     steps: u32 = "5" in "[1, 9]",
 }
 
-/// γ and the function that attains it: γ² is the largest eigenvalue λ of M u = λ A u, M and A the matrices of ‖·‖₀² and
-/// |·|²_ν on functions with mean zero on the zone whose slopes are polynomials in ln r (degree up to 11), r the distance to
-/// the nearest of 0, θ and 1, on elements that grow geometrically away from there. Hat functions, eight
-/// elements to a halving of the distance, give up to 0.2 % less. ±: the change to a space of fewer elements and lower degrees.
+/// γ and the function that attains it: γ² is the largest eigenvalue λ of M u = λ A u, M and A the
+/// matrices of ‖·‖₀² and |·|²_ν on functions with mean zero on the zone whose slopes are
+/// polynomials in ln r (degree up to 11), r the distance to the nearest of 0, θ and 1, on elements
+/// that grow geometrically away from there. Hat functions, eight elements to a halving of the
+/// distance, give up to 0.2 % less. ±: the change to a space of fewer elements and lower degrees.
 fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
     let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
     Ok((found.constant.into(), found.extremal()))
 }
 
-/// Left over right side of (5.7), in the middle and at the end, and of (5.6), for the extremal function of the zone θ².
-/// It is interpolated by quadratics, six to an element; their seminorms are closed forms, their norms Gauss rules.
-/// (5.5) gives the norms on I. What the mean over the zone misses of zero is part of the error of the Poincaré step.
-fn on_stretched_interval(nu: Order, theta: f64, gamma: Measured, u: &Extremal) -> Result<[Measured; 3]> {
+/// Left over right side of (5.7), in the middle and at the end, and of (5.6), for the extremal
+/// function of the zone θ². It is interpolated by quadratics, six to an element; their seminorms
+/// are closed forms, their norms Gauss rules. (5.5) gives the norms on I. What the mean over the
+/// zone misses of zero is part of the error of the Poincaré step.
+fn on_stretched_interval(
+    nu: Order,
+    theta: f64,
+    gamma: Measured,
+    u: &Extremal,
+) -> Result<[Measured; 3]> {
     let all = u.interpolate(2, 6, &[theta * theta, theta])?;
     let nodes = all.mesh()?.nodes();
     let before = |end: f64| nodes.iter().filter(|&&x| x <= end * (1.0 + 1e-12)).count() - 1;
     let (zone, unit) = (all.restrict(0..before(theta * theta))?, all.restrict(0..before(theta))?);
-    let norm =
-        |u: &Function<'_>| -> Result<Measured> { Ok(Measured::from(u.norm(0.0, 1e-12)?) / theta.sqrt()) };
+    let norm = |u: &Function<'_>| -> Result<Measured> {
+        Ok(Measured::from(u.norm(0.0, 1e-12)?) / theta.sqrt())
+    };
     let seminorm = |u: &Function<'_>| -> Result<Measured> {
         Ok(Measured::from(u.seminorm(nu, 1e-5)?) * theta.powf(nu.offset())) // ν − 1/2
     };
     let (c, missed) = (Measured::from(unit.mean(1e-12)?).abs(), zone.mean(1e-12)?.value.abs());
     let poincare = norm(&unit)? / (gamma * seminorm(&unit)?);
-    let poincare =
-        Measured::new(poincare.value, poincare.error + missed / norm(&unit)?.value * poincare.value);
+    let poincare = Measured::new(
+        poincare.value,
+        poincare.error + missed / norm(&unit)?.value * poincare.value,
+    );
     let right = c / theta.sqrt() + gamma * seminorm(&all)? * theta.powf(-nu.value());
     Ok([poincare, seminorm(&unit)? / seminorm(&all)?, norm(&all)? / right])
 }
 
 /// What the last lines of the proof make of the product, for the first zone t and θ ≤ t.
 fn last_lines(nu: Order, t: f64, theta: f64) -> f64 {
-    let series = |a: f64| std::iter::successors(Some(a), |a| Some(a * a)).take(64).sum::<f64>(); // Σ a^(2^i)
+    // Σ a^(2^i)
+    let series = |a: f64| std::iter::successors(Some(a), |a| Some(a * a)).take(64).sum::<f64>();
     match nu.offset().total_cmp(&0.0) {
         Less => theta.powf(nu.offset()) * series(t.powf(-0.5 * nu.offset())).exp(),
         Equal => 2.0 * theta.ln() / t.ln(),
@@ -79,14 +92,15 @@ fn last_lines(nu: Order, t: f64, theta: f64) -> f64 {
     }
 }
 
-/// (5.5) by quadrature: norms of sin x on (0, 1) and of sin θx on (0, 1/θ), the larger deviation of a quotient from 1.
+/// (5.5) by quadrature: norms of sin x on (0, 1) and of sin θx on (0, 1/θ), the larger deviation of
+/// a quotient from 1.
 fn scaling(nu: Order, theta: f64) -> Result<Measured> {
-    let [unit, long] =
-        [1.0, theta].map(|scale| Function::from_fn(&[0.0, 1.0 / scale], move |x| (scale * x).sin()));
+    let [unit, long] = [1.0, theta]
+        .map(|scale| Function::from_fn(&[0.0, 1.0 / scale], move |x| (scale * x).sin()));
     let (unit, long) = (unit?, long?);
     let norms = Measured::from(long.norm(0.0, 1e-8)?) * theta.sqrt() / unit.norm(0.0, 1e-8)?;
-    let seminorms =
-        Measured::from(long.seminorm(nu, 1e-8)?) * theta.powf(-nu.offset()) / unit.seminorm(nu, 1e-8)?;
+    let seminorms = Measured::from(long.seminorm(nu, 1e-8)?) * theta.powf(-nu.offset())
+        / unit.seminorm(nu, 1e-8)?;
     Ok(largest([norms, seminorms].map(|quotient| (quotient - 1.0).abs())).into())
 }
 
@@ -123,7 +137,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("(5.7): ‖u‖₀/(γ(θ) |u|_ν)").at_most(poincare_57, 1.0, "second inequality");
             out.check("(5.8): left/right side").at_most(step_58, 1.0, "inequality (5.8)");
             out.check("(5.9): left/right side").at_most(product_59, 1.0, "inequality (5.9)");
-            out.check("γ/final bound of the proof").at_most(last_lines, 1.0, "bound of the product");
+            out.check("γ/final bound of the proof").at_most(
+                last_lines,
+                1.0,
+                "bound of the product",
+            );
             given.push(step_58.recip());
             before = gamma;
         }
@@ -131,13 +149,22 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.note(format!("given.nu{nu}"), *b);
             if nu.offset() == 0.0 {
                 let last = Measured::new(b.value, b.error + (b.value - a.value).abs());
-                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²), last step").near(last, SQRT_2, 0.02, "γ² ~ ln(1/θ)");
+                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²), last step").near(
+                    last,
+                    SQRT_2,
+                    0.02,
+                    "γ² ~ ln(1/θ)",
+                );
             }
         }
     }
     out.proof("(5.7): first and last inequality", "lemma_5_2_induction");
     let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "constant over its bound");
-    out.plot("lemma_5_2_induction", "γ over the bound (5.9), as the zone is squared again and again", axes)
-        .curve_by("nu", "theta", "product_59");
+    out.plot(
+        "lemma_5_2_induction",
+        "γ over the bound (5.9), as the zone is squared again and again",
+        axes,
+    )
+    .curve_by("nu", "theta", "product_59");
     Ok(())
 }

@@ -1,33 +1,38 @@
-//! Lemma 6.1 on triangles: best constants of linear interpolation, and what flat and sharp angles cost.
+//! Lemma 6.1 on triangles: best constants of linear interpolation, and what flat and sharp angles
+//! cost.
 //!
-//! T is the triangle with two sides of length 1 at an angle α, and I u the linear function with the values of u at the
-//! three corners. For 0 < s < 1 let |∇u|²_s = ∬ |∇u(x) − ∇u(y)|² / |x − y|^(2+2s) dx dy over T × T, and |∇u|₁ = ‖D²u‖₀.
-//! The paper's lemma is about intervals; in the plane it reads, with the best constants C and C' for this s and α,
+//! T is the triangle with two sides of length 1 at an angle α, and I u the linear function with the
+//! values of u at the three corners. For 0 < s < 1 let |∇u|²_s = ∬ |∇u(x) − ∇u(y)|² / |x −
+//! y|^(2+2s) dx dy over T × T, and |∇u|₁ = ‖D²u‖₀. The paper's lemma is about intervals; in the
+//! plane it reads, with the best constants C and C' for this s and α,
 //!
 //! ```text
 //! ‖∇(u − I u)‖₀ ≤ C |∇u|_s,        ‖u − I u‖₀ ≤ C' |∇u|_s.
 //! ```
 //!
-//! As s → 1, ((1−s) 2/π)^(1/2) |∇u|_s → ‖D²u‖₀. So constants of different s and size h, the longest side, compare by
+//! As s → 1, ((1−s) 2/π)^(1/2) |∇u|_s → ‖D²u‖₀. So constants of different s and size h, the longest
+//! side, compare by
 //!
 //! ```text
 //! C_h = C (π/2/(1−s))^(1/2) / h^s,   at s = 1:  C_h = C/h.
 //! ```
 //!
 //! Refuted if C at s = 1 is above Kobayashi's bound (2011), with the sides a, b, c and the area S
-//! C² ≤ a²b²c²/(16S²) − (a²+b²+c²)/30 − (S²/5)(1/a²+1/b²+1/c²). If a quadratic function has a larger quotient than C. If C_h
-//! is not twice that at 60° for α ≥ 135°, or not above it for α ≤ 20° and s ≤ 3/4: at s = 1 sharp angles cost nothing.
+//! C² ≤ a²b²c²/(16S²) − (a²+b²+c²)/30 − (S²/5)(1/a²+1/b²+1/c²). If a quadratic function has a
+//! larger quotient than C. If C_h is not twice that at 60° for α ≥ 135°, or not above it for α ≤
+//! 20° and s ≤ 3/4: at s = 1 sharp angles cost nothing.
 //!
 //! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.9,0.3 --angle 15,90,150`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or is undecided
-// within ±. Of several calls the worst counts.
 use example_report::prelude::*;
-use fractional_sobolev::{Domain::Triangle, ErrorNorm, Function, Triangles, interpolation_constant};
+use fractional_sobolev::{
+    Domain::Triangle, ErrorNorm, Function, Triangles, interpolation_constant,
+};
 use nalgebra::{DMatrix, Matrix2, Vector2};
 use std::f64::consts::FRAC_PI_2;
 
-example! { seconds "Lemma 6.1, triangles", "‖∇(u − I u)‖₀ ≤ C |∇u|_s on a triangle; flat angles raise C, for s < 1 sharp ones too";
+example! { seconds "Lemma 6.1, triangles",
+    "‖∇(u − I u)‖₀ ≤ C |∇u|_s on a triangle; flat angles raise C, for s < 1 sharp ones too";
     /// orders s of the seminorm of ∇u; s = 1 is always included
     s: Vec<f64> = "0.25,0.75" in "[0.02, 1]" slider "0.1 to 0.98",
     /// angles α in degrees; 60 is always included
@@ -47,12 +52,14 @@ fn kobayashi(corners: [[f64; 2]; 3]) -> f64 {
     (product / (16.0 * area * area) - (a + b + c) / 30.0 - area * area / 5.0 * inverse).sqrt()
 }
 
-/// The largest ‖∇(u − I u)‖₀ / |∇u|_s of quadratic u, from the definition: ∇u = H x with the Hessian H, so
-/// |∇u|²_s = tr(H G Hᵀ), G the form of the seminorm for the functions x₁, x₂ on T; u − I u has the gradient H x − g.
+/// The largest ‖∇(u − I u)‖₀ / |∇u|_s of quadratic u, from the definition: ∇u = H x with the
+/// Hessian H, so |∇u|²_s = tr(H G Hᵀ), G the form of the seminorm for the functions x₁, x₂ on T; u
+/// − I u has the gradient H x − g.
 fn of_quadratics(corners: [[f64; 2]; 3], s: f64) -> Result<f64> {
     let mesh = Triangles::new(&corners, &[[0, 1, 2]])?;
-    // |a x₁ + b x₂|²_s: a smooth integral in the ratio of distances from a corner, by Gauss rules to 1e-8. With w = (a, b) it
-    // is ∫ (w·e)² S N(e)^(2s−2) B(2−2s, 3) dφ, e = (cos φ, sin φ), S the area, N half the sum of |barycentric parts of e|.
+    // |a x₁ + b x₂|²_s: a smooth integral in the ratio of distances from a corner, by Gauss rules
+    // to 1e-8. With w = (a, b) it is ∫ (w·e)² S N(e)^(2s−2) B(2−2s, 3) dφ, e = (cos φ, sin φ), S
+    // the area, N half the sum of |barycentric parts of e|.
     let square = |a: f64, b: f64| -> Result<f64> {
         let linear = Function::on_triangles(&mesh, 1, &corners.map(|[x, y]| a * x + b * y))?;
         Ok(linear.seminorm(s, 1e-8)?.value.powi(2))
@@ -65,8 +72,8 @@ fn of_quadratics(corners: [[f64; 2]; 3], s: f64) -> Result<f64> {
         .map(|h| Matrix2::from_row_slice(&h));
     let gradient = |h: &Matrix2<f64>, x: Vector2<f64>| {
         let u = corner.map(|corner| 0.5 * corner.dot(&(h * corner)));
-        let slope =
-            edges.transpose().try_inverse().unwrap_or_default() * Vector2::new(u[1] - u[0], u[2] - u[0]);
+        let slope = edges.transpose().try_inverse().unwrap_or_default()
+            * Vector2::new(u[1] - u[0], u[2] - u[0]);
         h * x - slope
     };
     // the rule of the midpoints of the sides is exact for the square of a linear function
@@ -92,11 +99,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         [[0.0, y], [-x, 0.0], [x, 0.0]]
     };
     for &s in &orders {
-        // Trial functions: polynomials of degree p up to 30, and r^(2s) times trigonometric functions of the angle about each
-        // corner. Largest quotients for p, p − 2, p − 4 settle like p^−k: C is their limit, its error the change of that
-        // limit with p. The double integrals by Gauss rules in polar coordinates about the corners, to 3e-8.
-        let best =
-            |&angle: &f64| interpolation_constant(Triangle(corners(angle)), ErrorNorm::Derivative, s, 1e-3);
+        // Trial functions: polynomials of degree p up to 30, and r^(2s) times trigonometric
+        // functions of the angle about each corner. Largest quotients for p, p − 2, p − 4 settle
+        // like p^−k: C is their limit, its error the change of that limit with p. The double
+        // integrals by Gauss rules in polar coordinates about the corners, to 3e-8.
+        let best = |&angle: &f64| {
+            interpolation_constant(Triangle(corners(angle)), ErrorNorm::Derivative, s, 1e-3)
+        };
         let best = angles.iter().map(best).collect::<std::result::Result<Vec<_>, _>>()?;
         let unit = if s < 1.0 { (FRAC_PI_2 / (1.0 - s)).sqrt() } else { 1.0 };
         let c_h = |k: usize| {
@@ -105,14 +114,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let equilateral = angles.iter().position(|angle| *angle == 60.0).map(c_h);
         for (k, &angle) in angles.iter().enumerate() {
-            let (c, c_l2) = (Measured::from(best[k].constant), best[k].in_norm(ErrorNorm::L2)?.constant);
+            let (c, c_l2) =
+                (Measured::from(best[k].constant), best[k].in_norm(ErrorNorm::L2)?.constant);
             let quadratics = of_quadratics(corners(angle), s)?;
             let upper = (s == 1.0).then(|| kobayashi(corners(angle)));
             if let Some(upper) = upper {
                 out.check("s = 1: C/Kobayashi's bound").at_most(c / upper, 1.0, "Kobayashi 2011");
             }
             let quotient = c.recip() * quadratics;
-            out.check("max ‖∇(u − I u)‖₀/(C |∇u|_s), u quadratic").at_most(quotient, 1.0, "best constant");
+            out.check("max ‖∇(u − I u)‖₀/(C |∇u|_s), u quadratic").at_most(
+                quotient,
+                1.0,
+                "best constant",
+            );
             if s == 1.0 && angle == 90.0 {
                 out.check("s = 1, α = 90°: C").at_most(c, BABUSKA_AZIZ, "Babuška, Aziz 1976");
             }
@@ -121,7 +135,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 out.check("α ≥ 135°: C_h(α)/C_h(60°)").at_least(ratio, 2.0, "C grows as α → 180°");
             }
             if angle <= 20.0 && s <= 0.75 {
-                out.check("α ≤ 20°, s ≤ 3/4: C_h(α)/C_h(60°)").at_least(ratio, 1.0, "C grows as α → 0");
+                out.check("α ≤ 20°, s ≤ 3/4: C_h(α)/C_h(60°)").at_least(
+                    ratio,
+                    1.0,
+                    "C grows as α → 0",
+                );
             }
             out.row(cells! { s, angle => c, quadratics, upper, c_h: c_h(k), c_l2 });
         }

@@ -1,28 +1,31 @@
-//! Remark 2: in the dual norm of H^(1/2) interpolation of H^(3/2) functions is of order h^(3/2) and no better.
+//! Remark 2: in the dual norm of H^(1/2) interpolation of H^(3/2) functions is of order h^(3/2) and
+//! no better.
 //!
-//! Falk's lemma bounds the error² by, among others, ‖σ_N‖_(1/2) ‖u_N − I u_N‖_(1/2,*), where I interpolates linearly on
-//! elements of length h and ‖f‖_(1/2,*) = sup ∫ f ψ / ‖ψ‖_(1/2), ‖ψ‖²_(1/2) = ‖ψ‖₀² + ∬ (ψ(x) − ψ(y))² / (x − y)² dx dy. For
-//! u in H²(Ω), u_N in H^(3/2), the remark says that better than h^(3/4) was not available on that way.
+//! Falk's lemma bounds the error² by, among others, ‖σ_N‖_(1/2) ‖u_N − I u_N‖_(1/2,*), where I
+//! interpolates linearly on elements of length h and ‖f‖_(1/2,*) = sup ∫ f ψ / ‖ψ‖_(1/2),
+//! ‖ψ‖²_(1/2) = ‖ψ‖₀² + ∬ (ψ(x) − ψ(y))² / (x − y)² dx dy. For u in H²(Ω), u_N in H^(3/2), the
+//! remark says that better than h^(3/4) was not available on that way.
 //!
-//! One wave per element, u = cos(2πx/h) − 1 on (0, 1), vanishes at all nodes: I u = 0, and the error is u, of mean −1. The
-//! dual norm sees the mean, so that it is 1 or more, while ‖u‖_(3/2) is of the order h^(−3/2):
+//! One wave per element, u = cos(2πx/h) − 1 on (0, 1), vanishes at all nodes: I u = 0, and the
+//! error is u, of mean −1. The dual norm sees the mean, so that it is 1 or more, while ‖u‖_(3/2) is
+//! of the order h^(−3/2):
 //!
 //! ```text
 //! ‖u − I u‖²_(1/2,*) = 1 + ‖cos‖²_(1/2,*),  0 ≤ ‖cos‖_(1/2,*) ≤ γ₁ (h/2)^(1/2),
 //! ‖u‖²_(3/2) = 3/2 + ω²/2 + ω² (2ω Si(ω) − 2 Cin(2ω)),  ω = 2π/h;  quotient → h^(3/2) / (√8 π²),
 //! ```
 //!
-//! γ₁ the constant of Lemma 5.2 for mean zero on (0, 1). One function for all meshes h = 2^(−k) is u = Σ c_j 2^(−3j/2)
-//! (cos(2π 2^j x) − 1) over j ≥ 0, c_j = (1 + j)^(−0.6), in H^(3/2): the waves j ≥ k are aliased, the errors of the others
-//! have mean zero, so the dual norm is at least the sum of c_j 2^(−3j/2) over j ≥ k.
+//! γ₁ the constant of Lemma 5.2 for mean zero on (0, 1). One function for all meshes h = 2^(−k) is
+//! u = Σ c_j 2^(−3j/2) (cos(2π 2^j x) − 1) over j ≥ 0, c_j = (1 + j)^(−0.6), in H^(3/2): the waves
+//! j ≥ k are aliased, the errors of the others have mean zero, so the dual norm is at least the sum
+//! of c_j 2^(−3j/2) over j ≥ k.
 //!
-//! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of all functions (Lemma
-//! 6.2) or is less than half its limit, or if the dual norm is not between the two bounds above.
+//! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of
+//! all functions (Lemma 6.2) or is less than half its limit, or if the dual norm is not between the
+//! two bounds above.
 //!
 //! `cargo run --release --example remark_2_dual_norm_counterexample -- --elements 5`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, gamma, gauss_legendre, interpolation_constant,
@@ -30,17 +33,21 @@ use fractional_sobolev::{
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::PI;
 
-example! { quick "Remark 2", "‖u − I u‖_(1/2,*) is no better than h^(3/2) ‖u‖_(3/2), so Falk's lemma leaves h^(3/4)";
+example! { quick "Remark 2",
+    "‖u − I u‖_(1/2,*) is no better than h^(3/2) ‖u‖_(3/2), so Falk's lemma leaves h^(3/4)";
     /// number of elements of the coarsest mesh
     elements: usize = "16" in "[4, 32]",
     /// number of meshes, each with twice the elements of the previous one
     meshes: usize = "5" in "[2, 5]",
 }
 
-/// ‖f‖_(1/2,*) from its definition for each f, given by element and place in (0, 1) there: (bᵀ (M + A)⁻¹ b)^(1/2) with
-/// bᵢ = ∫ f φᵢ by Gauss rules, M = ∫ φᵢ φⱼ and A the form of the seminorm in closed form, φᵢ the hat functions on four
-/// cells to an element.
-pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f64; N]) -> Result<[f64; N]> {
+/// ‖f‖_(1/2,*) from its definition for each f, given by element and place in (0, 1) there: (bᵀ (M +
+/// A)⁻¹ b)^(1/2) with bᵢ = ∫ f φᵢ by Gauss rules, M = ∫ φᵢ φⱼ and A the form of the seminorm in
+/// closed form, φᵢ the hat functions on four cells to an element.
+pub fn dual_norms<const N: usize>(
+    n: usize,
+    functions: [&dyn Fn(usize, f64) -> f64; N],
+) -> Result<[f64; N]> {
     const CELLS: usize = 4;
     let (cells, h) = (CELLS * n, 1.0 / (CELLS * n) as f64);
     let mut norm = Gram::new(&Mesh::uniform(cells, 1.0)?, Order::HALF, 1e-8)?.to_dense()?;
@@ -63,11 +70,14 @@ pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f
     Ok(loads.map(|load| load.dot(&factors.solve(&load)).sqrt()))
 }
 
-/// ‖u‖_(3/2) of u = cos ωx − 1 on (0, 1), ω = 2πn: Si = ∫ sin t / t and Cin = ∫ (1 − cos t) / t by Gauss rules on half waves.
+/// ‖u‖_(3/2) of u = cos ωx − 1 on (0, 1), ω = 2πn: Si = ∫ sin t / t and Cin = ∫ (1 − cos t) / t by
+/// Gauss rules on half waves.
 pub fn norm_of_wave(n: usize) -> Result<f64> {
     let (omega, rule) = (2.0 * PI * n as f64, gauss_legendre(16)?);
     let integral = |half_waves: usize, f: fn(f64) -> f64| -> f64 {
-        (0..half_waves).map(|k| rule.iter().map(|(t, w)| w * PI * f(PI * (k as f64 + t))).sum::<f64>()).sum()
+        (0..half_waves)
+            .map(|k| rule.iter().map(|(t, w)| w * PI * f(PI * (k as f64 + t))).sum::<f64>())
+            .sum()
     };
     let (si, cin) = (integral(2 * n, |t| t.sin() / t), integral(4 * n, |t| (1.0 - t.cos()) / t));
     Ok((1.5 + omega * omega * (0.5 + 2.0 * omega * si - 2.0 * cin)).sqrt())
@@ -79,9 +89,12 @@ pub fn mean_of_all_waves(k: i32) -> f64 {
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    // Best constant in ‖u − I u‖₀ ≤ C h^(3/2) |u|_(3/2): an eigenvalue on one element, the error of refinement.
+    // Best constant in ‖u − I u‖₀ ≤ C h^(3/2) |u|_(3/2): an eigenvalue on one element, the error of
+    // refinement.
     let best: Measured =
-        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, 1e-8)?.constant.into();
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, 1e-8)?
+            .constant
+            .into();
     // γ₁² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials with mean zero.
     let whole = gamma(Order::HALF, Constraint::mean_zero(), 1e-8)?.constant.value;
     out.column("wave", "wave", "‖u − I u‖_(1/2,*) / ‖u‖_(3/2)");
@@ -93,8 +106,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let h = 1.0 / n as f64;
         let wave = |_: usize, s: f64| (2.0 * PI * s).cos() - 1.0;
         // e^x₀ ((1 − s) + s e^h − e^(sh)), with differences from 1
-        let smooth =
-            |element: usize, s: f64| (h * element as f64).exp() * (s * h.exp_m1() - (s * h).exp_m1());
+        let smooth = |element: usize, s: f64| {
+            (h * element as f64).exp() * (s * h.exp_m1() - (s * h).exp_m1())
+        };
         let [dual, smooth] = dual_norms(n, [&wave, &smooth])?;
         let (low, high) = (1.0, (1.0 + 0.5 * h * whole * whole).sqrt());
         let wave = Measured::new(0.5 * (low + high), 0.5 * (high - low)) / norm_of_wave(n)?;
@@ -103,8 +117,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let falk = before.map(|(_, longer)| 0.5 * (longer / wave.value).log2());
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
-        out.check("wave: ‖u − I u‖_(1/2,*) − 1").near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
-        out.check("wave: ‖u − I u‖_(1/2,*)/(C h^(3/2) ‖u‖_(3/2))").at_most(wave / bound, 1.0, "Lemma 6.2");
+        out.check("wave: ‖u − I u‖_(1/2,*) − 1").near(
+            dual - 1.0,
+            middle,
+            half + 1e-9,
+            "0 to γ₁² h/4",
+        );
+        out.check("wave: ‖u − I u‖_(1/2,*)/(C h^(3/2) ‖u‖_(3/2))").at_most(
+            wave / bound,
+            1.0,
+            "Lemma 6.2",
+        );
         let limit = 1.0 / (8f64.sqrt() * PI.powi(2));
         out.check("wave: ‖u − I u‖_(1/2,*)/(h^(3/2) ‖u‖_(3/2))").at_least(
             wave / h.powf(1.5),
@@ -112,12 +135,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             "half the limit",
         );
     }
-    let [order, order_of_smooth] = ["wave", "smooth"].map(|column| -out.exponent("elements", column)); // of h, last two
+    // of h, last two
+    let [order, order_of_smooth] =
+        ["wave", "smooth"].map(|column| -out.exponent("elements", column));
     let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;
     out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");
     out.check("fixed u: order of the lower bound").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
     out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
-    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(order_of_smooth, 2.0, 0.02, "smooth function");
+    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(
+        order_of_smooth,
+        2.0,
+        0.02,
+        "smooth function",
+    );
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
     out.plot(
         "remark_2_dual_norm_counterexample",

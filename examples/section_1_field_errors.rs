@@ -1,25 +1,31 @@
-//! Section 1, errors: the interpolation error of x^α in a norm of fractional order, on equal and graded elements.
+//! Section 1, errors: the interpolation error of x^α in a norm of fractional order, on equal and
+//! graded elements.
 //!
-//! Let u = x^α on (0, 1), α > ν − 1/2, α ≠ 1, and I_h u its linear interpolant at the nodes (i/N)^β, β ≥ 1. Then
+//! Let u = x^α on (0, 1), α > ν − 1/2, α ≠ 1, and I_h u its linear interpolant at the nodes
+//! (i/N)^β, β ≥ 1. Then
 //!
 //! ```text
 //! |u − I_h u|_ν ≈ C N^(−p),   p = min(β (α − ν + 1/2), 2 − ν):   the first element, and all the others.
 //! ```
 //!
-//! Where the others decide, u − I_h u is near every point a chain of parabolas h² u''/2 · t(1 − t), and by the Fourier
-//! series of t(1 − t) the constant C has a closed form (`limit`); where both orders agree, a logarithm comes in.
+//! Where the others decide, u − I_h u is near every point a chain of parabolas h² u''/2 · t(1 − t),
+//! and by the Fourier series of t(1 − t) the constant C has a closed form (`limit`); where both
+//! orders agree, a logarithm comes in.
 //!
-//! Refuted if an order between the last two N is off p by more than 0.02, or C by more than 0.5 % where `limit` knows it.
+//! Refuted if an order between the last two N is off p by more than 0.02, or C by more than 0.5 %
+//! where `limit` knows it.
 //!
-//! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements 1000,10000,100000`
+//! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements
+//! 1000,10000,100000`
 
-// `near(x, b, t)` holds if |x − b| + its ± ≤ t; otherwise it fails, or is undecided within ±. Of several calls the
-// worst counts. `exponent` is the slope between the last two rows and `series` the column of this β; neither has a ±.
+// `exponent` is the slope between the last two rows and `series` the column of this β; neither has
+// a ±.
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Mesh};
 use std::f64::consts::PI;
 
-example! { seconds "Section 1, errors", "|u − I_h u|_ν ≈ C N^(−p), p = min(β (α − ν + 1/2), 2 − ν), for u = x^α and nodes (i/N)^β";
+example! { seconds "Section 1, errors",
+    "|u − I_h u|_ν ≈ C N^(−p), p = min(β (α − ν + 1/2), 2 − ν), for u = x^α and nodes (i/N)^β";
     /// exponent α of u = x^α, above ν − 1/2 and not 1
     alpha: f64 = "0.75" in "(0, 10]" slider "0.3 to 2.5",
     /// order ν of the norm
@@ -33,13 +39,13 @@ example! { seconds "Section 1, errors", "|u − I_h u|_ν ≈ C N^(−p), p = mi
 /// A grading nearer than this share to β (α − ν + 1/2) = 2 − ν shows a logarithm.
 const NEAR: f64 = 0.2;
 
-/// lim N^(2−ν) |u − I_h u|_ν where the first element does not decide: per unit element the chain t(1 − t) has
-/// |·|²_ν = π (2π)^(2ν) ζ(4 − 2ν) / (Γ(1 + 2ν) sin πν π⁴), times Σ (h² u''/2)² h^(1−2ν) over the elements,
-/// = ∫ (u''/2)² h^(4−2ν) dx with h = β x^(1−1/β) / N.
+/// lim N^(2−ν) |u − I_h u|_ν where the first element does not decide: per unit element the chain
+/// t(1 − t) has |·|²_ν = π (2π)^(2ν) ζ(4 − 2ν) / (Γ(1 + 2ν) sin πν π⁴), times Σ (h² u''/2)²
+/// h^(1−2ν) over the elements, = ∫ (u''/2)² h^(4−2ν) dx with h = β x^(1−1/β) / N.
 pub fn limit(alpha: f64, nu: f64, beta: f64) -> f64 {
     let zeta: f64 = (1..100_000).rev().map(|k| f64::from(k).powf(2.0 * nu - 4.0)).sum();
-    let chain =
-        PI * (2.0 * PI).powf(2.0 * nu) * zeta / (libm::tgamma(1.0 + 2.0 * nu) * (PI * nu).sin() * PI.powi(4));
+    let chain = PI * (2.0 * PI).powf(2.0 * nu) * zeta
+        / (libm::tgamma(1.0 + 2.0 * nu) * (PI * nu).sin() * PI.powi(4));
     let weight = beta.powf(4.0 - 2.0 * nu) / (2.0 * (alpha - nu + 0.5) - 2.0 * (2.0 - nu) / beta);
     (chain * weight).sqrt() * (0.5 * alpha * (alpha - 1.0)).abs()
 }
@@ -58,8 +64,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let mesh = Mesh::algebraic(elements, beta, 1.0)?;
             let at_nodes: Vec<f64> = mesh.from_left().iter().map(|x| x.powf(alpha)).collect();
             let interpolant = Function::linears(&mesh, &at_nodes)?;
-            // The double integral over all pairs of elements: touching pairs by Duffy's coordinates, the first element
-            // graded towards 0, far pairs by clusters, Gauss rules throughout; error: change of rules, relatively 1e-6 at most.
+            // The double integral over all pairs of elements: touching pairs by Duffy's
+            // coordinates, the first element graded towards 0, far pairs by clusters, Gauss rules
+            // throughout; error: change of rules, relatively 1e-6 at most.
             let error = u.minus(&interpolant)?.seminorm(options.nu, 1e-6)?;
             let is_known = beta * first > smooth * (1.0 + NEAR);
             let scaled = Measured::from(error) * (elements as f64).powf(smooth);
@@ -79,7 +86,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("n", "N", "");
     out.column("error", "|u − I_h u|_ν", "");
     out.column("over_limit", "C/limit", "N^(2−ν) times the error over its closed limit");
-    out.plot("section_1_field_errors", "Interpolation of x^α", Axes::LogLog("elements N", "|u − I_h u|_ν"))
-        .curve_by("beta", "n", "error");
+    out.plot(
+        "section_1_field_errors",
+        "Interpolation of x^α",
+        Axes::LogLog("elements N", "|u − I_h u|_ν"),
+    )
+    .curve_by("beta", "n", "error");
     Ok(())
 }

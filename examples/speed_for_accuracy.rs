@@ -1,28 +1,28 @@
 //! Speed for accuracy: what a digit costs, for every numerical function of the toolkit.
 //!
-//! Each function takes a relative tolerance ε and returns a value v with a stated error e. Beside it stands the value
-//! v* found another way: a closed form, ball arithmetic of another program (printed digits), or, for the product with a
-//! Gram matrix, its dense entries in closed form (its stated error is ε, and it counts no work). Then
+//! Each function takes a relative tolerance ε and returns a value v with a stated error e. Beside
+//! it stands the value v* found another way: a closed form, ball arithmetic of another program
+//! (printed digits), or, for the product with a Gram matrix, its dense entries in closed form (its
+//! stated error is ε, and it counts no work). Then
 //!
 //! ```text
 //! error = |v − v*| / |v*| ≤ ε,     |v − v*| ≤ e,     and a looser tolerance does no more work.
 //! ```
 //!
-//! Refuted if one error passes its tolerance, or one passes what was stated, v* being exact to 1e-14, or if the count
-//! of evaluations, factorizations and iterations grows when ε does.
+//! Refuted if one error passes its tolerance, or one passes what was stated, v* being exact to
+//! 1e-14, or if the count of evaluations, factorizations and iterations grows when ε does.
 //!
 //! `cargo run --release --example speed_for_accuracy -- --case γ`
 
-// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
-// counts.
 use example_report::prelude::*;
 use fractional_sobolev::{
-    Constraint, Domain, ErrorNorm, Function, Gram, Mesh, Work, closed_forms, gamma, interpolation_constant,
-    projection_constant,
+    Constraint, Domain, ErrorNorm, Function, Gram, Mesh, Work, closed_forms, gamma,
+    interpolation_constant, projection_constant,
 };
 use std::time::Instant;
 
-example! { seconds "Speed for accuracy", "every tolerance is met, no error passes what is stated, and fewer digits cost no more work";
+example! { seconds "Speed for accuracy",
+    "every tolerance is met, no error passes what is stated, and fewer digits cost no more work";
     /// only cases whose name contains this text
     case: String = "",
     /// number of timed runs per case, of which the fastest is reported
@@ -41,14 +41,17 @@ fn power(name: &'static str, a: f64, nu: f64) -> Result<Case> {
 
 /// γ = sup ‖u‖₀/|u|_ν of mean zero on (0, θ), beside ball arithmetic.
 fn zone(name: &'static str, nu: f64, theta: f64, exact: f64) -> Case {
-    let found = move |tolerance| Ok(gamma(nu, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant);
+    let found =
+        move |tolerance| Ok(gamma(nu, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant);
     (name, exact, Box::new(found))
 }
 
-/// sup ‖u − I u‖₀ / |u'|_ν and sup ‖(u − I u)'‖₀ / |u'|_ν on (0, 1) (Lemma 6.1), beside ball arithmetic.
+/// sup ‖u − I u‖₀ / |u'|_ν and sup ‖(u − I u)'‖₀ / |u'|_ν on (0, 1) (Lemma 6.1), beside ball
+/// arithmetic.
 fn interpolation(name: &'static str, nu: f64, norm: ErrorNorm, exact: f64) -> Case {
     let found = move |tolerance| {
-        interpolation_constant(Domain::Interval(1.0), norm, nu, tolerance).map(|found| found.constant)
+        interpolation_constant(Domain::Interval(1.0), norm, nu, tolerance)
+            .map(|found| found.constant)
     };
     (name, exact, Box::new(found))
 }
@@ -59,7 +62,8 @@ fn cases() -> Result<Vec<Case>> {
     // A product with the Gram matrix on elements from 1 to 1e-30, beside the dense matrix.
     let graded = Mesh::geometric(1999, 1e-30f64.powf(1.0 / 1999.0), 1.0)?;
     let x: Vec<f64> = (0..=2000).map(|i| f64::from((i * 7919) % 1000) / 1000.0).collect();
-    let dense = Gram::new(&graded, 0.5, 1e-14)?.to_dense()? * nalgebra::DVector::from_column_slice(&x);
+    let dense =
+        Gram::new(&graded, 0.5, 1e-14)?.to_dense()? * nalgebra::DVector::from_column_slice(&x);
     let product = move |tolerance: Tolerance| {
         let fast = Gram::new(&graded, 0.5, tolerance)?.apply(&x)?;
         let apart = fast.iter().zip(&dense).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -69,7 +73,8 @@ fn cases() -> Result<Vec<Case>> {
         projection_constant(Domain::Interval(1.0), ErrorNorm::Dual, 0.5, tolerance)
             .map(|found| found.constant)
     };
-    let whole: f64 = 0.291_564_029_207_657_16; // γ₁(1/2); its square is the constant of (4.7) at order 1/2
+    // γ₁(1/2); its square is the constant of (4.7) at order 1/2
+    let whole: f64 = 0.291_564_029_207_657_16;
     Ok(vec![
         power("|x^0.6|, ν 1/4", 0.6, 0.25)?,
         power("|x^0.001|, ν 1/2", 0.001, 0.5)?,
@@ -77,7 +82,12 @@ fn cases() -> Result<Vec<Case>> {
         ("|hat|, ν 1/2", hat_exact, Box::new(move |tolerance| hat.seminorm(0.5, tolerance))),
         ("Gram product, 2000 elements", 1.0, Box::new(product)),
         interpolation("C of Lemma 6.1 in L², ν 1/2", 0.5, ErrorNorm::L2, 0.092_742_524_652_174_63),
-        interpolation("C of Lemma 6.1, slope, ν 0.99", 0.99, ErrorNorm::Derivative, 0.032_024_593_023_715_79),
+        interpolation(
+            "C of Lemma 6.1, slope, ν 0.99",
+            0.99,
+            ErrorNorm::Derivative,
+            0.032_024_593_023_715_79,
+        ),
         ("C of (4.7), order 1/2", whole * whole, Box::new(projection)),
         zone("γ, ν 1/4, θ 1e-2", 0.25, 1e-2, 1.656_712_117_564_16),
         zone("γ, ν 0.49, θ 1e-300", 0.49, 1e-300, 2_758.865_095_337_738_5),
@@ -91,7 +101,8 @@ const EXACT: f64 = 1e-14;
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mut curves = Vec::new();
-    for (name, exact, compute) in cases()?.into_iter().filter(|case| case.0.contains(&options.case)) {
+    for (name, exact, compute) in cases()?.into_iter().filter(|case| case.0.contains(&options.case))
+    {
         let mut measured = Vec::new();
         let mut work: Option<u64> = None;
         for asked in [1e-3, 1e-7, 1e-11] {
@@ -106,7 +117,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let distance = Measured::new((found.value - exact).abs(), EXACT * exact);
             let error = distance / exact;
             measured.push((1e3 * seconds, error.value));
-            out.check("relative error/tolerance").at_most(error / asked, 1.0, "requested tolerance");
+            out.check("relative error/tolerance").at_most(
+                error / asked,
+                1.0,
+                "requested tolerance",
+            );
             // A stated error below that of v* is no promise that v* can test.
             let stated = Measured::from(found.error.max(2.0 * EXACT * exact));
             out.check("true error/stated error").at_most(distance / stated, 1.0, "error estimate");

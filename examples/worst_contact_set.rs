@@ -1,21 +1,25 @@
-//! Theorems 3.1 and 4.1: is there a contact set on which the consistency term is as large as the paper's bound?
+//! Theorems 3.1 and 4.1: is there a contact set on which the consistency term is as large as the
+//! paper's bound?
 //!
-//! On a segment T of length h let E be the contact set, ν = τ − 3/2, |·|_ν the seminorm of H^ν(T), I^h u_N the interpolant at
-//! the ends of T, π the mean over T. The proofs bound the sums over all segments of
+//! On a segment T of length h let E be the contact set, ν = τ − 3/2, |·|_ν the seminorm of H^ν(T),
+//! I^h u_N the interpolant at the ends of T, π the mean over T. The proofs bound the sums over all
+//! segments of
 //!
 //! ```text
 //! ∫ σ_N I^h u_N     (nodal cone),       ∫ (σ_N − π σ_N)(π u_N − u_N)     (midpoint cone)      by     C h^(2τ²−5τ+4)
 //! ```
 //!
-//! None is that large: with c₂ = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) both are at most c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν for every
-//! E, so that the order of the root of the sum is at least τ − 1. Why: where σ_N(x) ≠ 0, u_N(x) = 0, and I^h u_N(x), or the
-//! mean of u_N, is ∫ k(x, y) u_N'(y) dy; only pairs with σ_N(y) = 0 = u_N'(x) count, each once, and |k| |x − y|^(1+2ν) ≤ 2
-//! c₂ h^(2ν+1) (page `segment_constants`).
+//! None is that large: with c₂ = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν) both are at most c₂ h^(2τ−2)
+//! |σ_N|_ν |u_N'|_ν for every E, so that the order of the root of the sum is at least τ − 1. Why:
+//! where σ_N(x) ≠ 0, u_N(x) = 0, and I^h u_N(x), or the mean of u_N, is ∫ k(x, y) u_N'(y) dy; only
+//! pairs with σ_N(y) = 0 = u_N'(x) count, each once, and |k| |x − y|^(1+2ν) ≤ 2 c₂ h^(2ν+1) (page
+//! `segment_constants`).
 //!
-//! `share`: the largest term over c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν, norms of the whole edge, h = 1/8 .. 2^(5−depth). Data on N
-//! = 2^depth cells, g = u_N at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and densities
-//! constant on cells. In a gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r: distance to the next gap. Ends are rounded
-//! to nodes; a gap without an inner node, or that leaves a piece without a cell, is left out with what it would contain.
+//! `share`: the largest term over c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν, norms of the whole edge, h = 1/8 ..
+//! 2^(5−depth). Data on N = 2^depth cells, g = u_N at nodes, λ = −σ_N by its integrals over cells,
+//! half to each node; slopes and densities constant on cells. In a gap (a, b) g = −δ^p, δ = (x −
+//! a)(b − x)/(b − a); r: distance to the next gap. Ends are rounded to nodes; a gap without an
+//! inner node, or that leaves a piece without a cell, is left out with what it would contain.
 //!
 //! ```text
 //! transitions:m      gaps ((i + 1/4)/m, (i + 3/4)/m), i < m, p = τ − 1, λ = r^(τ−2)
@@ -25,13 +29,12 @@
 //!
 //! These are in H^s for s < τ only, so that the norms, and the shares, depend on `depth`.
 //!
-//! One segment: κ, the largest quotient with one gap at an end. Refuted if a share is above 1, if κ is above c₂, or if a random
-//! contact set has a larger quotient than the best gap at an end on the same 48 cells (which is below κ).
+//! One segment: κ, the largest quotient with one gap at an end. Refuted if a share is above 1, if κ
+//! is above c₂, or if a random contact set has a larger quotient than the best gap at an end on the
+//! same 48 cells (which is below κ).
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --sets 10000`
 
-// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst
-// counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, Order, Tolerance};
 use nalgebra::DMatrix;
@@ -41,7 +44,8 @@ use signorini::problems::StripData;
 use signorini::proof::{consistency_constant, one_gap_ratio};
 use signorini::strip::{EdgeData, LateralCondition};
 
-example! { seconds "Theorems 3.1, 4.1", "consistency term ≤ c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν,  ν = τ − 3/2,  any contact set";
+example! { seconds "Theorems 3.1, 4.1",
+    "consistency term ≤ c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν,  ν = τ − 3/2,  any contact set";
     /// regularity τ of the solution
     tau: f64 = "1.75" in "(1.5, 2)" slider "1.55 to 1.95",
     /// contact sets on the edge: equal gaps, Cantor sets of given ratio and generations
@@ -52,8 +56,8 @@ example! { seconds "Theorems 3.1, 4.1", "consistency term ≤ c₂ h^(2τ−2) |
     sets: usize = "2000" in "[1, 1000000]",
 }
 
-/// |u_N'|_ν and |σ_N|_ν, ν = τ − 3/2, of slopes and densities that are constant on each cell (half of a nodal force belongs to
-/// each cell beside it): double integrals in closed form.
+/// |u_N'|_ν and |σ_N|_ν, ν = τ − 3/2, of slopes and densities that are constant on each cell (half
+/// of a nodal force belongs to each cell beside it): double integrals in closed form.
 fn seminorms(edge: &EdgeData, tau: f64) -> Result<[f64; 2]> {
     let (values, cells) = (edge.values(), edge.cells());
     let h = 1.0 / cells as f64;
@@ -69,19 +73,22 @@ fn seminorms(edge: &EdgeData, tau: f64) -> Result<[f64; 2]> {
     Ok([seminorm(&slopes)?, seminorm(&densities)?])
 }
 
-/// A with |w|_ν² = w·A w for w constant on n equal cells of (0, 1), ν < 1/2: −A_ij is twice the integral of |x − y|^(−1−2ν) over
-/// cells at distance d = |i − j| > 0, n^(2ν−1) (G(d + 1) − 2 G(d) + G(d − 1)), G(t) = −t^(1−2ν)/(2ν (1 − 2ν)); rows sum to 0.
+/// A with |w|_ν² = w·A w for w constant on n equal cells of (0, 1), ν < 1/2: −A_ij is twice the
+/// integral of |x − y|^(−1−2ν) over cells at distance d = |i − j| > 0, n^(2ν−1) (G(d + 1) − 2 G(d)
+/// + G(d − 1)), G(t) = −t^(1−2ν)/(2ν (1 − 2ν)); rows sum to 0.
 pub fn seminorm_form(n: usize, nu: f64) -> DMatrix<f64> {
     let g = |t: f64| -t.powf(1.0 - 2.0 * nu) / (2.0 * nu * (1.0 - 2.0 * nu));
-    let pairs: Vec<f64> = (1..n).map(|d| d as f64).map(|d| g(d + 1.0) - 2.0 * g(d) + g(d - 1.0)).collect();
+    let pairs: Vec<f64> =
+        (1..n).map(|d| d as f64).map(|d| g(d + 1.0) - 2.0 * g(d) + g(d - 1.0)).collect();
     let at = |i: usize, j: usize| if i == j { 0.0 } else { -2.0 * pairs[i.abs_diff(j) - 1] };
     let form = DMatrix::from_fn(n, n, at) * (n as f64).powf(2.0 * nu - 1.0);
     &form - DMatrix::from_diagonal(&form.column_sum())
 }
 
-/// The largest integral over |σ_N|_ν |u_N'|_ν for a contact set of cells: σ_N constant on its cells, u_N linear in the others
-/// and zero in it, both of any sign. The integral is Σ_k f_k(σ_N) g_k(u_N): ∫ σ_N (1 − x) times u_N(0) plus ∫ σ_N x times u_N(1)
-/// (nodal), or ∫ σ_N times ∫ u_N. With S = f A⁻¹ f, M = g A⁻¹ g its largest value squared is the largest eigenvalue of S M.
+/// The largest integral over |σ_N|_ν |u_N'|_ν for a contact set of cells: σ_N constant on its
+/// cells, u_N linear in the others and zero in it, both of any sign. The integral is Σ_k f_k(σ_N)
+/// g_k(u_N): ∫ σ_N (1 − x) times u_N(0) plus ∫ σ_N x times u_N(1) (nodal), or ∫ σ_N times ∫ u_N.
+/// With S = f A⁻¹ f, M = g A⁻¹ g its largest value squared is the largest eigenvalue of S M.
 pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Option<f64> {
     let (n, size) = (contact.len(), contact.len() as f64);
     let closed: Vec<usize> = (0..n).filter(|&cell| contact[cell]).collect();
@@ -94,7 +101,11 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
     let hat = |row: usize, _: usize| if [0, n].contains(&free[row]) { 0.5 } else { 1.0 };
     let (f, g) = match cone {
         Cone::Nodal => (
-            DMatrix::from_fn(closed.len(), 2, |r, k| if k == 0 { 1.0 - middle(r) } else { middle(r) }),
+            DMatrix::from_fn(
+                closed.len(),
+                2,
+                |r, k| if k == 0 { 1.0 - middle(r) } else { middle(r) },
+            ),
             DMatrix::from_fn(free.len(), 2, |r, k| f64::from(free[r] == k * n)),
         ),
         Cone::Midpoint => {
@@ -109,7 +120,13 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
         Some(f.tr_mul(&solved))
     };
     let product = dual(stress, f / size)? * dual(slope, g)?;
-    Some(product.complex_eigenvalues().iter().fold(0.0, |most: f64, value| most.max(value.re)).sqrt())
+    Some(
+        product
+            .complex_eigenvalues()
+            .iter()
+            .fold(0.0, |most: f64, value| most.max(value.re))
+            .sqrt(),
+    )
 }
 
 /// The largest ratio of random sets of cells with up to 20 gaps, of lengths of all sizes.
@@ -145,23 +162,31 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let edge = set.data(tau, cells, LateralCondition::Natural)?;
         let [slope, pressure] = seminorms(&edge, tau)?;
         let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
-            // −Σ force × I^h u_N at the nodes; Σ over segments of force × mean of −u_N; on meshes of n segments.
-            let terms =
-                consistency_terms(&edge, cone).into_iter().filter(|&(n, _)| n >= 8 && 32 * n <= cells);
+            // −Σ force × I^h u_N at the nodes; Σ over segments of force × mean of −u_N; on meshes
+            // of n segments.
+            let terms = consistency_terms(&edge, cone)
+                .into_iter()
+                .filter(|&(n, _)| n >= 8 && 32 * n <= cells);
             let bound = |n: usize| c_2 * (n as f64).powf(-power) * slope * pressure;
             terms.map(|(n, term)| term / bound(n)).fold(0.0, f64::max)
         });
         out.row(cells! { set: set.to_string() => nodal, midpoint });
-        out.check("consistency term/bound, all contact sets").at_most(nodal.max(midpoint), 1.0, "proved");
+        out.check("consistency term/bound, all contact sets").at_most(
+            nodal.max(midpoint),
+            1.0,
+            "proved",
+        );
     }
     out.proof("consistency term ≤ bound on every segment", "segment_constants");
-    // One segment: the maximum over the length of the gap, both factors dual norms (page `segment_constants`); ± of the library.
+    // One segment: the maximum over the length of the gap, both factors dual norms (page
+    // `segment_constants`); ± of the library.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
     out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {
-        let gap =
-            |length: usize| by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form);
+        let gap = |length: usize| {
+            by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form)
+        };
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
         out.check(format!("{cone} cone, gap at an end: largest quotient/κ")).at_most(
             kappa.recip() * best,
@@ -176,10 +201,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         );
     }
     if out.draws() {
-        let axes = Axes::LogLog("length of the gap over that of the segment", "term over both seminorms");
-        let plot =
-            out.plot("worst_contact_set", "One segment, nodal cone: the worst term for a given gap", axes);
-        let gaps: Vec<f64> = (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
+        let axes =
+            Axes::LogLog("length of the gap over that of the segment", "term over both seminorms");
+        let plot = out.plot(
+            "worst_contact_set",
+            "One segment, nodal cone: the worst term for a given gap",
+            axes,
+        );
+        let gaps: Vec<f64> =
+            (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
         for tau in [1.55, 1.75, 1.95] {
             let nu = Order::new(tau - 1.5)?;
             let point = |&gap: &f64| Ok((gap, one_gap_ratio(Cone::Nodal, nu, gap, 1e-3)?.value));
