@@ -111,27 +111,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if theta == options.theta.last().copied() && theta.is_some() {
             let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
             out.check("exponent of L in γ² − A L − c").near(power, -1.0, 0.05, "d/γ²");
-            out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)").near(
-                explained,
-                1.0,
-                1e-3,
-                "next term O(1/L²)",
-            );
+            let claim = out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)");
+            claim.near(explained, 1.0, 1e-3, "next term O(1/L²)");
         }
         // the same two bounds, their integral by Gauss rules
         let [known_lower, known_upper] = end.bracket(log)?;
         let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
-        out.check("bounds: relative difference from library").at_most(
-            agreement,
-            1e-4,
-            "Gauss quadrature",
-        );
+        let claim = out.check("bounds: relative difference from library");
+        claim.at_most(agreement, 1e-4, "Gauss quadrature");
         if theta.is_none() && log == options.log.iter().copied().fold(0.0, f64::max) {
-            out.check("largest L: upper/lower bound − 1").at_most(
-                upper / lower - 1.0,
-                1e-4,
-                "O(L^(−1/2))",
-            );
+            let claim = out.check("largest L: upper/lower bound − 1");
+            claim.at_most(upper / lower - 1.0, 1e-4, "O(L^(−1/2))");
         }
     }
     let axes = Axes::LogLog(

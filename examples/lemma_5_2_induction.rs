@@ -113,11 +113,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("product_59", "(5.9)", "γ over γ(t) and the product");
     out.column("last_lines", "end", "γ over γ(t) and its bound in the last lines");
     for &nu in &options.nu {
-        out.check("(5.5): max |ratio of norms − 1|").at_most(
-            scaling(nu, options.theta)?,
-            1e-6,
-            "u(x) = ũ(θx)",
-        );
+        let claim = out.check("(5.5): max |ratio of norms − 1|");
+        claim.at_most(scaling(nu, options.theta)?, 1e-6, "u(x) = ũ(θx)");
         let mut theta = options.theta;
         let first = solved(nu, theta)?.0;
         let (mut before, mut product, mut given) = (first, 1.0, Vec::new());
@@ -137,11 +134,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("(5.7): ‖u‖₀/(γ(θ) |u|_ν)").at_most(poincare_57, 1.0, "second inequality");
             out.check("(5.8): left/right side").at_most(step_58, 1.0, "inequality (5.8)");
             out.check("(5.9): left/right side").at_most(product_59, 1.0, "inequality (5.9)");
-            out.check("γ/final bound of the proof").at_most(
-                last_lines,
-                1.0,
-                "bound of the product",
-            );
+            let claim = out.check("γ/final bound of the proof");
+            claim.at_most(last_lines, 1.0, "bound of the product");
             given.push(step_58.recip());
             before = gamma;
         }
@@ -149,12 +143,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.note(format!("given.nu{nu}"), *b);
             if nu.offset() == 0.0 {
                 let last = Measured::new(b.value, b.error + (b.value - a.value).abs());
-                out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²), last step").near(
-                    last,
-                    SQRT_2,
-                    0.02,
-                    "γ² ~ ln(1/θ)",
-                );
+                let claim = out.not_sharp("ν = 1/2: 2 γ(θ)/γ(θ²), last step");
+                claim.near(last, SQRT_2, 0.02, "γ² ~ ln(1/θ)");
             }
         }
     }

@@ -117,23 +117,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let falk = before.map(|(_, longer)| 0.5 * (longer / wave.value).log2());
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
-        out.check("wave: ‖u − I u‖_(1/2,*) − 1").near(
-            dual - 1.0,
-            middle,
-            half + 1e-9,
-            "0 to γ₁² h/4",
-        );
-        out.check("wave: ‖u − I u‖_(1/2,*)/(C h^(3/2) ‖u‖_(3/2))").at_most(
-            wave / bound,
-            1.0,
-            "Lemma 6.2",
-        );
+        let claim = out.check("wave: ‖u − I u‖_(1/2,*) − 1");
+        claim.near(dual - 1.0, middle, half + 1e-9, "0 to γ₁² h/4");
+        let claim = out.check("wave: ‖u − I u‖_(1/2,*)/(C h^(3/2) ‖u‖_(3/2))");
+        claim.at_most(wave / bound, 1.0, "Lemma 6.2");
         let limit = 1.0 / (8f64.sqrt() * PI.powi(2));
-        out.check("wave: ‖u − I u‖_(1/2,*)/(h^(3/2) ‖u‖_(3/2))").at_least(
-            wave / h.powf(1.5),
-            0.5 * limit,
-            "half the limit",
-        );
+        let claim = out.check("wave: ‖u − I u‖_(1/2,*)/(h^(3/2) ‖u‖_(3/2))");
+        claim.at_least(wave / h.powf(1.5), 0.5 * limit, "half the limit");
     }
     // of h, last two
     let [order, order_of_smooth] =
@@ -142,12 +132,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");
     out.check("fixed u: order of the lower bound").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
     out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");
-    out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)").near(
-        order_of_smooth,
-        2.0,
-        0.02,
-        "smooth function",
-    );
+    let claim = out.observe("u = −exp x: order of ‖u − I u‖_(1/2,*)");
+    claim.near(order_of_smooth, 2.0, 0.02, "smooth function");
     let axes = Axes::LogLog("elements, 1/h", "‖u − I u‖ in the dual norm of H^(1/2)");
     out.plot(
         "remark_2_dual_norm_counterexample",

@@ -134,25 +134,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over = (pressure * slope).recip();
             let r = 0.5f64.powi(halvings as i32 + 1);
             let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
-            out.check("|σ|_ν by definition/library value").near(
-                ratio,
-                1.0,
-                1e-3,
-                "boundary integrals",
-            );
+            let claim = out.check("|σ|_ν by definition/library value");
+            claim.near(ratio, 1.0, 1e-3, "boundary integrals");
             let (nodal, mean) =
                 (over * -of_sigma, over * (of_sigma * of_u / areas.iter().sum::<f64>()));
             if let Some([last, _]) = before.last() {
-                out.check("nodal cone: quotient at r/at 2r").at_least(
-                    nodal / *last,
-                    1.0,
-                    "unbounded, r → 0",
-                );
-                out.check("means: quotient at r/at 1/4").at_most(
-                    mean / before[0][1],
-                    1.0,
-                    "bounded",
-                );
+                let claim = out.check("nodal cone: quotient at r/at 2r");
+                claim.at_least(nodal / *last, 1.0, "unbounded, r → 0");
+                let claim = out.check("means: quotient at r/at 1/4");
+                claim.at_most(mean / before[0][1], 1.0, "bounded");
             }
             before.push([nodal, mean]);
             out.row(cells! { nu, r => nodal, mean: mean.value, sigma: pressure.value, slope: slope.value });

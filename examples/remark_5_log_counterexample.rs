@@ -103,11 +103,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
                 printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) },
             );
-            out.check("q/γ, γ best constant for (0, θ)").at_most(
-                quotient / gamma,
-                1.0,
-                "γ is the supremum",
-            );
+            let claim = out.check("q/γ, γ best constant for (0, θ)");
+            claim.at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
             out.check("q: by_definition/library").near(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
@@ -119,19 +116,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // Exponent of L in q between the last two L, for this α; of all α the smallest is
             // shown.
             let growth = out.exponent("log", "quotient");
-            out.check("exponent of L in q, minimum over α").at_least(
-                growth,
-                0.0,
-                "0 if q were bounded",
-            );
+            let claim = out.check("exponent of L in q, minimum over α");
+            claim.at_least(growth, 0.0, "0 if q were bounded");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
-                out.check("α = 1: slope of q² against L").near(
-                    slope,
-                    1.5 / PI.powi(2),
-                    1e-3,
-                    "3/(2π²)",
-                );
+                let claim = out.check("α = 1: slope of q² against L");
+                claim.near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };

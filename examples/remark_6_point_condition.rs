@@ -63,29 +63,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let scaled = end.squared() * (delta * PI.powi(2) / 1.5);
         out.row(cells! { nu => end, definition, short: short.value, scaled: scaled.value,
         inside: inside.value, over_end: (inside / end).value });
-        out.check("γ₀: by_definition/library").near(
-            end.recip() * definition,
-            1.0,
-            1e-2,
-            "hat functions",
-        );
-        out.check("all ν, θ = 1e-12: γ(θ)/γ₀").at_most(
-            short / end,
-            1.0 + 4e-8,
-            "(5.3) with C = γ₀",
-        );
+        let claim = out.check("γ₀: by_definition/library");
+        claim.near(end.recip() * definition, 1.0, 1e-2, "hat functions");
+        let claim = out.check("all ν, θ = 1e-12: γ(θ)/γ₀");
+        claim.at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
         let correction = SHORT.powf(delta).max(4e-8);
-        out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀")).near(
-            short / end,
-            1.0,
-            correction,
-            "θ^(2ν−1)",
-        );
-        out.check("interior point: best constant/γ₀").at_most(
-            inside / end,
-            1.0 + 4e-8,
-            "the end is worst",
-        );
+        let claim = out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀"));
+        claim.near(short / end, 1.0, correction, "θ^(2ν−1)");
+        let claim = out.check("interior point: best constant/γ₀");
+        claim.at_most(inside / end, 1.0 + 4e-8, "the end is worst");
         if delta <= 0.2 + 1e-12 {
             let claim = format!("ν = {nu}: (2ν − 1) γ₀²/(3/(2π²))");
             out.check(claim).near(scaled, 1.0, delta, "1 + O(2ν − 1) as ν → 1/2");

@@ -123,11 +123,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let over_end = gamma / end;
             out.row(cells! { nu, at => gamma, definition, over_end: over_end.value, repair: repair.value });
             if at > 0.0 {
-                out.check("γ((a, a + θ))/γ((0, θ)), a > 0").at_most(
-                    over_end,
-                    1.0 + 1e-7,
-                    "γ(E) ≤ γ((0, θ))",
-                );
+                let claim = out.check("γ((a, a + θ))/γ((0, θ)), a > 0");
+                claim.at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
             }
             out.check("γ/√(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
             let hats = gamma.recip() * definition;
@@ -137,20 +134,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
-        out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side").at_least(
-            needed,
-            1.0,
-            "counterexample",
-        );
+        let claim = out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side");
+        claim.at_least(needed, 1.0, "counterexample");
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
     let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
-    out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side").at_least(
-        over,
-        1e-12,
-        "without the cut",
-    );
+    let claim = out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side");
+    claim.at_least(over, 1e-12, "without the cut");
 
     let mut random = Random(7);
     for _ in 0..options.functions {
@@ -161,11 +152,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         sorted.sort_by(|a, b| b.total_cmp(a));
         for k in 1..f.len() {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
-            out.check("sequences: Σ (f_i − f_j)², sorted − given").at_most(
-                rise,
-                0.0,
-                "rearrangement lemma",
-            );
+            let claim = out.check("sequences: Σ (f_i − f_j)², sorted − given");
+            claim.at_most(rise, 0.0, "rearrangement lemma");
         }
         // Linear between random values on a random mesh; seminorms are closed forms on pairs of
         // elements.
@@ -203,11 +191,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("unions accurate to 1e-3, fraction").at_least(
-        computed / options.unions as f64,
-        0.9,
-        "rounding",
-    );
+    let claim = out.check("unions accurate to 1e-3, fraction");
+    claim.at_least(computed / options.unions as f64, 0.9, "rounding");
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes =
         Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");

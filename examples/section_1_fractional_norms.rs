@@ -147,23 +147,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             true_error: true_error.map(|error| error.value) });
             if let (Some(error), Some(exact)) = (true_error, exact) {
                 let asked = options.tolerance.relative();
-                out.check("relative difference from the closed form").at_most(
-                    error,
-                    asked,
-                    "the tolerance",
-                );
+                let claim = out.check("relative difference from the closed form");
+                claim.at_most(error, asked, "the tolerance");
                 let share = (Measured::from(seminorm.value) - exact).abs() / seminorm.error;
                 out.check("true error/stated error").at_most(share, 1.0, "error estimate");
             }
             // Nearer to the last finite order what the definition leaves out decays too slowly.
             if nu.value() <= example.limit.0 - 0.1 {
                 let ratio = definition / seminorm.value;
-                out.check("|u|_ν: by_definition/library").near(
-                    ratio,
-                    1.0,
-                    5e-3,
-                    "composite Gauss rule",
-                );
+                let claim = out.check("|u|_ν: by_definition/library");
+                claim.near(ratio, 1.0, 5e-3, "composite Gauss rule");
             }
         }
     }

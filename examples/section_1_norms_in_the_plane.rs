@@ -105,12 +105,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
-            out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)").near(
-                over,
-                1.0,
-                1e-6,
-                "4 × length of the jump",
-            );
+            let claim = out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)");
+            claim.near(over, 1.0, 1e-6, "4 × length of the jump");
         }
         lines[1].push((s.value(), over.value));
         out.row(cells! { w: "step", s, room => norm, over: over.value });
@@ -144,11 +140,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let on_polygon = |cut| on_polygon(s, points, a, b, cut);
             let (norm, again) = (Measured::from(on_polygon(false)?), on_polygon(true)?.value);
             let apart = (norm.value / again - 1.0).abs();
-            out.check("two triangulations: relative difference").at_most(
-                apart,
-                AT_CORNERS,
-                "tolerance",
-            );
+            let claim = out.check("two triangulations: relative difference");
+            claim.at_most(apart, AT_CORNERS, "tolerance");
             // The same on a sector, where polar coordinates leave one integral over the quotient of
             // the radii.
             let on_sector = |radius: f64| -> Result<Measured> {
@@ -158,11 +151,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
             out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
-            out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(
-                share,
-                1.0,
-                "norm ~ R^(a+1−s)",
-            );
+            let claim = out.check("(1 − inner sector/polygon)/(a + 1 − s)");
+            claim.at_most(share, 1.0, "norm ~ R^(a+1−s)");
             out.row(cells! { w: name, s, room: gap => norm, over: over.value });
             curve.push((gap, norm.value));
         }

@@ -53,23 +53,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             |domain: Domain, mu: f64| Estimate::or_best(trace_quotient(domain, s, mu, 1e-5));
         for &mu in &FREQUENCIES[..3] {
             let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;
-            out.check("C(s)²: finite elements/closed form").near(
-                again,
-                1.0,
-                1e-5,
-                "closed form of C(s)²",
-            );
+            let claim = out.check("C(s)²: finite elements/closed form");
+            claim.near(again, 1.0, 1e-5, "closed form of C(s)²");
         }
         let mut largest = Measured::from(0.0);
         for mu in FREQUENCIES {
             let corner =
                 Measured::from(quotient(Domain::Corner(options.angle.to_radians()), mu)?) / square;
             if options.angle >= 90.0 {
-                out.check("corner modes: best squared quotient/C(s)²").at_most(
-                    corner,
-                    1.0,
-                    "the half-plane",
-                );
+                let claim = out.check("corner modes: best squared quotient/C(s)²");
+                claim.at_most(corner, 1.0, "the half-plane");
             }
             largest = if corner.value > largest.value { corner } else { largest };
         }
@@ -79,12 +72,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     let near =
         Measured::from(trace_constant(Domain::HalfPlane, Order::half_plus(1e-7)?, 1e-8)?.constant);
-    out.check("(2s − 1) C(s) at s = 1/2 + 1e-7").near(
-        near * 2e-7,
-        3f64.sqrt() / PI,
-        1e-5,
-        "√3/π, s → 1/2",
-    );
+    let claim = out.check("(2s − 1) C(s) at s = 1/2 + 1e-7");
+    claim.near(near * 2e-7, 3f64.sqrt() / PI, 1e-5, "√3/π, s → 1/2");
     out.column("constant", "C(s)", "");
     out.column("grows", "(2s−1) C", "tends to √3/π as s → 1/2");
     out.column("normalised", "normalised", "C √(π/(2(1−s))), tends to √(2π) as s → 1");

@@ -136,11 +136,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 .near(definition, 1.0, 1e-3, "64 cells");
         }
         out.check("C*(r)/(C(r) C(1/2))").at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
-        out.observe("min C*(r)/(C(r) C(1/2)) over r").at_least(
-            c_dual / chain,
-            0.99,
-            "equality at r = 1/2",
-        );
+        let claim = out.observe("min C*(r)/(C(r) C(1/2)) over r");
+        claim.at_least(c_dual / chain, 0.99, "equality at r = 1/2");
         out.row(cells! { r => c, one: one[0], order: orders[0], c_dual, order_dual: orders[1] });
     }
     for &r in &options.beyond {
@@ -153,12 +150,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let next = 4096f64.powf(1.0 - 2.0 * a);
         out.check("r > 1: order − 1").near(order - 1.0, 0.0, 0.02 + next, "Remark 4");
         let part = 65536f64.powf(-(2.0 * a - 1.0).min(1.0));
-        out.check("r > 1: √12 ‖φ − π^h φ‖₀/(h ‖φ'‖₀)").near(
-            limit,
-            1.0,
-            part,
-            "Remark 4, finest mesh",
-        );
+        let claim = out.check("r > 1: √12 ‖φ − π^h φ‖₀/(h ‖φ'‖₀)");
+        claim.near(limit, 1.0, part, "Remark 4, finest mesh");
         out.row(cells! { r => order, limit });
     }
     let axes = Axes::Linear("r, smoothness of the function", "order, exponent of h");

@@ -117,21 +117,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let distance = Measured::new((found.value - exact).abs(), EXACT * exact);
             let error = distance / exact;
             measured.push((1e3 * seconds, error.value));
-            out.check("relative error/tolerance").at_most(
-                error / asked,
-                1.0,
-                "requested tolerance",
-            );
+            let claim = out.check("relative error/tolerance");
+            claim.at_most(error / asked, 1.0, "requested tolerance");
             // A stated error below that of v* is no promise that v* can test.
             let stated = Measured::from(found.error.max(2.0 * EXACT * exact));
             out.check("true error/stated error").at_most(distance / stated, 1.0, "error estimate");
             if let Some(looser) = work {
                 let share = looser as f64 / found.work.total().max(1) as f64;
-                out.check("ratio of work, looser to tighter tolerance").at_most(
-                    share,
-                    1.0,
-                    "monotone in the tolerance",
-                );
+                let claim = out.check("ratio of work, looser to tighter tolerance");
+                claim.at_most(share, 1.0, "monotone in the tolerance");
             }
             work = Some(found.work.total());
         }

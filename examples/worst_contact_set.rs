@@ -171,11 +171,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             terms.map(|(n, term)| term / bound(n)).fold(0.0, f64::max)
         });
         out.row(cells! { set: set.to_string() => nodal, midpoint });
-        out.check("consistency term/bound, all contact sets").at_most(
-            nodal.max(midpoint),
-            1.0,
-            "proved",
-        );
+        let claim = out.check("consistency term/bound, all contact sets");
+        claim.at_most(nodal.max(midpoint), 1.0, "proved");
     }
     out.proof("consistency term ≤ bound on every segment", "segment_constants");
     // One segment: the maximum over the length of the gap, both factors dual norms (page
@@ -188,17 +185,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form)
         };
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
-        out.check(format!("{cone} cone, gap at an end: largest quotient/κ")).at_most(
-            kappa.recip() * best,
-            1.0,
-            "conforming subspace",
-        );
+        let claim = out.check(format!("{cone} cone, gap at an end: largest quotient/κ"));
+        claim.at_most(kappa.recip() * best, 1.0, "conforming subspace");
         let random = search(cone, &form, options.sets)? / best;
-        out.check(format!("{cone} cone: largest quotient, random sets/end gaps")).at_most(
-            random,
-            1.0 + 1e-12,
-            "worst case: gap at an end",
-        );
+        let claim = out.check(format!("{cone} cone: largest quotient, random sets/end gaps"));
+        claim.at_most(random, 1.0 + 1e-12, "worst case: gap at an end");
     }
     if out.draws() {
         let axes =
