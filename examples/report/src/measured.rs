@@ -44,7 +44,8 @@ impl Measured {
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
-        let error = if self.error == 0.0 { 0.0 } else { (self.error / root).min(self.error.sqrt()) };
+        let error =
+            if self.error == 0.0 { 0.0 } else { (self.error / root).min(self.error.sqrt()) };
         Self { value: root, error }
     }
 
@@ -115,15 +116,19 @@ impl<T: Into<Measured>> Div<T> for Measured {
         let (a, b) = (self, other.into());
         let value = a.value / b.value;
         let room = b.value.abs() - b.error;
-        let error =
-            if a.error == 0.0 && b.error == 0.0 { 0.0 } else { (a.error + value.abs() * b.error) / room };
+        let error = if a.error == 0.0 && b.error == 0.0 {
+            0.0
+        } else {
+            (a.error + value.abs() * b.error) / room
+        };
         Self { value, error: if room > 0.0 || error == 0.0 { error } else { f64::INFINITY } }
     }
 }
 
 /// The number with the largest upper bound, value plus error; `None` if there are no numbers.
 pub fn largest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Option<Measured> {
-    let larger = |a: Measured, b: Measured| if b.value + b.error > a.value + a.error { b } else { a };
+    let larger =
+        |a: Measured, b: Measured| if b.value + b.error > a.value + a.error { b } else { a };
     numbers.into_iter().map(Into::into).reduce(larger)
 }
 
@@ -132,14 +137,16 @@ pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Opti
     largest(numbers.into_iter().map(|number| -number.into())).map(|found| -found)
 }
 
-/// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their squares:
+/// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their
+/// squares:
 ///
 /// ```text
 /// p = ½ log₂ |t(h)/t(h/2^k)|/k,    t(h) = 4 d(h/2) − d(h) ~ h^(2p),    d(h) = e(h)² − e(h/2)²,    k = halvings,
 /// ```
 ///
-/// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as there are: a drift,
-/// about as large as p is off its limit. No number with fewer than k + 4 squares, where nothing is known of a change.
+/// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as
+/// there are: a drift, about as large as p is off its limit. No number with fewer than k + 4
+/// squares, where nothing is known of a change.
 pub fn order_of_squares(squares: &[f64], halvings: usize) -> Measured {
     let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
     let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
@@ -191,14 +198,17 @@ mod tests {
             let p = order_of_squares(&squares, halvings);
             assert!((p.value - 0.7).abs() < p.error && p.error < 0.02, "{p:?}");
         }
-        let exact: Vec<f64> = (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();
+        let exact: Vec<f64> =
+            (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();
         assert!((order_of_squares(&exact, 2) - 0.5).abs().value < 1e-12);
         assert!(order_of_squares(&squares[..5], 2).value.is_nan());
     }
 
     #[test]
     fn a_minimum_keeps_what_lies_below() {
-        let ends = |v: f64, u: f64| (Measured::new(v, u).min(1.0).value, Measured::new(v, u).min(1.0).error);
+        let ends = |v: f64, u: f64| {
+            (Measured::new(v, u).min(1.0).value, Measured::new(v, u).min(1.0).error)
+        };
         assert_eq!(
             [ends(0.75, 0.5), ends(1.25, 0.5), ends(2.0, 0.5)],
             [(0.75, 0.5), (1.0, 0.25), (1.0, 0.0)]
