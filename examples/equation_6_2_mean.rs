@@ -6,15 +6,16 @@
 //! |v(x) − v̄| ≤ h^(1/2) ‖v'‖₀        for every x.
 //! ```
 //!
-//! Both sides scale alike in h, so take h = 1. This file computes the best constant κ(x) at 17 points
-//! by the formula below, by the best function with N constant slopes, and by random functions:
+//! Both sides scale alike in h, so take h = 1. This file computes the best constant κ(x) at 17
+//! points by the formula below, by the best function with N constant slopes, and by random
+//! functions:
 //!
 //! ```text
 //! κ(x)² = (x³ + (1 − x)³)/3:      1/√3 at the ends, half of that in the centre.
 //! ```
 //!
-//! Refuted if κ is above 1 at a point, if a random function has a quotient above κ(x), or if the best
-//! of all functions with N slopes, κ_N, misses κ² by another number than 1/(12 N²), to 0.1 %.
+//! Refuted if κ is above 1 at a point, if a random function has a quotient above κ(x), or if the
+//! best of all functions with N slopes, κ_N, misses κ² by another number than 1/(12 N²), to 0.1 %.
 //!
 //! `cargo run --release --example equation_6_2_mean -- --cells 4096 --functions 20000`
 
@@ -34,8 +35,8 @@ const POINTS: usize = 16;
 
 /// The numbers kᵢ with v(x) − v̄ = Σ kᵢ sᵢ for a function v with slope sᵢ on cell i; x = node/N.
 ///
-/// kᵢ is v(x) − v̄ for the v that is 0 before cell i, rises by 1/N on it, and is 1/N behind it: v(x)
-/// is 1/N if the cell lies left of x, else 0, and v̄ = (1/N) (1 − the midpoint of the cell).
+/// kᵢ is v(x) − v̄ for the v that is 0 before cell i, rises by 1/N on it, and is 1/N behind it:
+/// v(x) is 1/N if the cell lies left of x, else 0, and v̄ = (1/N) (1 − the midpoint of the cell).
 fn functional(cells: usize, node: usize) -> Vec<f64> {
     let h = 1.0 / cells as f64;
     let mean = |i: usize| h * (1.0 - (i as f64 + 0.5) * h);

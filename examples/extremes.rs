@@ -2,11 +2,11 @@
 //! names what is wrong.
 //!
 //! This file computes fourteen hard cases and compares each with a value found another way (column
-//! `beside`): a closed form, a law of scaling, the other solver. It asks eight questions that have no
-//! answer, and shows their error messages whole.
+//! `beside`): a closed form, a law of scaling, the other solver. It asks eight questions that have
+//! no answer, and shows their error messages whole.
 //!
-//! Refuted if a value is off by more than 1e-9 relatively, if input without an answer gets one, or if
-//! its error is not of the kind that the input calls for. Why 1e-9: γ is requested to 1e-10, and
+//! Refuted if a value is off by more than 1e-9 relatively, if input without an answer gets one, or
+//! if its error is not of the kind that the input calls for. Why 1e-9: γ is requested to 1e-10, and
 //! Poisson's ratio 1/2 − 1e-6 loses six digits; the others have twelve and more. From θ = 1e-20 to
 //! 1e-290, γ of order 1/2, requested to 1e-3, is compared with its law to 2e-3.
 //!

@@ -1,24 +1,26 @@
 //! The matrices of the seminorm (1.1) at work: the integral fractional Laplacian on an interval, by
 //! piecewise linears on uniform and on graded meshes.
 //!
-//! The paper does not solve this equation. Its form is the square of the seminorm (1.1) over the whole
-//! line, so the known solution tests the matrices that every constant of Lemmas 5.2 and 6.1 uses.
-//! For 0 < s < 1 let
+//! The paper does not solve this equation. Its form is the square of the seminorm (1.1) over the
+//! whole line, so the known solution tests the matrices that every constant of Lemmas 5.2 and 6.1
+//! uses. For 0 < s < 1 let
 //!
 //! ```text
-//! (−Δ)^s u(x) = C PV∫ (u(x) − u(y)) / |x − y|^(1+2s) dy over R,   C = 4^s Γ(s + 1/2) / (√π |Γ(−s)|),
+//! (−Δ)^s u(x) = C PV∫ (u(x) − u(y)) / |x − y|^(1+2s) dy over R,
+//! C = 4^s Γ(s + 1/2) / (√π |Γ(−s)|),
 //! ```
 //!
 //! and let u be the solution of (−Δ)^s u = 1 on (−1, 1) with u = 0 outside. Then
 //!
 //! ```text
 //! u = (1 − x²)^s / Γ(1 + 2s),
-//! |||u|||² = C/2 ∬ (u(x) − u(y))² / |x − y|^(1+2s) dx dy = ∫ u = √π Γ(1 + s)/(Γ(3/2 + s) Γ(1 + 2s)).
+//! |||u|||² = C/2 ∬ (u(x) − u(y))² / |x − y|^(1+2s) dx dy over R²
+//!          = ∫ u = √π Γ(1 + s) / (Γ(3/2 + s) Γ(1 + 2s)).
 //! ```
 //!
 //! The Galerkin solution u_h is orthogonal to its error, so |||u − u_h|||² = |||u|||² − |||u_h|||².
-//! This file computes u_h on n elements and the order of the error in n. Since u grows like the power
-//! s of the distance to an end, that order is
+//! This file computes u_h on n elements and the order of the error in n. Since u grows like the
+//! power s of the distance to an end, that order is
 //!
 //! ```text
 //! 1/2 on uniform meshes,     2 − s for the nodes (2i/n)^β from each end, β = 2 (2 − s)
@@ -96,7 +98,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("steps", "iterations", "of preconditioned conjugate gradients");
     let mut curves: Vec<(String, Vec<Point>)> = Vec::new();
     for &s in &options.s {
-        let exact = PI.sqrt() * gamma(1.0 + s) / (gamma(1.5 + s) * gamma(1.0 + 2.0 * s)); // |||u|||²
+        // |||u|||²
+        let exact = PI.sqrt() * gamma(1.0 + s) / (gamma(1.5 + s) * gamma(1.0 + 2.0 * s));
         let half = 0.5 * fractional_laplacian_constant(s)?.value; // C/2
         for mesh_name in ["uniform", "graded"] {
             let is_graded = mesh_name == "graded";

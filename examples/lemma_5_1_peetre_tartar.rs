@@ -83,7 +83,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             let attained = over.remove(k);
             let others = Measured::from(smallest(over)); // the one with the least value less its ±
-            out.row(cells! { nu, theta => gamma: gamma_of.value, alpha, definition, attained: attained.value, others: others.value });
+            out.row(cells! { nu, theta =>
+                gamma: gamma_of.value, alpha, definition, attained: attained.value,
+                others: others.value
+            });
             let over = alpha / positive;
             out.check("α (1 + γ₁² + N²)^(1/2)").at_least(over, 1.0 - 1e-9, "explicit lower bound");
             let hats = alpha.recip() * definition;

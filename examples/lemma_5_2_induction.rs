@@ -1,10 +1,10 @@
 //! The induction (5.5)-(5.9) in the proof of Lemma 5.2: every step beside its bound.
 //!
-//! Let 0 < ν < 1 and let γ(θ) be the best constant in ‖u‖₀ ≤ γ |u|_ν for u with mean zero on the zone
-//! (0, θ), where |u|²_ν = ∬ (u(x) − u(y))²/|x − y|^(1+2ν) dx dy. The proof bounds γ(θ²) by γ(θ). It
-//! takes ũ on (0, 1) with mean zero on (0, θ²) and stretches it to the interval I = (0, 1/θ),
-//! u(x) = ũ(θx), so that the zone has length θ. Let c be the mean of u over (0, 1), and let ‖·‖₀,
-//! |·|_ν with an index be taken on that interval. The steps are
+//! Let 0 < ν < 1 and let γ(θ) be the best constant in ‖u‖₀ ≤ γ |u|_ν for u with mean zero on the
+//! zone (0, θ), where |u|²_ν = ∬ (u(x) − u(y))²/|x − y|^(1+2ν) dx dy. The proof bounds γ(θ²) by
+//! γ(θ). It takes ũ on (0, 1) with mean zero on (0, θ²) and stretches it to the interval I = (0,
+//! 1/θ), u(x) = ũ(θx), so that the zone has length θ. Let c be the mean of u over (0, 1), and let
+//! ‖·‖₀, |·|_ν with an index be taken on that interval. The steps are
 //!
 //! ```text
 //! ‖u‖_(0,I) = θ^(−1/2) ‖ũ‖_(0,(0,1)),       |u|_(ν,I) = θ^(ν−1/2) |ũ|_(ν,(0,1))            (5.5)
@@ -19,12 +19,13 @@
 //!
 //! This file squares the zone t = 1/2 five times. It computes γ for each zone, and both sides of
 //! (5.6) and of the middle inequality of (5.7) for the ũ that attains γ(θ²). The first inequality
-//! of (5.7) is that of Cauchy and Schwarz, the last holds because (0, 1) ⊂ I: no number decides them.
+//! of (5.7) is that of Cauchy and Schwarz, the last holds because (0, 1) ⊂ I: no number decides
+//! them.
 //!
-//! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient of
-//! (5.5) is off 1 by 1e-6. Not sharp if at ν = 1/2 the last step loses the factor √2, to 0.02: there
-//! γ² grows like ln(1/θ) (example `lemma_5_2_exact_law`), hence γ by √2 in a step, while the factor
-//! in (5.8) is 2. That is why (5.2) has ln(1/θ) and not its root.
+//! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient
+//! of (5.5) is off 1 by 1e-6. Not sharp if at ν = 1/2 the last step loses the factor √2, to 0.02:
+//! there γ² grows like ln(1/θ) (example `lemma_5_2_exact_law`), hence γ by √2 in a step, while the
+//! factor in (5.8) is 2. That is why (5.2) has ln(1/θ) and not its root.
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 
@@ -63,9 +64,9 @@ struct Lines {
     stretched: Measured,
 }
 
-/// The three lines for the extremal function ũ of the zone θ², interpolated by quadratics, six to an
-/// element. Seminorms of those are closed forms, norms Gauss rules; (5.5) gives the norms on I. The
-/// amount by which the mean over the zone misses zero is part of the error of `poincare`.
+/// The three lines for the extremal function ũ of the zone θ², interpolated by quadratics, six to
+/// an element. Seminorms of those are closed forms, norms Gauss rules; (5.5) gives the norms on I.
+/// The amount by which the mean over the zone misses zero is part of the error of `poincare`.
 fn lines(nu: Order, theta: f64, gamma: Measured, extremal: &Extremal) -> Result<Lines> {
     let on_i = extremal.interpolate(2, 6, &[theta * theta, theta])?; // as a function of θx
     let nodes = on_i.mesh()?.nodes();

@@ -1,7 +1,7 @@
 //! Lemma 5.2: the price of a short zone.
 //!
-//! Let 0 < ν < 1, and let u in H^ν(0, 1) have mean zero on the zone (0, θ). The lemma bounds the best
-//! constant γ in
+//! Let 0 < ν < 1, and let u in H^ν(0, 1) have mean zero on the zone (0, θ). The lemma bounds the
+//! best constant γ in
 //!
 //! ```text
 //! ‖u‖₀ ≤ γ |u|_ν,        |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy over (0, 1)²,
@@ -31,11 +31,12 @@
 //! |u|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr ≈ (2/L) ∫ r² / (4 sinh²(r/2)) dr = 2π²/(3L),   r > 0.
 //! ```
 //!
-//! No function does better to leading order (example `lemma_5_2_exact_law`). As θ → 1, γ tends to the
-//! constant γ₁ > 0 for mean zero on (0, 1), but ln(1/θ) tends to 0: (5.2) is false for all θ < 1.
+//! No function does better to leading order (example `lemma_5_2_exact_law`). As θ → 1, γ tends to
+//! the constant γ₁ > 0 for mean zero on (0, 1), but ln(1/θ) tends to 0: (5.2) is false for all
+//! θ < 1.
 //!
-//! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term where
-//! that is larger; if γ exceeds an explicit bound; or if the two values of γ differ by 0.5 %.
+//! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term
+//! where that is larger; if γ exceeds an explicit bound; or if the two values of γ differ by 0.5 %.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
 use std::f64::consts::PI;
@@ -54,7 +55,8 @@ example! { quick "Lemma 5.2",
 ///
 /// ```text
 /// M_ij = ∫ φᵢ φⱼ,        A_ij = ∬ φᵢ'(s) φⱼ'(t) K(s, t) ds dt over (0, 1)²,
-/// K(s, t) = (k(max(s, t)) + k(1 − min(s, t)) − k(|s − t|)) / ν,     k(x) = (x^(1−2ν) − 1)/(1 − 2ν),
+/// K(s, t) = (k(max(s, t)) + k(1 − min(s, t)) − k(|s − t|)) / ν,
+/// k(x) = (x^(1−2ν) − 1)/(1 − 2ν),
 /// ```
 ///
 /// and k(x) = ln x for ν = 1/2: write u(y) − u(x) as the integral of u' and integrate over x and y.
@@ -75,9 +77,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let is_half = nu.offset() == 0.0; // offset: ν − 1/2
         let power = nu.offset().min(0.0); // of θ in the law
         for &theta in &options.theta {
-            // The same eigenvalue among functions whose slopes are polynomials in ln r (degree up to
-            // 11), r the distance to the nearest of 0, θ and 1, on elements that grow geometrically;
-            // ±: the change to a smaller space of that kind.
+            // The same eigenvalue among functions whose slopes are polynomials in ln r (degree up
+            // to 11), r the distance to the nearest of 0, θ and 1, on elements that grow
+            // geometrically; ±: the change to a smaller space of that kind.
             let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-10)?;
             let gamma = Measured::from(found.constant);
             let definition = by_definition(nu, theta)?;

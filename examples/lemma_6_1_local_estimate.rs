@@ -1,7 +1,7 @@
 //! Lemma 6.1: linear interpolation on one interval, with the constant 1.
 //!
-//! Let u be a function on an interval of length h, I u the straight line through its two end points,
-//! and 0 < ν < 1. With the seminorm of the slope,
+//! Let u be a function on an interval of length h, I u the straight line through its two end
+//! points, and 0 < ν < 1. With the seminorm of the slope,
 //!
 //! ```text
 //! |u|_(1+ν) = |u'|_ν,     |v|²_ν = ∬ (v(x) − v(y))² / |x − y|^(1+2ν) dx dy over the interval,
@@ -14,8 +14,8 @@
 //! ```
 //!
 //! This file computes the best constants. Both sides of the first line scale alike, and so do those
-//! of the second line with |u − I u|₁ = ‖(u − I u)'‖₀ on the left; let C₀(ν) and C₁(ν) be their best
-//! constants on (0, 1). The full norm on the left, ‖·‖₁² = ‖·‖₀² + |·|₁², does not scale:
+//! of the second line with |u − I u|₁ = ‖(u − I u)'‖₀ on the left; let C₀(ν) and C₁(ν) be their
+//! best constants on (0, 1). The full norm on the left, ‖·‖₁² = ‖·‖₀² + |·|₁², does not scale:
 //!
 //! ```text
 //! ‖u − I u‖₁² ≤ (h² C₀² + C₁²) h^(2ν) |u|²_(1+ν):    true with the constant 1 for
@@ -45,7 +45,8 @@ struct Best {
 ///
 /// ```text
 /// Eᵀ M E v = λ A v,     M_ij = ∫ φᵢ φⱼ,     A_ij = ∬ φᵢ'(s) φⱼ'(t) K(s, t) ds dt,
-/// K(s, t) = (k(max(s, t)) + k(1 − min(s, t)) − k(|s − t|)) / ν,     k(x) = (x^(1−2ν) − 1)/(1 − 2ν),
+/// K(s, t) = (k(max(s, t)) + k(1 − min(s, t)) − k(|s − t|)) / ν,
+/// k(x) = (x^(1−2ν) − 1)/(1 − 2ν),
 /// ```
 ///
 /// k(x) = ln x for ν = 1/2. E takes v to the nodal values of u − I u, which is linear between the
@@ -73,8 +74,8 @@ fn by_definition(nu: Order) -> Result<Best> {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &nu in &options.nu {
-        // The same eigenvalues, v a sum of odd Legendre polynomials; ±: the change when their number
-        // is doubled.
+        // The same eigenvalues, v a sum of odd Legendre polynomials; ±: the change when their
+        // number is doubled.
         let best = |h: f64, norm: ErrorNorm| -> Result<Measured> {
             Ok(interpolation_constant(Interval(h), norm, nu, 1e-10)?.constant.into())
         };

@@ -1,8 +1,8 @@
 //! Lemma 6.1 on triangles: best constants of linear interpolation, and what flat and sharp angles
 //! cost.
 //!
-//! The paper's lemma is about intervals. In the plane let T be the triangle with two sides of length
-//! 1 at an angle α, I u the linear function with the values of u at the three corners, and
+//! The paper's lemma is about intervals. In the plane let T be the triangle with two sides of
+//! length 1 at an angle α, I u the linear function with the values of u at the three corners, and
 //!
 //! ```text
 //! |∇u|²_s = ∬ |∇u(x) − ∇u(y)|² / |x − y|^(2+2s) dx dy over T × T,    0 < s < 1,    |∇u|₁ = ‖D²u‖₀.
@@ -14,18 +14,19 @@
 //! ‖∇(u − I u)‖₀ ≤ C |∇u|_s,        ‖u − I u‖₀ ≤ C' |∇u|_s.
 //! ```
 //!
-//! This file computes C and C', and a lower bound of C from quadratic u. As s → 1,
-//! ((1−s) 2/π)^(1/2) |∇u|_s → ‖D²u‖₀; hence, with h the longest side, constants of different s and α
-//! are compared as
+//! This file computes C and C', and a lower bound of C from quadratic u. As s → 1, ((1−s)
+//! 2/π)^(1/2) |∇u|_s → ‖D²u‖₀; hence, with h the longest side, constants of different s and α are
+//! compared as
 //!
 //! ```text
 //! C_h = C (π/2/(1−s))^(1/2) / h^s for s < 1,        C_h = C/h for s = 1.
 //! ```
 //!
-//! Flat angles, α → 180°, raise C_h for every s. Sharp angles, α → 0, raise it for s < 1 only: for a
-//! function of one variable along a triangle of width w = α, ‖∇(u − I u)‖₀² is of order w, and |∇u|²_s
-//! of order w² for s < 1/2 (pairs of points farther apart than w) and w^(3−2s) for s > 1/2 (nearer
-//! pairs). So each halving of α multiplies C_h by a factor that tends to 2^min(1/2, 1−s), 1 at s = 1.
+//! Flat angles, α → 180°, raise C_h for every s. Sharp angles, α → 0, raise it for s < 1 only: for
+//! a function of one variable along a triangle of width w = α, ‖∇(u − I u)‖₀² is of order w, and
+//! |∇u|²_s of order w² for s < 1/2 (pairs of points farther apart than w) and w^(3−2s) for s > 1/2
+//! (nearer pairs). So each halving of α multiplies C_h by a factor that tends to 2^min(1/2, 1−s), 1
+//! at s = 1.
 //!
 //! Refuted if a quadratic function has a larger quotient than C; if C_h(α) < 2 C_h(60°) for an
 //! α ≥ 135°; if the factor from 20° to 10° is less than half of the way, 2^(min(1/2, 1−s)/2), for
@@ -71,14 +72,14 @@ fn kobayashi(corners: [[f64; 2]; 3]) -> f64 {
 /// ∇u = H x,    |∇u|²_s = tr(H G Hᵀ),    G_kl = ∬ (x_k − y_k)(x_l − y_l) / |x − y|^(2+2s) dx dy,
 /// ```
 ///
-/// and ∇(u − I u) = H x − the slope of I u. The symmetric matrices H have a basis of three; the best
-/// of them is a generalised eigenvector of two 3 × 3 forms.
+/// and ∇(u − I u) = H x − the slope of I u. The symmetric matrices H have a basis of three; the
+/// best of them is a generalised eigenvector of two 3 × 3 forms.
 fn of_quadratics(corners: [[f64; 2]; 3], s: f64) -> Result<f64> {
     let mesh = Triangles::new(&corners, &[[0, 1, 2]])?;
     let area = mesh.areas()[0];
     // w·G w for w = (a, b), the seminorm of the linear function a x₁ + b x₂: in polar coordinates
-    // about a corner ∫ (w·e)² S N(e)^(2s−2) B(2−2s, 3) dφ, e = (cos φ, sin φ), S the area, N half the
-    // sum of |barycentric parts of e|; Gauss rules, to 1e-8.
+    // about a corner ∫ (w·e)² S N(e)^(2s−2) B(2−2s, 3) dφ, e = (cos φ, sin φ), S the area, N half
+    // the sum of |barycentric parts of e|; Gauss rules, to 1e-8.
     let square = |a: f64, b: f64| -> Result<f64> {
         let linear = Function::on_triangles(&mesh, 1, &corners.map(|[x, y]| a * x + b * y))?;
         Ok(linear.seminorm(s, 1e-8)?.value.powi(2))
@@ -136,8 +137,8 @@ struct Constants {
 
 /// C, C' and C_h. Trial functions: polynomials of degree p up to 30, and r^(2s) times trigonometric
 /// functions of the angle about each corner. The largest quotients for p, p − 2, p − 4 settle like
-/// p^(−k): C is their limit, ± the change of that limit with p. The double integrals are computed by
-/// Gauss rules in polar coordinates about the corners, to 3e-8.
+/// p^(−k): C is their limit, ± the change of that limit with p. The double integrals are computed
+/// by Gauss rules in polar coordinates about the corners, to 3e-8.
 fn constants(s: f64, angle: f64) -> Result<Constants> {
     let triangle = Triangle(isosceles(angle));
     let found = interpolation_constant(triangle, ErrorNorm::Derivative, s, 1e-3)?;

@@ -7,9 +7,11 @@
 //! y|^(2+2ν) dx dy over T × T, compare the terms of one face,
 //!
 //! ```text
-//! nodal cone:     ∫ σ I u / (|σ|_ν |∇u|_ν),                I u = −1: the linear function with the values of u at the corners
-//! cone of means:  (1/|T|) ∫ σ ∫ u / (|σ|_ν |∇u|_ν).
+//! nodal cone:     ∫ σ I u / (|σ|_ν |∇u|_ν),
+//! cone of means:  (1/|T|) ∫ σ ∫ u / (|σ|_ν |∇u|_ν),
 //! ```
+//!
+//! where I u = −1 is the linear function with the values of u at the corners.
 //!
 //! |σ|²_ν and |∇u|²_ν are integrals over pairs with one point near a gap: of the order r^(2−2ν) and
 //! r^(−2ν). The term of the nodal cone tends to |T|, so its quotient grows like r^(2ν−1); that of
@@ -145,7 +147,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 claim.at_most(mean / before[0][1], 1.0, "bounded");
             }
             before.push([nodal, mean]);
-            out.row(cells! { nu, r => nodal, mean: mean.value, sigma: pressure.value, slope: slope.value });
+            out.row(cells! { nu, r =>
+                nodal, mean: mean.value, sigma: pressure.value, slope: slope.value
+            });
         }
         // Exponent e between two sizes; e nears its limit like r^(2ν), which is taken out. Error:
         // change from the size before.

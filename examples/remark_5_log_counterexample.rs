@@ -5,7 +5,8 @@
 //! y)² dx dy and ‖u‖² = ‖u‖₀² + |u|². Then
 //!
 //! ```text
-//! w = 1 − min(u, n)/n vanishes on (0, θ),  L = ln(1/θ) = n^(1/α),  ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,  |w| ≤ |u|/n → 0:
+//! w = 1 − min(u, n)/n vanishes on (0, θ),     L = ln(1/θ) = n^(1/α),
+//! ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,     |w| ≤ |u|/n → 0:
 //! ```
 //!
 //! so the quotient ‖w‖₀/|w| has no bound. Printed, for ‖u‖ = 1, is |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n, v = 1 −

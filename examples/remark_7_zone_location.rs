@@ -1,19 +1,19 @@
-//! Remark 7: the constants of Lemma 5.2 are valid wherever the zone lies; of all sets of one measure
-//! the end is the worst.
+//! Remark 7: the constants of Lemma 5.2 are valid wherever the zone lies; of all sets of one
+//! measure the end is the worst.
 //!
-//! For a set E in (0, 1) of measure θ let γ(E) be the best constant in ‖u‖₀ ≤ γ |u|_ν for those u in
-//! H^ν(0, 1), 0 < ν < 1, that have mean zero on E, or those that vanish on E, where
-//! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark says that for an interval
-//! E = (a, a + θ), γ(E) is at most a constant times γ((0, θ)), which Lemma 5.2 bounds. More is true:
+//! For a set E in (0, 1) of measure θ let γ(E) be the best constant in ‖u‖₀ ≤ γ |u|_ν for those u
+//! in H^ν(0, 1), 0 < ν < 1, that have mean zero on E, or those that vanish on E, where |u|²_ν = ∬
+//! (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark says that for an interval E = (a, a + θ), γ(E)
+//! is at most a constant times γ((0, θ)), which Lemma 5.2 bounds. More is true:
 //!
 //! ```text
 //! γ(E) ≤ γ((0, θ))        for every E of measure θ.
 //! ```
 //!
-//! Proof (page `remark_7_rearrangement`): let v* be v with its values sorted. Then ‖v*‖₀ = ‖v‖₀, the
-//! mean of v* over (0, θ) is the largest that v has over any set of measure θ, and |v*|_ν ≤ |v|_ν. The
-//! last is a lemma on numbers f₁, ..., f_n: sorting them lowers Σ (f_i − f_j)² over |i − j| ≤ k, for
-//! every k.
+//! Proof (page `remark_7_rearrangement`): let v* be v with its values sorted. Then ‖v*‖₀ = ‖v‖₀,
+//! the mean of v* over (0, θ) is the largest that v has over any set of measure θ, and
+//! |v*|_ν ≤ |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting them lowers Σ (f_i − f_j)²
+//! over |i − j| ≤ k, for every k.
 //!
 //! The paper's proof cuts (0, 1) inside E into I₁ and I₂ and uses Lemma 5.2 on both, as if the mean
 //! over each part of E were zero:
@@ -22,19 +22,19 @@
 //! ‖u‖₀² = ‖u‖²_(0,I₁) + ‖u‖²_(0,I₂) ≤ (C(θ) |I₁|^ν |u|_(ν,I₁))² + (C(θ) |I₂|^ν |u|_(ν,I₂))².
 //! ```
 //!
-//! For u = sgn(x − 1/2), ν < 1/2 and E about 1/2 this reads 1 ≤ 0. A proof without a cut: with m the
-//! mean of u over (0, 1), γ₁ = γ((0, 1)), and N the dual norm of u ↦ m − mean on E,
+//! For u = sgn(x − 1/2), ν < 1/2 and E about 1/2 this reads 1 ≤ 0. A proof without a cut: with m
+//! the mean of u over (0, 1), γ₁ = γ((0, 1)), and N the dual norm of u ↦ m − mean on E,
 //!
 //! ```text
 //! ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν.
 //! ```
 //!
-//! This file computes γ(E) for intervals and for random unions of one to five intervals, and tests the
-//! lemma on random sequences and random functions.
+//! This file computes γ(E) for intervals and for random unions of one to five intervals, and tests
+//! the lemma on random sequences and random functions.
 //!
 //! Refuted if γ(E) exceeds γ((0, θ)) for an interval or a union, or √(γ₁² + N²) for an interval, by
-//! more than the tolerances 1e-7 and 1e-3 requested; if a random sequence, sorted, has a larger sum;
-//! or if a random function, sorted, has a larger seminorm.
+//! more than the tolerances 1e-7 and 1e-3 requested; if a random sequence, sorted, has a larger
+//! sum; or if a random function, sorted, has a larger seminorm.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 
@@ -118,7 +118,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (gamma, repair) = (Measured::from(found.constant), repair.sqrt());
             let definition = by_definition(nu, a, if at < 1.0 { a + theta } else { 1.0 })?;
             let over_end = gamma / end;
-            out.row(cells! { nu, at => gamma, definition, over_end: over_end.value, repair: repair.value });
+            out.row(cells! { nu, at =>
+                gamma, definition, over_end: over_end.value, repair: repair.value
+            });
             if at > 0.0 {
                 let claim = out.check("γ((a, a + θ))/γ((0, θ)), a > 0");
                 claim.at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");

@@ -1,9 +1,10 @@
-//! Section 1, errors: the interpolation error of x^α in the norm (1.1), on equal and graded elements.
+//! Section 1, errors: the interpolation error of x^α in the norm (1.1), on equal and graded
+//! elements.
 //!
 //! The proofs of the paper use ‖u − I^h u‖₁ ≤ C h^(τ−1) ‖u‖_τ for 1 < τ ≤ 2, and Lemma 6.2 on the
-//! edge: interpolation of functions whose smoothness is a fraction. This file computes such an error
-//! in the seminorm (1.1), for a function whose exponent is its smoothness. Let u = x^α on (0, 1),
-//! α > ν − 1/2, α ≠ 1, and I_h u its linear interpolant at the nodes (i/N)^β, β ≥ 1. Then
+//! edge: interpolation of functions whose smoothness is a fraction. This file computes such an
+//! error in the seminorm (1.1), for a function whose exponent is its smoothness. Let u = x^α on (0,
+//! 1), α > ν − 1/2, α ≠ 1, and I_h u its linear interpolant at the nodes (i/N)^β, β ≥ 1. Then
 //!
 //! ```text
 //! |u − I_h u|_ν ≈ C N^(−p),      p = min(β (α − ν + 1/2), 2 − ν),
@@ -11,13 +12,14 @@
 //!
 //! where the first number comes from the first element and the second from all others. Where the
 //! others decide, u − I_h u is near every point a chain of parabolas h² u''/2 · t(1 − t), and the
-//! Fourier series of t(1 − t) gives C in closed form (`limit`). Where both numbers agree, a logarithm
-//! comes in, and nothing is checked.
+//! Fourier series of t(1 − t) gives C in closed form (`limit`). Where both numbers agree, a
+//! logarithm comes in, and nothing is checked.
 //!
 //! Refuted if an order between the last two N is off p by more than 0.02, or C by more than 0.5 %
 //! where `limit` gives it.
 //!
-//! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements 1000,10000,100000`
+//! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements
+//! 1000,10000,100000`
 
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Mesh};

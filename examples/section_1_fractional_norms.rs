@@ -3,14 +3,16 @@
 //! For 0 < ν < 1 the norm of H^ν(0, 1) is ‖u‖²_ν = ‖u‖₀² + |u|²_ν with the seminorm of Slobodeckij,
 //!
 //! ```text
-//! |u|²_ν = ∫₀¹∫₀¹ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy = 2 ∫₀¹ t^(−1−2ν) ∫₀^(1−t) (u(x+t) − u(x))² dx dt.
+//! |u|²_ν = ∫₀¹∫₀¹ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy
+//!        = 2 ∫₀¹ t^(−1−2ν) ∫₀^(1−t) (u(x+t) − u(x))² dx dt.
 //! ```
 //!
 //! It is finite for x^a if ν < a + 1/2, for a step if ν < 1/2, for |ln x|^(1/4) if ν ≤ 1/2, for a
 //! hat always. Closed forms:
 //!
 //! ```text
-//! x^a:  2/(2a+1−2ν) ∫₀¹ (1 − s^a)² (1 − s)^(−1−2ν) ds, by y = s x: Beta functions;     |ln x|^a, ν = 1/2: zeta functions
+//! x^a:  2/(2a+1−2ν) ∫₀¹ (1 − s^a)² (1 − s)^(−1−2ν) ds, by y = s x: Beta functions
+//! |ln x|^a, ν = 1/2:  2 ζ(1 + 2a) (Γ(1 + a)²/cos(πa) − Γ(1 + 2a))
 //! step between intervals of lengths p and q:  (p^(1−2ν) + q^(1−2ν) − (p+q)^(1−2ν)) / (ν (1 − 2ν))
 //! hat:  pairs of linear pieces, each a combination of powers |x − y|^(3−2ν) of the nodes
 //! ```

@@ -2,7 +2,8 @@
 //! in the plane.
 //!
 //! ```text
-//! |v|²_ν = ∫_Γ∫_Γ (v(x) − v(y))² / |x − y|^(1+2ν) ds ds,   ‖v‖²_ν = ∫_Γ v² ds + |v|²_ν,   ‖g‖_−ν = sup ∫_Γ g v ds / ‖v‖_ν.
+//! |v|²_ν = ∫_Γ∫_Γ (v(x) − v(y))² / |x − y|^(1+2ν) ds ds,
+//! ‖v‖²_ν = ∫_Γ v² ds + |v|²_ν,        ‖g‖_−ν = sup ∫_Γ g v ds / ‖v‖_ν.
 //! ```
 //!
 //! Three facts decide. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up to one, so by symmetry
@@ -61,7 +62,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let x = Function::on_curve(&curve, 1, &x)?;
             let twice =
                 Measured::from(x.seminorm(nu, 1e-6)?).squared() * 2.0 / curve.length().powi(2);
-            let hat: Vec<f64> = (0..curve.len()).map(|k| f64::from(u8::from(k == 0))).collect();
+            let hat: Vec<f64> = (0..curve.len()).map(|k| if k == 0 { 1.0 } else { 0.0 }).collect();
             let hat =
                 Measured::from(Function::on_curve(&curve, 1, &hat)?.seminorm(nu, 1e-6)?).squared();
             corners.push((n as f64, hat));
@@ -76,7 +77,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 .collect();
             let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-nu, 1e-3))?;
             let duality = Measured::from(area) / (Measured::from(dual) * x.norm(nu, 1e-6)?);
-            out.row(cells! { polygon, n => twice: twice.value, hat: hat.value, dual: dual.value, duality: duality.value });
+            out.row(cells! { polygon, n =>
+                twice: twice.value, hat: hat.value, dual: dual.value, duality: duality.value
+            });
             if nu == Order::HALF {
                 out.check("2|x₁|²/L²").near(twice, 1.0, 1e-6, "|x₁|² + |x₂|² = L²");
             }

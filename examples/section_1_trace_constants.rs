@@ -1,7 +1,8 @@
 //! Section 1, traces: the trace theorem with its constant.
 //!
 //! ```text
-//! |w(·, 0)|_(s−1/2) ≤ C(s) |w|_s,    1/2 < s < 1,    C(s)² = 4s² / ((2s − 1) D(s)),    D(s) = −π cot πs − ψ(2s) − γ,
+//! |w(·, 0)|_(s−1/2) ≤ C(s) |w|_s,    1/2 < s < 1,
+//! C(s)² = 4s² / ((2s − 1) D(s)),    D(s) = −π cot πs − ψ(2s) − γ,
 //! ```
 //!
 //! for w on the half-plane y > 0, |w|²_s = ∬ (w(x) − w(z))² / |x − z|^(2+2s) dx dz and, on the
@@ -13,7 +14,8 @@
 //! over that of f is
 //!
 //! ```text
-//! ∫ 2 (c − cos μt) / |2 sinh(t/2)|^(2s) dt   over   ∭ [c (f² + f'²) − 2 cos μt f f'] / (2 cosh t − 2 cos(φ − φ'))^(1+s) dt dφ dφ',
+//! ∫ 2 (c − cos μt) / |2 sinh(t/2)|^(2s) dt   over
+//! ∭ [c (f² + f'²) − 2 cos μt f f'] / (2 cosh t − 2 cos(φ − φ'))^(1+s) dt dφ dφ',
 //! ```
 //!
 //! f = f(φ), f' = f(φ'). On the half-plane, with values even in x, f is even about 90°, the edge is

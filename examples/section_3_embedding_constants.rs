@@ -30,7 +30,8 @@ use std::f64::consts::PI;
 example! { seconds "(3.6), (3.10)",
     "H^ν(0, 1) ⊂ L^q(0, 1) for q ≤ 2/(1 − 2ν);  ν = 1/2: C(q) grows like √q";
     /// exponents q for ν = 1/2, and α = 1 − 1/q
-    q: Vec<f64> = "2,3,4,6,8,12,16,24,36,50,75,100,150,200" in "[2, 500]" slider "2 to 200 by factors",
+    q: Vec<f64> = "2,3,4,6,8,12,16,24,36,50,75,100,150,200"
+        in "[2, 500]" slider "2 to 200 by factors",
     /// orders ν below 1/2, at q = 2/(1 − 2ν)
     nu: Vec<Order> = "0.1,0.3,0.4,0.45,0.49" in "(0, 0.495]" slider "0.05 to 0.49",
 }
@@ -142,16 +143,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             );
         }
     }
-    for (name, title, meaning) in [
-        ("lower", "C(q) ≥", "quotient of a function"),
-        ("trial", "ascent", "the same by `ascent`"),
-        ("upper", "C(q) ≤", "for all functions"),
-        ("growth", "≥ /√q", ""),
-        ("upper_growth", "≤ /√q", ""),
-        ("hoelder", "C(α) ≥", "α = 1 − 1/q"),
-    ] {
-        out.column(name, title, meaning);
-    }
+    out.column("lower", "C(q) ≥", "quotient of a function");
+    out.column("trial", "ascent", "the same by `ascent`");
+    out.column("upper", "C(q) ≤", "for all functions");
+    out.column("growth", "≥ /√q", "first bound over √q");
+    out.column("upper_growth", "≤ /√q", "second bound over √q");
+    out.column("hoelder", "C(α) ≥", "α = 1 − 1/q");
     let law = options.q.iter().map(|q| (*q, (0.75 / (PI * PI * 1f64.exp()) * q).sqrt())).collect();
     let axes = Axes::LogLog("q, exponent", "C(q)");
     out.plot("section_3_embedding_constants", "C(q) of H^ν(0, 1) in L^q(0, 1)", axes)

@@ -6,8 +6,10 @@
 //! with ‖ψ‖₀² + |ψ|²_(1/2) = 1. The paper uses
 //!
 //! ```text
-//! ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r   (4.6),      ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r   (4.7)      for r ≤ 1, and Remark 4:
-//! ‖φ − π^h φ‖₀ = h ‖φ'‖₀ / √12 (1 + o(1)) for φ in H¹, since φ − π^h φ is φ' times the distance from the centre.
+//! ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r                   (4.6),     for r ≤ 1,
+//! ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r       (4.7),     for r ≤ 1,
+//! ‖φ − π^h φ‖₀ = h ‖φ'‖₀ / √12 (1 + o(1))      Remark 4, for φ in H¹:
+//!     φ − π^h φ is φ' times the distance from the centre of the element, to first order.
 //! ```
 //!
 //! C(r) and C*(r) are the best constants of one element, C* for ∫ (φ − π^h φ)(ψ − π^h ψ) ≤ C*

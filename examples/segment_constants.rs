@@ -1,35 +1,36 @@
 //! The sharp constants of one contact segment: how much of the factor 1/2 is lost on the worst
 //! contact set.
 //!
-//! Let T = (0, 1) be a segment, E the set where u_N = 0, and N the rest of T. The pressure σ vanishes
-//! on N, the slope w = u_N' on E. With ν = τ − 3/2 in (0, 1),
-//! |v|²_ν = ∬ (v(x) − v(y))² / |x − y|^(1+2ν) dx dy over T × T, and π^h the mean over T, the term that
-//! the proofs bound is
+//! Let T = (0, 1) be a segment, E the set where u_N = 0, and N the rest of T. The pressure σ
+//! vanishes on N, the slope w = u_N' on E. With ν = τ − 3/2 in (0, 1), |v|²_ν = ∬
+//! (v(x) − v(y))² / |x − y|^(1+2ν) dx dy over T × T, and π^h the mean over T, the term that the
+//! proofs bound is
 //!
 //! ```text
-//! ∫ σ I^h u_N            (3.11), nodal cone,        −∫ (σ − π^h σ) u_N         (4.9), midpoint cone.
+//! ∫ σ I^h u_N   (3.11), nodal cone,        −∫ (σ − π^h σ) u_N   (4.9), midpoint cone.
 //! ```
 //!
-//! This file computes three best constants. The first and the third hold for every E, the second for
-//! one gap N at an end of T, in either cone:
+//! This file computes three best constants. The first and the third hold for every E, the second
+//! for one gap N at an end of T, in either cone:
 //!
 //! ```text
 //! ‖σ‖_L1 ‖w‖_L1 ≤ K |σ|_ν |w|_ν,        term ≤ κ |σ|_ν |w|_ν,        (4.9) ≤ κ̄ |σ|_ν |w|_ν.
 //! ```
 //!
-//! The bound |x − y| ≤ 1 in the kernel alone gives 1/2 for all of them. On a segment of length h all
-//! have the factor h^(2ν+1) = h^(2τ−2).
+//! The bound |x − y| ≤ 1 in the kernel alone gives 1/2 for all of them. On a segment of length h
+//! all have the factor h^(2ν+1) = h^(2τ−2).
 //!
 //! For the gap N = (e, 1) and w ≤ 0 the term is ∫ x |σ| · ‖w‖_L1 (nodal) or ‖σ‖_L1 ∫ (1 − x) |w|
-//! (midpoint): the same constants with σ and w exchanged. For K an interval at an end is the worst E,
-//! because sorting |σ| and |w| raises neither seminorm. So with the largest moments
+//! (midpoint): the same constants with σ and w exchanged. For K an interval at an end is the worst
+//! E, because sorting |σ| and |w| raises neither seminorm. So with the largest moments
 //!
 //! ```text
 //! B(e), A(e), D(e) = max ∫ m w / |w|_ν over w = 0 on (e, 1),     m(x) = 1, x, e − x,
 //! K = max_e B(e) B(1−e),     κ = max_e A(e) B(1−e),     κ̄ ≤ max_e B(e) D(1−e);
 //! ```
 //!
-//! κ̄ stands for this bound. Two bounds without a maximum are proved on the page `segment_constants`:
+//! κ̄ stands for this bound. Two bounds without a maximum are proved on the page
+//! `segment_constants`:
 //!
 //! ```text
 //! K ≤ c = ν / (2 (4^ν − 1)):       |w|²_ν ≥ ∫ k w², k(x) = 2 ∫ |x − y|^(−1−2ν) dy over (e, 1);
@@ -39,8 +40,8 @@
 //! the second for every E and either cone: where σ(x) ≠ 0, I^h u_N(x) and ∫ u_N are integrals of w
 //! against kernels, and only pairs of points with σ(y) = w(x) = 0 count.
 //!
-//! Refuted if κ ≤ κ̄ ≤ K ≤ c or κ̄ ≤ c₂ fails, if a constant is off the bounds of the strong form by
-//! more than 1e-8, or off the maximum of `scan` by more than 1 %.
+//! Refuted if κ ≤ κ̄ ≤ K ≤ c or κ̄ ≤ c₂ fails, if a constant is off the bounds of the strong form
+//! by more than 1e-8, or off the maximum of `scan` by more than 1 %.
 //!
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 

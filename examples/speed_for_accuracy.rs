@@ -1,10 +1,10 @@
 //! Speed for accuracy: what a digit costs, for every numerical function of the toolkit.
 //!
-//! Each function takes a relative tolerance ε and returns a value v with a stated error e. This file
-//! calls twelve of them with ε = 1e-3, 1e-7 and 1e-11, and one of them with every power of ten. It
-//! compares v with a value v* that was found another way: a closed form, ball arithmetic of another
-//! program (printed digits), or, for the product with a Gram matrix, its dense entries in closed form
-//! (there e is ε, and no work is counted). Then
+//! Each function takes a relative tolerance ε and returns a value v with a stated error e. This
+//! file calls twelve of them with ε = 1e-3, 1e-7 and 1e-11, and one of them with every power of
+//! ten. It compares v with a value v* that was found another way: a closed form, ball arithmetic of
+//! another program (printed digits), or, for the product with a Gram matrix, its dense entries in
+//! closed form (there e is ε, and no work is counted). Then
 //!
 //! ```text
 //! error = |v − v*| / |v*| ≤ ε,     |v − v*| ≤ e,     and a looser tolerance does no more work.

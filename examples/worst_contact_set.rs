@@ -1,9 +1,9 @@
 //! Theorems 3.1 and 4.1: is there a contact set on which the consistency term is as large as the
 //! paper's bound?
 //!
-//! Let T be a segment of length h, E its contact set, ν = τ − 3/2, |·|_ν the seminorm of H^ν(T), I^h u_N
-//! the linear interpolant at the ends of T, and π^h the mean over T. The proofs bound the sums over all
-//! segments of
+//! Let T be a segment of length h, E its contact set, ν = τ − 3/2, |·|_ν the seminorm of H^ν(T),
+//! I^h u_N the linear interpolant at the ends of T, and π^h the mean over T. The proofs bound the
+//! sums over all segments of
 //!
 //! ```text
 //! ∫ σ_N I^h u_N  (nodal cone),      ∫ (σ_N − π^h σ_N)(π^h u_N − u_N)  (midpoint cone)
@@ -15,15 +15,16 @@
 //! c₂ h^(2τ−2) |σ_N|_ν |u_N'|_ν,        c₂ = ½ (1 + 2ν)^(1+2ν)/(2 + 2ν)^(2+2ν),
 //! ```
 //!
-//! so that the order of the root of the sum is at least τ − 1. Why: where σ_N(x) ≠ 0, u_N(x) = 0, and
-//! I^h u_N(x), or the mean of u_N, is ∫ k(x, y) u_N'(y) dy; only pairs with σ_N(y) = 0 = u_N'(x)
-//! count, each once, and |k| |x − y|^(1+2ν) ≤ 2 c₂ h^(2ν+1) (page `segment_constants`).
+//! so that the order of the root of the sum is at least τ − 1. Why: where σ_N(x) ≠ 0, u_N(x) = 0,
+//! and I^h u_N(x), or the mean of u_N, is ∫ k(x, y) u_N'(y) dy; only pairs with
+//! σ_N(y) = 0 = u_N'(x) count, each once, and |k| |x − y|^(1+2ν) ≤ 2 c₂ h^(2ν+1) (page
+//! `segment_constants`).
 //!
 //! This file computes `share`, the largest term over that bound, with norms of the whole edge, for
-//! h = 1/8, 1/16, .. 2^(5−depth) on the contact sets below. The data are given on N = 2^depth cells:
-//! u_N = g at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and densities are
-//! constant on cells. In a gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r is the distance to the
-//! next gap.
+//! h = 1/8, 1/16, .. 2^(5−depth) on the contact sets below. The data are given on N = 2^depth
+//! cells: u_N = g at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and
+//! densities are constant on cells. In a gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r is the
+//! distance to the next gap.
 //!
 //! ```text
 //! transitions:m    gaps ((i + 1/4)/m, (i + 3/4)/m), i < m;  p = τ − 1, λ = r^(τ−2)
@@ -33,13 +34,14 @@
 //!                  d = 4 − 2τ, s = 2^(−1/d), p and λ by d as for cantor
 //! ```
 //!
-//! Ends are rounded to nodes. A gap without an inner node, or one that leaves a piece without a cell,
-//! is left out with all that it would contain: sets of more generations than the mesh resolves are
-//! the same. All are in H^s for s < τ only, so that the norms, and the shares, depend on `depth`.
+//! Ends are rounded to nodes. A gap without an inner node, or one that leaves a piece without a
+//! cell, is left out with all that it would contain: sets of more generations than the mesh
+//! resolves are the same. All are in H^s for s < τ only, so that the norms, and the shares, depend
+//! on `depth`.
 //!
-//! On one segment, κ is the largest quotient with one gap at an end. Refuted if a share is above 1, if
-//! κ is above c₂, or if a random contact set has a larger quotient than the best gap at an end on the
-//! same 48 cells (which is below κ).
+//! On one segment, κ is the largest quotient with one gap at an end. Refuted if a share is above 1,
+//! if κ is above c₂, or if a random contact set has a larger quotient than the best gap at an end
+//! on the same 48 cells (which is below κ).
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --sets 10000`
 
@@ -108,7 +110,8 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
     }
     let middle = |row: usize| (closed[row] as f64 + 0.5) / size;
     let hat = |row: usize, _: usize| if [0, n].contains(&free[row]) { 0.5 } else { 1.0 };
-    // The functionals f_k of σ_N, by the cells of the contact set, and g_k of u_N, by the free nodes.
+    // The functionals f_k of σ_N, by the cells of the contact set, and g_k of u_N, by the free
+    // nodes.
     let (f, g) = match cone {
         Cone::Nodal => {
             let weight =
@@ -176,7 +179,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // The largest term over its bound, over all meshes of n segments.
         let share = |cone: Cone| {
             let mut largest = 0.0f64;
-            // −Σ force × I^h u_N at the nodes (nodal); Σ force × mean of −u_N by segments (midpoint).
+            // −Σ force × I^h u_N at the nodes (nodal); Σ force × mean of −u_N by segments
+            // (midpoint).
             for (n, term) in consistency_terms(&edge, cone) {
                 if n >= 8 && 32 * n <= cells {
                     let bound = c_2 * (n as f64).powf(-power) * slope * pressure;
