@@ -145,8 +145,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 exact.map(|exact| (Measured::from(seminorm.value) / exact - 1.0).abs());
             let definition = by_definition(&example, nu)?;
             let norm = u.norm(nu, options.tolerance)?;
-            out.row(cells! { function: example.name.clone(), nu => seminorm, definition, norm: norm.value,
-            true_error: true_error.map(|error| error.value) });
+            out.row(cells! { function: example.name.clone(), nu => seminorm, definition,
+            norm: norm.value, true_error: true_error.map(|error| error.value) });
             if let (Some(error), Some(exact)) = (true_error, exact) {
                 let asked = options.tolerance.relative();
                 let claim = out.check("relative difference from the closed form");
