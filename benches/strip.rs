@@ -22,7 +22,7 @@ fn edge_operator(c: &mut Criterion) {
     group.sample_size(20);
     let scalar = problem(StripKind::Scalar, StripData::Transition { position: 0.381966 }, 1.75);
     for level in [12, 14, 16] {
-        let (operator, _) = scalar.operator(1 << level).expect("a level of the reference grid");
+        let operator = scalar.operator(1 << level).expect("a level of the reference grid");
         let g: Vec<f64> = (0..operator.nodes()).map(|i| (i as f64).sin()).collect();
         group.bench_function(BenchmarkId::new("product", format!("2^{level}")), |b| {
             b.iter(|| operator.apply(black_box(&g)).expect("lengths agree"));
@@ -47,14 +47,14 @@ fn contact(c: &mut Criterion) {
             let problem = problem(kind, scene, tau);
             for cone in Cone::ALL {
                 let n = 1 << 14;
-                let (operator, _) = problem.operator(n).expect("a level of the reference grid");
+                let operator = problem.operator(n).expect("a level of the reference grid");
                 let load = problem.load(n).expect("a level of the reference grid");
                 let solve = || operator.solve_contact(&load, cone, None, 1e-13).expect("data fit");
                 group.bench_function(format!("{kind}, {name}, {cone}, 2^14"), |b| b.iter(solve));
                 let values = solve().values;
                 if cone == Cone::Nodal {
                     group.bench_function(format!("{kind}, {name}, exact error, 2^14"), |b| {
-                        b.iter(|| problem.error(n, black_box(&values)).expect("lengths agree"));
+                        b.iter(|| problem.distance(n, black_box(&values)).expect("lengths agree"));
                     });
                 }
             }

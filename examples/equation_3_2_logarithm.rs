@@ -47,29 +47,26 @@ example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1
 /// edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone (active set, conjugate gradients to 1e-13, A by
 /// cosine transforms), and e² = g·A_N g − 2 (A_N g)·P v + v·A_n v against the discrete u on N cells, whose own error, like
 /// 1/N, is missing in it: e² ~ h² − 1/N² in place of h². So e² is divided by 1 − (n/N)².
-fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, f64)>> {
-    let mut points: Vec<(f64, f64)> = (3..=finest).map(|level| (0.5f64.powi(level as i32), 0.0)).collect();
+fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, Measured)>> {
+    let mut points: Vec<_> = (3..=finest).map(|k| (0.5f64.powi(k as i32), Measured::from(0.0))).collect();
     for edge in edges {
         let problem = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
-        let mut coarser = None; // where the active set starts
-        for (h, e) in &mut points {
-            let n = (1.0 / *h) as usize;
-            let u = problem.operator(n)?.0.solve_contact(&problem.load(n)?, cone, coarser.as_ref(), 1e-13)?;
-            let found = 1.0 - (n as f64 / edge.cells() as f64).powi(2);
-            let square = problem.error(n, &u.values)?.value.powi(2) / found;
-            *e = (e.powi(2) + square / edges.len() as f64).sqrt();
-            coarser = Some(u);
+        for (u, (_, e)) in problem.solutions(cone, 8, 1 << finest)?.iter().zip(&mut points) {
+            let found = 1.0 - (u.cells as f64 / edge.cells() as f64).powi(2);
+            let square = Measured::from(problem.error(u)?).squared() / found;
+            *e = (e.squared() + square / edges.len() as f64).sqrt();
         }
     }
     Ok(points)
 }
 
 /// Exponent of y ~ x^p from the first to the last point; ± is the difference of the exponents of both halves.
-fn exponent(points: &[(f64, f64)]) -> Measured {
-    let between = |a: (f64, f64), b: (f64, f64)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
+fn exponent(points: &[(f64, Measured)]) -> Measured {
+    let between = |a: (f64, Measured), b: (f64, Measured)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
     let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Measured::NONE };
-    let middle = points[points.len() / 2];
-    Measured::new(between(first, last), between(first, middle) - between(middle, last))
+    let (whole, middle) = (between(first, last), points[points.len() / 2]);
+    let halves = between(first, middle).value - between(middle, last).value;
+    Measured::new(whole.value, halves.abs() + whole.error)
 }
 
 fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Report) -> Result<()> {
@@ -80,12 +77,12 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
         false => vec![problem.damped_data(alpha, cells, LateralCondition::Natural)?],
     };
     let points = errors(&edges, cone, finest)?;
-    let square = |(h, e): (f64, f64)| (e / h).powi(2);
-    let increment = |p: &[(f64, f64)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0])); // over ℓ(h)
-    let increments: Vec<(f64, f64)> = points.windows(3).map(increment).collect();
+    let square = |(h, e): (f64, Measured)| (e / h).squared();
+    let increment = |p: &[(f64, Measured)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0])); // over ℓ(h)
+    let increments: Vec<(f64, Measured)> = points.windows(3).map(increment).collect();
     let q = exponent(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
     let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
-    let over = |power: f64, (h, e): (f64, f64)| e / (h * (-h.ln()).powf(power));
+    let over = |power: f64, (h, e): (f64, Measured)| e / (h * (-h.ln()).powf(power));
     let [optimal, sharp, paper] = [0.0, 0.25, 0.5].map(|power| over(power, last) / over(power, middle));
     let expected = 1.0 - 2.0 * alpha;
     let name = problem.to_string().split(':').next().unwrap_or_default().to_owned();
@@ -106,7 +103,7 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if problem.moves() {
         out.observe("transition: q − (1 − 2α)").near(q - expected, 0.0, 0.2, "asymptotics of (e/h)²");
         if cone == Cone::Nodal {
-            let relative = |&p: &(f64, f64)| (p.0, over(0.0, p) / over(0.0, points[0]));
+            let relative = |&p: &(f64, Measured)| (p.0, (over(0.0, p) / over(0.0, points[0])).value);
             chart(out).line(&format!("α = {alpha}"), points.iter().map(relative).collect());
         }
     }

@@ -72,8 +72,8 @@ fn linear(v: &[f64], j: usize, cells: usize) -> f64 {
 
 /// ‖u − u^h‖², ‖u − I^h u‖², ∫ σ_N (I^h u − u), − ∫ σ_N u^h and the two parts of (4.8), on n cells; −σ_N is a force λ_j at
 /// every node of the fine edge.
-pub fn terms(edge: &EdgeData, problem: &StripProblem, n: usize, u: &EdgeSolution) -> Result<[f64; 6]> {
-    let (g, force, cells) = (edge.values(), edge.forces(), edge.cells() / n);
+pub fn terms(edge: &EdgeData, problem: &StripProblem, u: &EdgeSolution) -> Result<[f64; 6]> {
+    let (g, force, n, cells) = (edge.values(), edge.forces(), u.cells, edge.cells() / u.cells);
     let nodal: Vec<f64> = g.iter().copied().step_by(cells).collect(); // I^h u
     let work = |v: &[f64]| force.iter().enumerate().map(|(j, f)| f * linear(v, j, cells)).sum::<f64>();
     // Σ of the force on a segment times the means of u^h and of u; a force at a common node belongs to both by half.
@@ -86,7 +86,7 @@ pub fn terms(edge: &EdgeData, problem: &StripProblem, n: usize, u: &EdgeSolution
         means[1] += on_segment * (a..b).map(|j| 0.5 * (g[j] + g[j + 1])).sum::<f64>() / cells as f64;
     }
     // ‖u − v‖² as in `by_definition`, by fast transforms.
-    let square = |v: &[f64]| -> Result<f64> { Ok(problem.error(n, v)?.value.powi(2)) };
+    let square = |v: &[f64]| -> Result<f64> { Ok(problem.distance(n, v)?.value.powi(2)) };
     let second = work(&u.values);
     Ok([square(&u.values)?, square(&nodal)?, -work(&nodal), second, second - means[0] + means[1], -means[1]])
 }
@@ -99,10 +99,6 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             return [5.0 / 12.0, 11.0 / 24.0].into_iter().map(transition).collect();
         }
         Ok(vec![problem.data(tau, cells, LateralCondition::Natural)?])
-    };
-    // u^h: the active set is iterated, with conjugate gradients for the values at the edge, to 1e-13 of the load.
-    let solve = |exact: &StripProblem, n: usize, cone: Cone| -> Result<EdgeSolution> {
-        Ok(exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, 1e-13)?)
     };
     for (name, title, meaning) in [
         ("error", "‖u−u^h‖²", ""),
@@ -119,8 +115,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for cone in [Cone::Nodal, Cone::Midpoint] {
         for edge in &coarse {
             let exact = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
-            let u = solve(&exact, 8, cone)?;
-            let quotient = by_definition(edge.values(), &u.values) / exact.error(8, &u.values)?.value.powi(2);
+            let u = exact.solve(8, cone)?;
+            let quotient = by_definition(edge.values(), &u.values) / exact.error(&u)?.value.powi(2);
             out.check("‖u−u^h‖², n = 8: by_definition/library").near(quotient, 1.0, 1e-9, "`by_definition`");
         }
         let exact = fine.iter().map(|edge| StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8));
@@ -128,7 +124,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for n in (3..=finest).map(|level| 1 << level) {
             let mut mean = [0.0; 6];
             for (edge, exact) in fine.iter().zip(&exact) {
-                let found = terms(edge, exact, n, &solve(exact, n, cone)?)?;
+                // u^h: the active set is iterated, with conjugate gradients for the values at the edge, to 1e-13 of the load.
+                let found = terms(edge, exact, &exact.solve(n, cone)?)?;
                 mean.iter_mut().zip(found).for_each(|(sum, term)| *sum += term / fine.len() as f64);
             }
             let [error, interpolation, consistency, second, part_one, part_two] = mean;

@@ -69,16 +69,13 @@ fn data(problem: &str, tau: f64, cells: usize) -> Result<Vec<EdgeData>> {
 }
 
 /// e² for n = 8, .. 2^finest: the square eliminated, an active set on the edge to 1e-13.
-fn squares(problem: &str, tau: f64, cone: Cone, finest: u32) -> Result<Vec<f64>> {
+fn squares(problem: &str, tau: f64, cone: Cone, finest: u32) -> Result<Vec<Measured>> {
     let edges = data(problem, tau, 32 << finest)?;
-    let mut squares = vec![0.0; finest as usize - 2];
+    let mut squares = vec![Measured::from(0.0); finest as usize - 2];
     for edge in &edges {
         let strip = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
-        let mut coarser = None; // where the active set starts
-        for (n, square) in (3..=finest).map(|k| 1 << k).zip(&mut squares) {
-            let u = strip.operator(n)?.0.solve_contact(&strip.load(n)?, cone, coarser.as_ref(), 1e-13)?;
-            *square += strip.error(n, &u.values)?.value.powi(2) / edges.len() as f64;
-            coarser = Some(u);
+        for (u, square) in strip.solutions(cone, 8, 1 << finest)?.iter().zip(&mut squares) {
+            *square = *square + Measured::from(strip.error(u)?).squared() / edges.len() as f64;
         }
     }
     Ok(squares)

@@ -7,8 +7,11 @@
 //! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
 //! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
 use example_report::prelude::*;
+use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
+use signorini::strip::LateralCondition;
 
 example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both ends, or σ_N = 0 on a piece θh at one end";
     /// test problem: a body, or a prescribed contact set on an edge
@@ -31,7 +34,17 @@ pub(crate) fn cases(u: &EdgeTrace, t: Interval, theta: f64) -> ([bool; 2], f64) 
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let u = EdgeTrace::reference(&options.problem, *options.n.iter().max().unwrap_or(&2), options.tau)?;
+    let finest = *options.n.iter().max().unwrap_or(&2);
+    let u = match &options.problem {
+        NamedProblem::Mesh(body) => {
+            let problem = body.problem(8 * finest)?;
+            EdgeTrace::of_solution(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?
+        }
+        NamedProblem::Strip(set) => {
+            let cells = (64 * finest).max(1 << 16); // the pair (u_N, σ_N) is given at their ends
+            EdgeTrace::of_data(&set.data(options.tau, cells, LateralCondition::Natural)?)?
+        }
+    };
     let (x, values) = (u.nodes(), u.displacement());
     for &n in &options.n {
         let (k, h) = ((x.len() - 1) / n, 1.0 / n as f64); // k cells of u in a segment

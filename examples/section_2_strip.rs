@@ -99,15 +99,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let name = strip.name();
         let data = strip.data(tau, 32 << finest, kind.sides())?;
         let problem = StripProblem::new(kind, &data, Reference::Nested, 8)?;
-        let mut coarser = None;
-        for n in (3..=finest).map(|k| 1 << k) {
-            let (operator, unknowns) = problem.operator(n)?; // S_k
+        // Primal-dual active set on the edge, from the contact set of the mesh before (first: none); each linear problem by
+        // conjugate gradients to 1e-13, preconditioned by the inverse of |d²/dx²|^(1/2) on each gap (sine transforms). kkt:
+        // equations, signs, g λ, over the largest terms.
+        for u in &problem.solutions(cone, 8, 1 << finest)? {
+            let n = u.cells;
             let load = problem.load(n)?; // b: A g + λ of the fine edge, tested with the hat functions of this one
-            // Primal-dual active set on the edge, from the contact set of the mesh before (first: none); each linear
-            // problem by conjugate gradients to 1e-13, preconditioned by the inverse of |d²/dx²|^(1/2) on each gap (sine
-            // transforms). kkt: equations, signs, g λ, over the largest terms.
-            let u = operator.solve_contact(&load, cone, coarser.as_ref(), 1e-13)?;
-            let error = problem.error(n, &u.values)?; // the formula of the header, wave by wave: rounding only
+            let error = problem.error(u)?; // the formula of the header, wave by wave: rounding only
+            let unknowns = if kind == StripKind::Scalar { (n + 1) * n } else { 2 * n * n };
             let inner = u.inner_iterations.iter().copied().max().unwrap_or(0);
             if kind == StripKind::Scalar && cone == Cone::Nodal && n <= 32 {
                 let size = u.values.iter().fold(f64::MIN_POSITIVE, |m, g| m.max(g.abs()));
@@ -122,9 +121,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             out.check("largest scaled KKT residual").at_most(u.kkt.worst(), 1e-10, "(2.5)");
             out.check("max inner CG iterations per step").at_most(inner, 30.0, "uniform in n");
-            out.row(cells! { problem: name, n => unknowns: unknowns as usize, error: error.value,
+            out.row(cells! { problem: name, n => unknowns, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });
-            coarser = Some(u);
         }
         let errors: Vec<(f64, f64)> =
             out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();

@@ -40,10 +40,10 @@ fn by_definition(edge: &EdgeData, n: usize) -> Result<f64> {
 }
 
 /// The same for n = 8, .. 2^finest, by fast transforms, an active set, and conjugate gradients to 1e-13.
-fn errors(edge: &EdgeData, finest: u32) -> Result<Vec<f64>> {
+fn errors(edge: &EdgeData, finest: u32) -> Result<Vec<Measured>> {
     let strip = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
-    let solve = |n| strip.operator(n)?.0.solve_contact(&strip.load(n)?, Cone::Midpoint, None, 1e-13);
-    (3..=finest).map(|k| Ok(strip.error(1 << k, &solve(1 << k)?.values)?.value)).collect()
+    let solutions = strip.solutions(Cone::Midpoint, 8, 1 << finest)?;
+    solutions.iter().map(|u| Ok(strip.error(u)?.into())).collect()
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
@@ -55,14 +55,20 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let data = |a: f64, cells: usize| TransitionPowers::of_regularity(tau).data(a, cells);
         let coarse = data(5.0 / 12.0, 256)?;
         let (definition, library) = (by_definition(&coarse, 32)?, errors(&coarse, 5)?[2]);
-        out.check("error, h = 1/32: by_definition/library").near(definition / library, 1.0, 1e-6, "N = 256");
+        out.check("error, h = 1/32: by_definition/library").near(
+            Measured::from(definition) / library,
+            1.0,
+            1e-6,
+            "N = 256",
+        );
         let [e, f] =
             [5.0 / 12.0, 11.0 / 24.0].map(|a| errors(&data(a, 32 << options.finest)?, options.finest));
-        let squares: Vec<f64> = e?.iter().zip(&f?).map(|(e, f)| 0.5 * (e * e + f * f)).collect();
+        let squares: Vec<Measured> =
+            e?.iter().zip(&f?).map(|(e, f)| (e.squared() + f.squared()) * 0.5).collect();
         let points: Vec<_> = (3..).zip(&squares).map(|(k, s)| (0.5f64.powi(k), s.sqrt())).collect();
         let order = order_of_squares(&squares, 2).min(1.0);
         out.row(cells! { tau => definition, library, finest: points[points.len() - 1].1, order, printed, optimal });
-        let over: Vec<f64> = points.iter().rev().map(|(h, e)| e / h.powf(printed)).collect(); // finest first
+        let over: Vec<Measured> = points.iter().rev().map(|&(h, e)| e / h.powf(printed)).collect(); // finest first
         let ratio = (over[0] - over[1]) / (over[1] - over[2]).abs();
         let range = if tau < 2.0 { "3/2 < τ < 2" } else { "τ > 2" };
         out.check(format!("{range}: ratio of successive increments of error/bound"))
@@ -73,6 +79,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let axes = Axes::LogLog("h", "‖u − u^h‖");
         let plot = out.plot(&format!("theorem_4_1_errors_{tau}"), &format!("midpoint cone, τ = {tau}"), axes);
+        let points: Vec<_> = points.iter().map(|(h, e)| (*h, e.value)).collect();
         plot.power("the theorem", &points, printed)
             .power("h^min(τ−1, 1)", &points, optimal)
             .line("error", points);

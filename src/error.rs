@@ -1,16 +1,18 @@
 //! The error type of the contact library, which includes the errors of the toolkit.
 
 use fractional_sobolev::Estimate;
+use std::any::Any;
+use std::fmt;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 pub use fractional_sobolev::Error as ToolkitError;
 
 /// A result whose error type is [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The error type of this library: invalid input, an unusable file, or an error of the toolkit.
-///
-/// The termination of an iteration (converged, stalled, cycled) is a status in its result, not an error.
+/// The error type of this library: invalid input, an unusable file, an iteration that did not converge, or an error of
+/// the toolkit.
 ///
 /// ```
 /// use signorini::{Error, ToolkitError};
@@ -24,6 +26,16 @@ pub enum Error {
     /// An error of the toolkit: a parameter, a count, an array, a matrix or a tolerance.
     #[error(transparent)]
     Toolkit(#[from] ToolkitError),
+    /// An iteration ended before its stopping rule was met; the best solution is [`Error::unfinished`].
+    #[error("not converged: {status}; the best solution has J = {energy:e}")]
+    NotConverged {
+        /// The termination of the iteration.
+        status: String,
+        /// The energy J of the best solution.
+        energy: f64,
+        /// The best solution.
+        solution: Unfinished,
+    },
     /// A solver of another library reported an error.
     #[error("solver: {reason}")]
     Solver {
@@ -90,7 +102,55 @@ pub enum Error {
     },
 }
 
+/// The best solution of an iteration that did not converge: a
+/// [`ContactSolution`](crate::contact::ContactSolution) or an [`EdgeSolution`](crate::strip::EdgeSolution).
+///
+/// Two of them are equal if they are clones of one another.
+#[derive(Clone)]
+pub struct Unfinished(Arc<dyn Any + Send + Sync>);
+
+impl fmt::Debug for Unfinished {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Unfinished")
+    }
+}
+
+impl PartialEq for Unfinished {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
 impl Error {
+    /// The best solution of an iteration that did not converge; `None` for all other errors, and for a solution of
+    /// another type than S.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, strip::{EdgeSolution, Strip}};
+    /// let b: Vec<f64> = (0..65).map(|i| (i as f64).cos()).collect();
+    /// let solve = |tolerance| Strip::scalar(64, 64)?.operator().solve_contact(&b, Cone::Nodal, None, tolerance);
+    /// // a residual of 2e-15 is below rounding: the iteration stalls near the solution
+    /// let Err(error) = solve(2e-15) else { panic!("converged") };
+    /// let best = error.unfinished::<EdgeSolution>().map(|found| found.energy);
+    /// assert!((best.unwrap() - solve(1e-12)?.energy).abs() < 1e-9);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    pub fn unfinished<S: 'static>(&self) -> Option<&S> {
+        match self {
+            Error::NotConverged { solution, .. } => solution.0.downcast_ref(),
+            _ => None,
+        }
+    }
+
+    /// [`Error::NotConverged`] with the best solution and its energy.
+    pub(crate) fn not_converged<S: Any + Send + Sync>(
+        status: impl fmt::Display,
+        energy: f64,
+        solution: S,
+    ) -> Self {
+        Error::NotConverged { status: status.to_string(), energy, solution: Unfinished(Arc::new(solution)) }
+    }
+
     /// The best estimate reached if a tolerance was not met; `None` for all other errors.
     ///
     /// ```

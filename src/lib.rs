@@ -27,4 +27,4 @@ pub mod singular;
 pub mod strip;
 mod text;
 
-pub use error::{Error, Result, ToolkitError};
+pub use error::{Error, Result, ToolkitError, Unfinished};

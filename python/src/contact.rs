@@ -65,11 +65,6 @@ impl Solved {
         self.solution.kkt.worst()
     }
 
-    #[getter]
-    fn converged(&self) -> bool {
-        self.solution.status.is_converged()
-    }
-
     /// The text of a `.vtu` file.
     fn to_vtu(&self, py: Python<'_>) -> PyResult<String> {
         let found = py.detach(|| self.problem.to_vtu(&self.solution));

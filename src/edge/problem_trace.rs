@@ -1,29 +1,20 @@
-//! The trace of a test problem on its contact edge, from a mesh or from a strip.
+//! The trace of a solution on its contact edge, from a body, from a strip, or from manufactured data.
 //!
-//! | trace of | mesh | strip |
-//! | --- | --- | --- |
-//! | the fine reference | nodal solution on 8n × 8n squares | the manufactured (u_N, σ_N), 64n cells or more |
-//! | u_h itself | discrete solution on n × n squares | discrete solution on n cells (scalar, height 1) |
+//! | trace of | by |
+//! | --- | --- |
+//! | a discrete solution on a mesh | [`EdgeTrace::of_solution`] |
+//! | a discrete solution on a strip with natural sides | [`EdgeTrace::of_strip`] |
+//! | the manufactured pair (u_N, σ_N) of a strip | [`EdgeTrace::of_data`] |
 //!
-//! u_h is the nodal solution for Section 3 and the midpoint solution for Section 4. The midpoint cone admits positive
-//! values of u_h,N: positive values, and values on segments whose constraint is active, are set to zero. Cost: that
-//! of the solvers.
+//! The midpoint cone admits positive values of u_h,N: positive values, and values on segments whose constraint is
+//! active, are set to zero.
 
 use super::trace::EdgeTrace;
 use crate::cone::{Cone, ContactSet};
-use crate::contact::Solver;
+use crate::contact::{ContactProblem, ContactSolution};
 use crate::error::{Error, Result};
-use crate::problems::{NamedProblem, StripData, TestProblem};
-use crate::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
+use crate::strip::{EdgeData, EdgeSolution, LateralCondition};
 
-/// Segments of a mesh reference per segment of the finest mesh: the transition is resolved to an eighth of a segment.
-const MESH_FACTOR: usize = 8;
-/// Relative residual of the contact solution on a strip.
-const SOLVED: f64 = 1e-13;
-/// Smallest number of cells of the manufactured edge: studies of up to 1024 segments use the same edge.
-const STRIP_CELLS: usize = 1 << 16;
-/// Smallest number of these cells per segment: lengths h_e θ are resolved to h_e/64.
-const STRIP_FACTOR: usize = 64;
 /// Displacements below this multiple of the largest one count as zero: far above rounding, far below the opening of
 /// one cell.
 const ZERO: f64 = 1e-12;
@@ -59,56 +50,64 @@ impl EdgeTrace {
         EdgeTrace::new(&nodes, &values, &forces, 0.0)
     }
 
-    /// The trace of u on a grid fine enough for comparison with meshes of up to n segments; `tau` is the regularity
-    /// of a strip test problem.
+    /// The trace of a discrete solution on the contact edge of its body, over the arc length.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Solver, edge::EdgeTrace, problems::TestProblem};
+    /// let problem = TestProblem::Block.problem(16)?;
+    /// let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
+    /// let trace = EdgeTrace::of_solution(&problem, &u)?;
+    /// // the forces are the multipliers, and contact is where u_N = 0
+    /// assert_eq!(trace.force(), u.multiplier);
+    /// assert!(trace.contact().iter().any(|interval| interval.length() > 0.0));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// Those of the test problems; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a closed contact edge.
-    pub fn reference(source: &NamedProblem, n: usize, tau: f64) -> Result<Self> {
-        match source {
-            NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, MESH_FACTOR * n, Cone::Nodal),
-            NamedProblem::Strip(source) => EdgeTrace::of_data(&strip_data(source, n, tau)?),
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a closed contact edge,
+    /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for one in several pieces; those of
+    /// [`EdgeTrace::new`].
+    pub fn of_solution(problem: &ContactProblem, solution: &ContactSolution) -> Result<Self> {
+        let edge = problem.edge();
+        if edge.is_closed() {
+            let (with, expected) = ("a trace on a segment", "a contact edge with two ends");
+            return Err(Error::incompatible("contact edge", "closed", with, expected));
         }
+        problem.contact_mesh()?; // one piece
+        let values = solution.normal_displacement.clone();
+        discrete_trace(edge.arc(), values, &solution.multiplier, &solution.contact_set, solution.cone)
     }
 
-    /// The trace of the discrete solution on n segments.
+    /// The trace of a discrete solution on a strip with natural sides, on (0, 1).
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, edge::EdgeTrace, problems::StripData};
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::Transition { position: 0.3 }.data(1.75, 256, LateralCondition::Natural)?;
+    /// let strip = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8)?;
+    /// let trace = EdgeTrace::of_strip(&strip.solve(32, Cone::Nodal)?)?;
+    /// assert!((trace.contact()[0].end - 0.3).abs() <= 1.0 / 32.0);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// Those of the test problems and solvers; [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for a closed contact edge.
-    pub fn discrete(source: &NamedProblem, n: usize, tau: f64, cone: Cone) -> Result<Self> {
-        match source {
-            NamedProblem::Mesh(test_problem) => mesh_trace(*test_problem, n, cone),
-            NamedProblem::Strip(source) => {
-                let edge_data = strip_data(source, n, tau)?;
-                let exact = StripProblem::new(StripKind::Scalar, &edge_data, Reference::Nested, n)?;
-                let solution = exact.operator(n)?.0.solve_contact(&exact.load(n)?, cone, None, SOLVED)?;
-                let nodes = (0..=n).map(|i| i as f64 / n as f64).collect();
-                discrete_trace(nodes, solution.values, &solution.multiplier, &solution.contact, cone)
-            }
+    /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for periodic sides; those of
+    /// [`EdgeTrace::new`].
+    pub fn of_strip(solution: &EdgeSolution) -> Result<Self> {
+        let cells = solution.cells;
+        if solution.values.len() != cells + 1 {
+            let (with, expected) = ("a trace on a segment", "natural sides");
+            return Err(Error::incompatible("sides", "periodic", with, expected));
         }
+        let nodes: Vec<f64> = (0..=cells).map(|i| i as f64 / cells as f64).collect();
+        let values = solution.values.clone();
+        discrete_trace(&nodes, values, &solution.multiplier, &solution.contact, solution.cone)
     }
-}
-
-/// The test problem on a grid whose cells divide every segment.
-fn strip_data(source: &StripData, n: usize, tau: f64) -> Result<EdgeData> {
-    source.data(tau, (STRIP_FACTOR * n).max(STRIP_CELLS), StripKind::Scalar.sides())
-}
-
-fn mesh_trace(test_problem: TestProblem, squares: usize, cone: Cone) -> Result<EdgeTrace> {
-    let problem = test_problem.problem(squares)?;
-    if problem.edge().is_closed() {
-        let (with, expected) = ("a trace on a segment", "a test problem whose contact edge has two ends");
-        return Err(Error::incompatible("test problem", test_problem, with, expected));
-    }
-    let solution = problem.solve(cone, Solver::ActiveSet)?;
-    let arc = problem.edge().arc().to_vec();
-    let values = solution.normal_displacement;
-    discrete_trace(arc, values, &solution.multiplier, &solution.contact_set, cone)
 }
 
 /// Nodal values and multipliers of a discrete solution as a trace.
 fn discrete_trace(
-    nodes: Vec<f64>,
+    nodes: &[f64],
     mut values: Vec<f64>,
     multiplier: &[f64],
     active: &ContactSet,
@@ -126,5 +125,5 @@ fn discrete_trace(
             }
         }
     }
-    EdgeTrace::new(&nodes, &values, &force, ZERO * largest)
+    EdgeTrace::new(nodes, &values, &force, ZERO * largest)
 }

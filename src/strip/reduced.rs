@@ -87,22 +87,6 @@ impl Strip {
         &self.operator
     }
 
-    /// Number of unknowns of the represented two-dimensional problem: (n + 1) m for the scalar strip, 2 n m for the
-    /// elastic one.
-    ///
-    /// It is exact below 2^53.
-    ///
-    /// ```
-    /// use signorini::{fem::Lame, strip::Strip};
-    /// assert_eq!(Strip::scalar(8, 4)?.unknowns(), 36.0);
-    /// assert_eq!(Strip::elastic(8, 4, Lame::new(1.0, 1.0)?)?.unknowns(), 64.0);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    pub fn unknowns(&self) -> f64 {
-        let components = if self.elastic.is_some() { 2.0 } else { 1.0 };
-        components * self.operator.nodes() as f64 * self.layers as f64
-    }
-
     /// The edge load b and the constant c of J(g) = ½ g'A g − b'g + c for the load ∫ f_h·v, f_h the nodal interpolant
     /// of f (scalar: of its first component), assembled with the consistent P1 mass matrix; c is the minimal energy
     /// for zero edge displacement (g = 0). Cost: O(n m log n).

@@ -73,13 +73,14 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
         ("multigrid", Solver::Multigrid),
         ("auto", Solver::Auto),
     ] {
-        ask(name, &|| problem()?.solve(cone, solver));
+        ask(name, &|| problem()?.attempt(cone, solver));
     }
     // From anywhere: single changes of sides and the dual method have to find the way.
     ask("active set from a guess", &|| {
         let mut random = SplitMix::new(seed);
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>();
-        problem()?.solve(cone, Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() })
+        problem()?
+            .attempt(cone, Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() })
     });
 }
 

@@ -10,7 +10,7 @@ use signorini::fem::Form;
 use signorini::mesh::Hierarchy;
 use signorini::problems::{Parameters, StripData, TestProblem, solution_regularity};
 use signorini::rates::{ConvergenceOrder, order_between};
-use signorini::strip::{Reference, StripKind, StripProblem};
+use signorini::strip::{EdgeSolution, Reference, StripKind, StripProblem};
 
 /// Runs unless `ORDER_RUNS` asks for more.
 const RUNS: usize = if crate::MANY { 100 } else { 20 };
@@ -18,8 +18,6 @@ const RUNS: usize = if crate::MANY { 100 } else { 20 };
 const CORNERS: usize = 10;
 /// Share of the runs that contain the true order.
 const CONTAINED: f64 = 0.95;
-/// Relative residual of the discrete solutions.
-const SOLVED: f64 = 1e-13;
 
 /// A generator with a fixed seed, uniform on (low, high).
 struct Random(u64);
@@ -74,18 +72,10 @@ impl Run {
         let cells = 1 << (finest + 6).min(20).max(finest + 2);
         let data = scene.data(tau, cells, kind.sides()).unwrap();
         let problem = StripProblem::new(kind, &data, Reference::Nested, 1 << coarsest).unwrap();
-        let mut coarser = None;
-        let levels = (coarsest..=finest).map(|level| {
-            let n = 1 << level;
-            let (operator, _) = problem.operator(n).unwrap();
-            let solution =
-                operator.solve_contact(&problem.load(n).unwrap(), cone, coarser.as_ref(), SOLVED).unwrap();
-            let error = problem.error(n, &solution.values).unwrap().value;
-            coarser = Some(solution);
-            (1.0 / n as f64, error)
-        });
+        let solutions = problem.solutions(cone, 1 << coarsest, 1 << finest).unwrap();
+        let level = |u: &EdgeSolution| (1.0 / u.cells as f64, problem.error(u).unwrap().value);
         Self {
-            levels: levels.collect(),
+            levels: solutions.iter().map(level).collect(),
             what: format!("{kind} strip, {scene}, tau {tau}, {cone}, levels {coarsest}-{finest}"),
             order: (tau - 1.0).min(1.0),
             reference: None,

@@ -183,10 +183,10 @@ fn random_problems_are_solved_and_their_residuals_are_small() {
         let problem = Draft::random(seed, 2.0).problem(1.0, 0.0, [0.0; 2], 1.0);
         for cone in Cone::ALL {
             let case = format!("scene {seed}, {cone}");
-            let direct = problem.solve(cone, Solver::ActiveSet).unwrap();
+            let direct = problem.attempt(cone, Solver::ActiveSet).unwrap();
             judged(&direct, &case);
             unresolved += usize::from(!direct.status.is_converged());
-            let interior = problem.solve(cone, Solver::InteriorPoint).unwrap();
+            let interior = problem.attempt(cone, Solver::InteriorPoint).unwrap();
             let scale = energy_scale(&direct);
             let apart = if scale == 0.0 {
                 interior.energy.abs()
@@ -263,7 +263,7 @@ fn an_energy_that_is_no_number_is_an_error() {
         for (scene, cone) in [(TestProblem::Block, Cone::Nodal), (TestProblem::Membrane, Cone::Midpoint)] {
             let problem = scene.problem_with(8, &setting).unwrap();
             for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
-                let outcome = problem.solve(cone, solver);
+                let outcome = problem.attempt(cone, solver);
                 assert!(
                     outcome.is_err(),
                     "{scene} {solver}, load {load_scale:e}: {:?}",

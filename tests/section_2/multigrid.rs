@@ -177,7 +177,8 @@ fn what_multigrid_cannot_do_is_said() {
     let problem = TestProblem::Block.problem(15).unwrap();
     assert_eq!(report(&multigrid(&problem, Cone::Nodal, None, 1e-8)).fallback, Some(Fallback::NoLevels));
     let problem = TestProblem::Block.problem(32).unwrap();
-    let beyond = multigrid(&problem, Cone::Nodal, None, 1e-15);
+    let accuracy = Accuracy::Relative(Tolerance::new(1e-15).unwrap());
+    let beyond = problem.attempt(Cone::Nodal, settings(None, accuracy)).unwrap();
     assert!(report(&beyond).fallback == Some(Fallback::NotReached) || beyond.status.is_converged());
     let other = Hierarchy::refined(unit_square(2, SideParts::HANGING).unwrap(), 2).unwrap();
     let refused = problem.solve(Cone::Nodal, settings(Some(&other), SHARE));

@@ -96,8 +96,7 @@ fn field_error(fine: &Mat<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>) -> f64 {
 }
 
 fn solve(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
-    let (operator, _) = problem.operator(n).unwrap();
-    operator.solve_contact(&problem.load(n).unwrap(), cone, None, 1e-13).unwrap()
+    problem.solve(n, cone).unwrap()
 }
 
 /// (u_x, u_y) on the edge for given u_N without tangential force, by a dense solve.
@@ -129,7 +128,7 @@ fn elastic_error_is_that_of_the_fields() {
             let coarse = layer(n, lame);
             let u_h = field(&coarse, n, &with_tangential(&coarse, n, &values));
             let expected = field_error(&fine, &u, u_h);
-            let got = problem.error(n, &values).unwrap();
+            let got = problem.distance(n, &values).unwrap();
             let error = (got.value / expected - 1.0).abs();
             println!("elastic field {n} {cone}: {error:.1e}");
             assert!(error < FIELD, "{n} {cone}: {got} {expected}");
@@ -269,7 +268,7 @@ fn extended(cells: usize, levels: &[usize]) {
         let square = product(&g, &g, &fine_symbols) - Quad::from(2.0) * product(&g, &p, &fine_symbols)
             + product(&g_h, &g_h, &coarse_symbols);
         let expected = square.sqrt().0;
-        let got = problem.error(n, &values).unwrap().value;
+        let got = problem.distance(n, &values).unwrap().value;
         let error = (got / expected - 1.0).abs();
         println!("extended {n} {cone}: {error:.1e}");
         assert!(error < PROMISED, "{n} {cone}: {got} {expected}");
@@ -292,9 +291,9 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
         let forces = vec![0.0; values.len()];
         let scene = EdgeData::new(64 << level, LateralCondition::Natural, &values, &forces).unwrap();
         let nested = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
-        errors.push(nested.error(16, &shape).unwrap().value.powi(2));
+        errors.push(nested.distance(16, &shape).unwrap().value.powi(2));
     }
-    let limit = harmonic.error(16, &shape).unwrap().value.powi(2);
+    let limit = harmonic.distance(16, &shape).unwrap().value.powi(2);
     // The edge data are kinked: |u − u_fine|² behaves like h² |ln h|, so each halving gains a factor between
     // 3 and 4.5.
     let missing: Vec<f64> = errors.iter().map(|e| limit - e).collect();

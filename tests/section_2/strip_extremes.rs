@@ -151,7 +151,7 @@ fn bad_scenes_are_named() {
     let exact = scalar(&flat).unwrap();
     refused(exact.load(16), "cells");
     refused(exact.load(3), "cells");
-    refused(exact.error(4, &[0.0; 4]), "length");
+    refused(exact.distance(4, &[0.0; 4]), "length");
 }
 
 #[test]

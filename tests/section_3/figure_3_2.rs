@@ -2,8 +2,10 @@
 
 use crate::proof_cases::printed_theta;
 use signorini::cone::Cone;
+use signorini::contact::Solver;
 use signorini::edge::{EdgeTrace, Interval};
-use signorini::problems::{NamedProblem, TestProblem};
+use signorini::problems::{StripData, TestProblem};
+use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
 
 #[allow(dead_code)]
 #[path = "../../examples/figure_3_2_alternative.rs"]
@@ -27,7 +29,9 @@ fn every_segment_of_the_block_is_in_a_case() {
         (TestProblem::Membrane, 1.6),
         (TestProblem::Membrane, 2.0),
     ] {
-        let trace = EdgeTrace::reference(&scene.into(), 16, tau).unwrap();
+        let body = scene.problem(128).unwrap();
+        let solution = body.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        let trace = EdgeTrace::of_solution(&body, &solution).unwrap();
         for n in [4, 8, 16] {
             let found = classified(&trace, n, printed_theta(n, tau));
             assert!(!found.contains(&[false; 2]), "{scene} tau {tau} n {n}");
@@ -84,10 +88,12 @@ fn every_segment_of_a_strip_problem_is_in_a_case() {
     for (scene, tau) in
         [("transition", 1.75), ("transitions:9", 1.6), ("cantor:0.3", 1.9), ("fat-cantor", 1.75)]
     {
-        let source: NamedProblem = scene.parse().unwrap();
-        let reference = EdgeTrace::reference(&source, 256, tau).unwrap();
+        let data: StripData = scene.parse().unwrap();
+        let data = data.data(tau, 1 << 16, LateralCondition::Natural).unwrap();
+        let strip = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8).unwrap();
+        let reference = EdgeTrace::of_data(&data).unwrap();
         for n in [8, 16, 32, 64, 128, 256] {
-            let own = EdgeTrace::discrete(&source, n, tau, Cone::Nodal).unwrap();
+            let own = EdgeTrace::of_strip(&strip.solve(n, Cone::Nodal).unwrap()).unwrap();
             let sweep = (1..=12).map(|k| 0.5f64.powi(k)).filter(|_| n == 256);
             for theta in sweep.chain([printed_theta(n, tau)]) {
                 for trace in [&reference, &own] {

@@ -20,17 +20,12 @@ fn orders(kind: StripKind, data: &[EdgeData], (from, to): (u32, u32), cone: Cone
     for data in data {
         let problem = StripProblem::new(kind, data, Reference::Nested, 1 << from).unwrap();
         let terms = consistency_terms(data, cone);
-        let mut coarser = None;
-        for (level, square) in (from..=to).zip(&mut squares) {
-            let n = 1usize << level;
-            let load = problem.load(n).unwrap();
-            let (operator, _) = problem.operator(n).unwrap();
-            let found = operator.solve_contact(&load, cone, coarser.as_ref(), 1e-13).unwrap();
-            assert!(found.status.is_converged() && found.kkt.worst() < 1e-10, "{n}: {:?}", found.kkt);
+        for (found, square) in problem.solutions(cone, 1 << from, 1 << to).unwrap().iter().zip(&mut squares) {
+            let n = found.cells;
+            assert!(found.kkt.worst() < 1e-10, "{n}: {:?}", found.kkt);
             let term = terms.iter().find(|term| term.0 == n).unwrap().1;
-            square[0] += problem.error(n, &found.values).unwrap().value.powi(2);
+            square[0] += problem.error(found).unwrap().value.powi(2);
             square[1] += term;
-            coarser = Some(found);
         }
     }
     let points = |k: usize| -> Vec<(f64, f64)> {

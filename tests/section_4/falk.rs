@@ -16,7 +16,7 @@ fn data(kind: StripKind, scene: &str, tau: f64) -> EdgeData {
 }
 
 fn solved(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
-    problem.operator(n).unwrap().0.solve_contact(&problem.load(n).unwrap(), cone, None, 1e-13).unwrap()
+    problem.solve(n, cone).unwrap()
 }
 
 /// As in the example; there edges have ends, here the elastic strip is periodic.
@@ -36,7 +36,7 @@ fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> [f64; 
         means[0] += on_segment * mean(&|j| at(u, j)) / cells as f64;
         means[1] += on_segment * mean(&|j| g[j % g.len()]) / cells as f64;
     }
-    let square = |v: &[f64]| problem.error(n, v).unwrap().value.powi(2);
+    let square = |v: &[f64]| problem.distance(n, v).unwrap().value.powi(2);
     let second = work(u);
     [square(u), square(&nodal), -work(&nodal), second, second - means[0] + means[1], -means[1]]
 }
@@ -53,7 +53,7 @@ fn the_lemma_holds_with_constant_two_in_the_energy_norm() {
         for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| (2..=7).map(move |level| (cone, 1 << level))) {
             let u = solved(&problem, n, cone);
             let found = match kind {
-                StripKind::Scalar => falk_terms::terms(&data, &problem, n, &u).unwrap(),
+                StripKind::Scalar => falk_terms::terms(&data, &problem, &u).unwrap(),
                 StripKind::Elastic => terms(&data, &problem, n, &u.values),
             };
             let [error, interpolation, consistency, second, part_one, part_two] = found;
@@ -78,10 +78,10 @@ fn the_discrete_solution_attains_the_first_infimum() {
     let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4).unwrap();
     for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 64].map(|n| (cone, n))) {
         let solution = solved(&problem, n, cone);
-        let [error, _, _, second, ..] = falk_terms::terms(&data, &problem, n, &solution).unwrap();
+        let [error, _, _, second, ..] = falk_terms::terms(&data, &problem, &solution).unwrap();
         let along = |t: f64| {
             let v: Vec<f64> = solution.values.iter().map(|u| (1.0 + t) * u).collect();
-            problem.error(n, &v).unwrap().value.powi(2) - 2.0 * (1.0 + t) * second
+            problem.distance(n, &v).unwrap().value.powi(2) - 2.0 * (1.0 + t) * second
         };
         let least = error - 2.0 * second;
         assert!((along(0.0) - least).abs() <= ROUNDING * error, "{cone} {n}");

@@ -37,15 +37,15 @@ fn balance(tau: f64, h: f64) -> f64 {
 /// Errors on the strip with n = 8, 16, .. , 64 segments for one transition of regularity τ: root mean squares over the
 /// places 5/12 and 11/24, which exchange their positions in a segment if n is doubled.
 fn errors(tau: f64, cone: Cone) -> signorini::Result<Vec<f64>> {
-    // solution: StripProblem::new, then operator(n), load(n), solve_contact, error; see the page of Theorem 3.1
+    // solution: StripProblem::new, then solve(n, cone) and error; see the page of Theorem 3.1
     let mut squares = vec![0.0; 4];
     for place in [5.0 / 12.0, 11.0 / 24.0] {
         let data = TransitionPowers::of_regularity(tau).data(place, 1 << 12)?;
         let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8)?;
         for (k, square) in squares.iter_mut().enumerate() {
             let n = 8 << k;
-            let u = problem.operator(n)?.0.solve_contact(&problem.load(n)?, cone, None, 1e-12)?;
-            *square += 0.5 * problem.error(n, &u.values)?.value.powi(2);
+            let u = problem.solve(n, cone)?;
+            *square += 0.5 * problem.error(&u)?.value.powi(2);
         }
     }
     Ok(squares.into_iter().map(f64::sqrt).collect())

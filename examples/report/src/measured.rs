@@ -2,6 +2,7 @@
 
 use fractional_sobolev::Estimate;
 use signorini::rates::ConvergenceOrder;
+use std::f64::consts::LN_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number with an absolute error bound; both are NaN if there is no number.
@@ -145,15 +146,17 @@ pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Opti
 /// ```
 ///
 /// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as
-/// there are: a drift, about as large as p is off its limit. No number with fewer than k + 4
-/// squares, where nothing is known of a change.
-pub fn order_of_squares(squares: &[f64], halvings: usize) -> Measured {
-    let d: Vec<f64> = squares.windows(2).map(|s| s[0] - s[1]).collect();
-    let t: Vec<f64> = d.windows(2).map(|d| 4.0 * d[1] - d[0]).collect();
-    let order = |t: &[f64]| 0.5 / halvings as f64 * (t[0] / t[halvings]).abs().log2();
-    let p: Vec<f64> = t.windows(halvings + 1).rev().take(4).map(order).collect();
+/// there are (a drift, about as large as p is off its limit), and what the errors of the last
+/// squares do to p. No number with fewer than k + 4 squares, where nothing is known of a change.
+pub fn order_of_squares<T: Copy + Into<Measured>>(squares: &[T], halvings: usize) -> Measured {
+    let squares: Vec<Measured> = squares.iter().map(|&square| square.into()).collect();
+    // t = 4 (b − c) − (a − b), every square once: errors of the same square do not add up twice.
+    let t: Vec<Measured> = squares.windows(3).map(|s| s[1] * 5.0 - s[2] * 4.0 - s[0]).collect();
+    let order = |t: &[Measured]| (t[0] / t[halvings]).abs().ln() * (0.5 / (halvings as f64 * LN_2));
+    let p: Vec<Measured> = t.windows(halvings + 1).rev().take(4).map(order).collect();
     let [last, before @ ..] = &p[..] else { return Measured::NONE };
-    before.iter().map(|q| (q - last).abs()).reduce(f64::max).map(|change| (*last, change)).into()
+    let change = before.iter().map(|q| (q.value - last.value).abs()).reduce(f64::max);
+    change.map(|change| (last.value, change + last.error)).into()
 }
 
 #[cfg(test)]
@@ -197,6 +200,14 @@ mod tests {
         for halvings in [1, 2] {
             let p = order_of_squares(&squares, halvings);
             assert!((p.value - 0.7).abs() < p.error && p.error < 0.02, "{p:?}");
+            // Errors of the squares widen ±; one that covers a difference of squares leaves no
+            // order.
+            let wide = |share: f64| -> Vec<Measured> {
+                squares.iter().map(|s| Measured::new(*s, share * s)).collect()
+            };
+            let [q, none] = [1e-6, 1.0].map(|share| order_of_squares(&wide(share), halvings));
+            assert!(q.value == p.value && q.error > p.error + 1e-6 && q.error < 0.1, "{q:?}");
+            assert!(!none.error.is_finite(), "{none:?}");
         }
         let exact: Vec<f64> =
             (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();

@@ -515,7 +515,6 @@ class Contact:
         self.energy = solved.energy
         self.contact_force = solved.contact_force
         self.residual = solved.residual
-        self.converged = solved.converged
         self._solved = solved
 
     def __repr__(self) -> str:

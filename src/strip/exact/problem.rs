@@ -13,6 +13,7 @@
 //! matrices, and as no tangential force acts, u_x follows from u_N.
 
 use super::difference::{Interpolation, rounding};
+use crate::cone::Cone;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::numeric::check::require_length;
@@ -24,6 +25,7 @@ use crate::strip::operator::elastic_defect::{aliased, halvings};
 use crate::strip::operator::scalar::scalar_symbol;
 use crate::strip::reduced::Strip;
 use crate::strip::sides::LateralCondition;
+use crate::strip::solver::solution::EdgeSolution;
 use crate::strip::transfer::restrict;
 use fractional_sobolev::{Estimate, Work};
 use realfft::num_complex::Complex;
@@ -36,6 +38,11 @@ use std::str::FromStr;
 /// eleven correct digits.
 const SCALAR_DEFECTS: f64 = 1e-14;
 const ELASTIC_DEFECTS: f64 = 1e-11;
+
+/// Relative residual of the discrete solutions.
+const SOLVED: f64 = 1e-13;
+/// Nested iteration starts on a mesh with at least this many cells.
+const COARSEST: usize = 8;
 
 /// The kind of strip.
 ///
@@ -114,11 +121,10 @@ pub enum Reference {
 /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
 /// let data = StripData::transition().data(2.0, 64, LateralCondition::Natural)?;
 /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
-/// let error = |n| -> signorini::Result<f64> {
-///     let u = problem.operator(n)?.0.solve_contact(&problem.load(n)?, Cone::Nodal, None, 1e-12)?;
-///     Ok(problem.error(n, &u.values)?.value)
-/// };
-/// assert!(error(16)? < error(8)? && error(8)? < error(4)?);
+/// // the discrete solutions on 4, 8 and 16 cells
+/// let solutions = problem.solutions(Cone::Nodal, 4, 16)?;
+/// let errors = solutions.iter().map(|u| problem.error(u)).collect::<Result<Vec<_>, _>>()?;
+/// assert!(errors.windows(2).all(|pair| pair[1].value < pair[0].value));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -207,33 +213,90 @@ impl StripProblem {
         Ok(Self { operator, loads: pyramid(force, sides), interpolation, rounding, exact })
     }
 
-    /// The edge operator of the discrete problem on `cells` cells and the number of its unknowns in two
-    /// dimensions.
+    /// The discrete solution u_h on `cells` cells, in the given cone: the minimiser of ½ v'A v − b'v with the operator
+    /// A and the load b of that mesh.
+    ///
+    /// The active set method on the edge, to a relative residual of 1e-13; it starts from the solution on half as many
+    /// cells, down to about eight. [`EdgeSolution::error`] bounds the algebraic error. Cost: O(n log n).
+    ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::problems::StripData;
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::transition().data(2.0, 64, LateralCondition::Natural)?;
+    /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8)?;
+    /// // on the grid of the data the discrete solution is u_N itself
+    /// let u = problem.solve(64, Cone::Nodal)?;
+    /// assert!(problem.error(&u)?.value < 1e-12);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ToolkitError::CountOutOfRange`] for a level that does not exist, [`Error::NotConverged`] with the best
+    /// solution.
+    pub fn solve(&self, cells: usize, cone: Cone) -> Result<EdgeSolution> {
+        let level = self.level(cells, self.levels())?;
+        let halvings = (level..self.levels()).take_while(|&k| self.operator.cells() >> k >= COARSEST).count();
+        let coarsest = cells >> halvings.saturating_sub(1);
+        let mut last = self.solve_from(coarsest, cone, None)?;
+        let mut n = coarsest;
+        while n < cells {
+            n *= 2;
+            last = self.solve_from(n, cone, Some(&last))?;
+        }
+        Ok(last)
+    }
+
+    /// The discrete solutions on `coarsest`, 2 `coarsest`, 4 `coarsest`, ..., `finest` cells, each computed from the
+    /// one before; otherwise as [`StripProblem::solve`].
+    ///
+    /// ```
+    /// use signorini::cone::Cone;
+    /// use signorini::problems::StripData;
+    /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
+    /// let data = StripData::transition().data(2.0, 64, LateralCondition::Natural)?;
+    /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 8)?;
+    /// let solutions = problem.solutions(Cone::Midpoint, 8, 32)?;
+    /// assert_eq!(solutions.iter().map(|u| u.cells).collect::<Vec<_>>(), [8, 16, 32]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`StripProblem::solve`].
+    pub fn solutions(&self, cone: Cone, coarsest: usize, finest: usize) -> Result<Vec<EdgeSolution>> {
+        let mut found: Vec<EdgeSolution> = Vec::new();
+        let mut n = coarsest;
+        while n <= finest {
+            found.push(self.solve_from(n, cone, found.last())?);
+            n *= 2;
+        }
+        Ok(found)
+    }
+
+    fn solve_from(&self, cells: usize, cone: Cone, start: Option<&EdgeSolution>) -> Result<EdgeSolution> {
+        self.operator(cells)?.solve_contact(&self.load(cells)?, cone, start, SOLVED)
+    }
+
+    /// The edge operator A of the discrete problem on `cells` cells.
     ///
     /// ```
     /// use signorini::problems::StripData;
     /// use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
     /// let data = StripData::transition().data(2.0, 16, LateralCondition::Natural)?;
     /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
-    /// // (n + 1) n unknowns of a unit square; constants have the energy 1/H = 1 on every level
-    /// let (a, unknowns) = problem.operator(8)?;
-    /// assert!(unknowns == 72.0 && (a.energy(&[1.0; 9])? - 1.0).abs() < 1e-14);
+    /// // constants have the energy 1/H = 1 on every level
+    /// assert!((problem.operator(8)?.energy(&[1.0; 9])? - 1.0).abs() < 1e-14);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless 2 ≤ `cells` ≤ 2^26, in
     /// the elastic strip for a level that does not exist.
-    pub fn operator(&self, cells: usize) -> Result<(EdgeOperator, f64)> {
+    pub fn operator(&self, cells: usize) -> Result<EdgeOperator> {
         match &self.exact {
-            Exact::Scalar { .. } => {
-                let strip = Strip::scalar(cells, cells)?;
-                let unknowns = strip.unknowns();
-                Ok((strip.operator, unknowns))
-            }
+            Exact::Scalar { .. } => Ok(Strip::scalar(cells, cells)?.operator),
             Exact::Elastic { matrices, .. } => {
-                let level = self.level(cells, matrices.len())?;
-                Ok((normal_operator(cells, &matrices[level])?, 2.0 * cells as f64 * cells as f64))
+                normal_operator(cells, &matrices[self.level(cells, matrices.len())?])
             }
         }
     }
@@ -260,7 +323,19 @@ impl StripProblem {
         Ok(self.loads[level].clone())
     }
 
-    /// The error |u − u_h|_a of the discrete solution with edge values `values` on `cells` cells. There is no
+    /// The error |u − u_h|_a of a discrete solution.
+    ///
+    /// The value is the [`distance`](StripProblem::distance) of the computed edge values; its `error` is that of the
+    /// distance plus the algebraic error of the solution, [`EdgeSolution::error`].
+    ///
+    /// # Errors
+    /// As for [`StripProblem::distance`].
+    pub fn error(&self, solution: &EdgeSolution) -> Result<Estimate> {
+        let found = self.distance(solution.cells, &solution.values)?;
+        Ok(Estimate::new(found.value, found.error + solution.error, found.work)?)
+    }
+
+    /// The distance |u − v|_a of the discrete harmonic function v with edge values `values` on `cells` cells. There is no
     /// tolerance: the energy is a finite sum of nonnegative terms over modes, computed up to rounding.
     ///
     /// The `error` of the estimate includes the rounding error of the modes, which is of size
@@ -273,20 +348,16 @@ impl StripProblem {
     /// let data = StripData::transition().data(2.0, 16, LateralCondition::Natural)?;
     /// let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4)?;
     /// // u_h = 0 at the nodes of the coarse grid: the error is the energy norm of u itself
-    /// let norm = problem.operator(16)?.0.energy(data.values())?.sqrt();
-    /// assert!((problem.error(8, &[0.0; 9])?.value - norm).abs() < 1e-12);
+    /// let norm = problem.operator(16)?.energy(data.values())?.sqrt();
+    /// assert!((problem.distance(8, &[0.0; 9])?.value - norm).abs() < 1e-12);
     /// # Ok::<(), signorini::Error>(())
     /// ```
     ///
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a level that does not exist,
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of values.
-    pub fn error(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
-        let levels = match &self.exact {
-            Exact::Scalar { .. } => self.loads.len(),
-            Exact::Elastic { matrices, .. } => matrices.len(),
-        };
-        let level = self.level(cells, levels)?;
+    pub fn distance(&self, cells: usize, values: &[f64]) -> Result<Estimate> {
+        let level = self.level(cells, self.levels())?;
         let sides = self.operator.sides();
         require_length("edge values", values.len(), sides.nodes(cells))?;
         let coarse = EdgeOperator::new(cells, sides, &vec![1.0; sides.period(cells) / 2 + 1])?;
@@ -321,6 +392,14 @@ impl StripProblem {
         let norm = (edge + interior).sqrt();
         let work = Work { points: points as u64, ..Work::default() };
         Ok(Estimate::new(norm, self.rounding + defects * norm, work)?)
+    }
+
+    /// The number of levels: N, N/2, ... cells.
+    fn levels(&self) -> usize {
+        match &self.exact {
+            Exact::Scalar { .. } => self.loads.len(),
+            Exact::Elastic { matrices, .. } => matrices.len(),
+        }
     }
 
     /// The number of halvings, less than `levels`, from N to `cells`.

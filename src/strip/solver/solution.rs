@@ -17,7 +17,10 @@ use crate::cone::{Cone, ContactSet, KktResiduals, Margins, Status};
 /// # Ok::<(), signorini::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct EdgeSolution {
+    /// Number n of cells of the edge; h = 1/n.
+    pub cells: usize,
     /// The normal displacement u_N at the edge nodes.
     ///
     /// One value per edge node, ordered by x = i/n. The values are ≤ 0 in the nodal cone, their means over
@@ -35,6 +38,11 @@ pub struct EdgeSolution {
     ///
     /// It is nonpositive, since g = 0 is admissible; the terms are added by pairwise summation.
     pub energy: f64,
+    /// A bound on the algebraic error |w − w_h|_A, |v|²_A = v'A v, w_h the exact solution of the discrete problem.
+    ///
+    /// R/2 + (R²/4 + C)^{1/2} with R² = r'A⁻¹r, r = b − A w − B'λ⁺, λ⁺ = max(λ, 0), and C = Σ_i λ⁺_i |B w|_i; R
+    /// includes the rounding error of r.
+    pub error: f64,
     /// The termination status of the iteration.
     pub status: Status,
     /// The four scaled KKT residuals.

@@ -60,8 +60,8 @@ impl EdgeOperator {
     ///
     /// # Errors
     /// [`ToolkitError::LengthMismatch`], [`ToolkitError::NotFinite`], [`ToolkitError::OutOfRange`] for
-    /// invalid data. How the iteration ended is reported in `status`; a tolerance below the rounding level leads to
-    /// [`Status::Stalled`].
+    /// invalid data. [`Error::NotConverged`], with the best [`EdgeSolution`], if the tolerance is not reached; one
+    /// below the rounding level leads to [`Status::Stalled`].
     pub fn solve_contact(
         &self,
         force: &[f64],
@@ -81,8 +81,12 @@ impl EdgeOperator {
         let mut solution = iteration.finish(status)?;
         solution.values.iter_mut().chain(&mut solution.multiplier).for_each(|v| *v *= scale);
         solution.energy = solution.energy * scale * scale;
+        solution.error *= scale;
         require_finite("energy", &[solution.energy])?;
-        Ok(solution)
+        match solution.status.is_converged() {
+            true => Ok(solution),
+            false => Err(Error::not_converged(solution.status, solution.energy, solution)),
+        }
     }
 }
 
@@ -256,18 +260,42 @@ impl<'a> Iteration<'a> {
             status => status,
         };
         let margins = terms.margins(&self.active)?;
+        let error = self.error(&product, &multiplier, &gap)?;
         let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
+            cells: self.operator.cells(),
             multiplier,
             contact: ContactSet::new(&self.active),
             values: self.values,
             cone: self.cone.kind(),
             energy,
+            error,
             status,
             kkt,
             margins,
             inner_iterations: self.inner,
         })
+    }
+}
+
+impl Iteration<'_> {
+    /// The bound on |w − w_h|_A.
+    ///
+    /// With e = w_h − w, A w_h = b − B'λ_h and A w = b − r − B'λ⁺: e'A e = r'e + (λ⁺ − λ_h)'B e ≤ R |e|_A + C, because
+    /// B w_h ≤ 0, λ_h'B w_h = 0 and λ_h ≈ λ⁺ where rounding leaves B w > 0. Two transforms of length P leave errors
+    /// of ε log₂ P (|b| + |A w|) in r, without a preferred mode: in A⁻¹ they count by the mean of 1/S.
+    fn error(&self, product: &[f64], multiplier: &[f64], gap: &[f64]) -> Result<f64> {
+        let pushing: Vec<f64> = multiplier.iter().map(|l| l.max(0.0)).collect();
+        let held = self.cone.apply_transposed(&pushing)?;
+        let residual: Vec<f64> = (0..held.len()).map(|i| self.b[i] - product[i] - held[i]).collect();
+        let square = pairwise_dot(&residual, &self.operator.solve(&residual)?);
+        let (symbol, period) = (self.operator.symbol(), self.operator.sides().period(self.operator.cells()));
+        let size = (pairwise_dot(product, product) + pairwise_dot(self.b, self.b)).sqrt();
+        let mean = symbol.iter().map(|s| s.recip()).sum::<f64>() / symbol.len() as f64;
+        let rounding = f64::EPSILON * (period as f64).log2() * size * mean.sqrt();
+        let dual = square.max(0.0).sqrt() + rounding;
+        let work: f64 = pushing.iter().zip(gap).map(|(l, gap)| l * gap.abs()).sum();
+        Ok(0.5 * dual + (0.25 * dual * dual + work).sqrt())
     }
 }
 
