@@ -102,7 +102,19 @@ fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<Edge
     }
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
+/// The counts of one mesh.
+pub struct Row {
+    /// Number of segments.
+    pub n: usize,
+    /// Segments in the first case only.
+    pub first: usize,
+    /// Segments in the second case only.
+    pub second: usize,
+    /// Segments with a part of the consistency term.
+    pub carried_by: usize,
+}
+
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     let finest = options.n.iter().copied().max().unwrap_or(2);
     let u = fine_solution(&options.problem, finest, options.tau)?;
     let (x, u_n) = (u.nodes(), u.displacement());
@@ -159,16 +171,4 @@ fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
          row for the same n differs."
     ));
     Ok(rows)
-}
-
-/// The counts of one mesh.
-pub struct Row {
-    /// Number of segments.
-    pub n: usize,
-    /// Segments in the first case only.
-    pub first: usize,
-    /// Segments in the second case only.
-    pub second: usize,
-    /// Segments with a part of the consistency term.
-    pub carried_by: usize,
 }

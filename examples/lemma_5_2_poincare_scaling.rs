@@ -72,10 +72,24 @@ fn by_definition(nu: Order, theta: f64) -> Result<f64> {
     Ok(largest_eigenvalue(&m, &a)?.sqrt())
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<()> {
+/// What is found for one ν.
+pub struct Growth {
+    /// The order ν.
+    pub nu: Order,
+    /// Exponent of θ in γ, or at ν = 1/2 the slope of γ² against ln(1/θ), between the last two θ.
+    pub growth: Measured,
+    /// The last zone.
+    pub theta: f64,
+    /// γ of that zone.
+    pub gamma: f64,
+}
+
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
+    let mut growths = Vec::new();
     for &nu in &options.nu {
         let is_half = nu.offset() == 0.0; // offset: ν − 1/2
         let power = nu.offset().min(0.0); // of θ in the law
+        let mut of_nu = Growth { nu, growth: Measured::NONE, theta: 1.0, gamma: 0.0 };
         for &theta in &options.theta {
             // The same eigenvalue among functions whose slopes are polynomials in ln r (degree up
             // to 11), r the distance to the nearest of 0, θ and 1, on elements that grow
@@ -96,31 +110,32 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let plot = format!("lemma_5_2_extremal_{theta:e}");
             out.plot(&plot, "Worst functions", Axes::LogLinear("x", "u"))
                 .line(&format!("ν = {nu}"), found.extremal().profile(6));
+            (of_nu.theta, of_nu.gamma) = (theta, gamma.value);
         }
 
         // Growth between the last two zones.
-        if options.theta.len() < 2 {
-            continue;
-        }
-        let longer = options.theta[options.theta.len() - 2];
-        if is_half {
+        let zones = options.theta.len();
+        if zones > 1 && is_half {
             let slope =
                 out.slope("theta", "gamma", |theta| (1.0 / theta).ln(), |gamma| gamma * gamma);
             let law = 1.5 / PI.powi(2);
             out.not_sharp("slope of γ² against ln(1/θ)").near(slope, law, 0.01, "3/(2π²)");
+            of_nu.growth = slope;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
             out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(limit, 0.0, "for θ ≤ 1/2");
-        } else {
+        } else if zones > 1 {
             // The law's next term is smaller than the first by a factor of this order.
-            let next = longer.powf(2.0 * nu.value().min(nu.offset().abs()));
+            let next = options.theta[zones - 2].powf(2.0 * nu.value().min(nu.offset().abs()));
             let exponent = out.exponent("theta", "gamma");
             let claim = format!("ν = {nu}: exponent of θ");
             out.check(claim).near(exponent, power, next.max(0.01), "Lemma 5.2");
+            of_nu.growth = exponent;
         }
+        growths.push(of_nu);
     }
     out.column("definition", "definition", "γ by `by_definition`, on hat functions");
     out.column("over_printed", "γ/printed", "γ over θ^(ν−1/2), ln(1/θ), 1");
     out.plot("lemma_5_2_gamma", "Best constants", Axes::LogLog("θ", "γ"))
         .curve_by("nu", "theta", "gamma");
-    Ok(())
+    Ok(growths)
 }

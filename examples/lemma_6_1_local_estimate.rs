@@ -35,9 +35,11 @@ example! { quick "Lemma 6.1",
 }
 
 /// The best constants on (0, 1) of ‖u − I u‖₀ and of |u − I u|₁.
-struct Best {
-    l2: f64,
-    slope: f64,
+pub struct Best {
+    /// C₀, of ‖u − I u‖₀.
+    pub l2: f64,
+    /// C₁, of |u − I u|₁.
+    pub slope: f64,
 }
 
 /// C₀ and C₁ from their definitions. Let v = u' be piecewise linear on n = 160 equal elements, with
@@ -72,7 +74,8 @@ fn by_definition(nu: Order) -> Result<Best> {
     Ok(Best { l2: largest(value)?.sqrt(), slope: largest(slope)?.sqrt() })
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<()> {
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Best>> {
+    let mut constants = Vec::new(); // of every ν
     for &nu in &options.nu {
         // The same eigenvalues, v a sum of odd Legendre polynomials; ±: the change when their
         // number is doubled.
@@ -83,6 +86,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let mesh = by_definition(nu)?;
         let (c0, c1) = (best_0.value, best_1.value);
         let h1 = (1.0 - c1 * c1).sqrt() / c0;
+        constants.push(Best { l2: c0, slope: c1 });
         out.row(cells! { nu => mesh_0: mesh.l2, best_0, mesh_1: mesh.slope, best_1, h1 });
 
         out.check("first line: best constant C₀").at_most(best_0, 1.0, "Lemma 6.1");
@@ -109,5 +113,5 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.plot("lemma_6_1_local_estimate", "Best constants, 1 printed", axes)
         .curve("nu", "best_1")
         .curve("nu", "best_0");
-    Ok(())
+    Ok(constants)
 }

@@ -108,7 +108,7 @@ pub struct Rate {
     pub order: Measured,
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
     let mut rates = Vec::new();
     for &tau in &options.tau {
         let (printed, optimal) = (tau * tau - 2.5 * tau + 2.0, tau - 1.0);

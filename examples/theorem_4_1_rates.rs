@@ -109,7 +109,7 @@ pub struct Rate {
     pub order: Measured,
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
     let mut rates = Vec::new();
     for &tau in &options.tau {
         if tau == 2.0 {
