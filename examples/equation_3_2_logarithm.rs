@@ -86,7 +86,8 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     let [optimal, sharp, paper] = [0.0, 0.25, 0.5].map(|power| over(power, last) / over(power, middle));
     let expected = 1.0 - 2.0 * alpha;
     let name = problem.to_string().split(':').next().unwrap_or_default().to_owned();
-    out.row(cells! { problem: name, alpha, cone: cone.to_string() => expected, q, optimal, sharp, paper });
+    out.row(cells! { problem: name, alpha, cone: cone.to_string() => expected, q,
+    optimal: optimal.value, sharp: sharp.value, paper: paper.value });
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();

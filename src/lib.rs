@@ -13,6 +13,7 @@
 
 #[cfg(doctest)]
 mod book;
+pub mod bounds;
 pub mod cone;
 pub mod contact;
 pub mod edge;

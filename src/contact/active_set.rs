@@ -46,19 +46,19 @@ const FURTHEST_FIRST: usize = 64;
 
 /// The outcome of the iteration on the edge.
 #[derive(Debug, Clone)]
-pub(super) struct EdgeOutcome {
-    pub(super) state: EdgeState,
-    pub(super) set: ContactSet,
-    pub(super) status: Status,
+pub(crate) struct EdgeOutcome {
+    pub(crate) state: EdgeState,
+    pub(crate) set: ContactSet,
+    pub(crate) status: Status,
     /// The sets visited, in order, the last one included.
-    pub(super) history: Vec<ContactSet>,
+    pub(crate) history: Vec<ContactSet>,
 }
 
 /// The solution of the edge problem by the active set method from the given initial guess.
 ///
 /// # Errors
 /// As for [`EdgeProblem::solve_with`].
-pub(super) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
+pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Result<EdgeOutcome> {
     let limit = FEWEST_STEPS + STEPS_PER_CONSTRAINT * start.constraints();
     let furthest_first = FURTHEST_FIRST.min(start.constraints());
     let mut set = start;

@@ -14,8 +14,32 @@ use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone};
 use crate::error::Result;
 use crate::fem::{Condensation, Reduced};
+use crate::numeric::scale::careful_dot;
 use fractional_sobolev::Work;
 use std::time::Instant;
+
+impl ContactProblem {
+    /// The function of least energy with the given normal displacement on the contact edge and 0 on Γ_D, Cartesian.
+    ///
+    /// Cost: a factorization.
+    pub(crate) fn extension(&self, normal: &[f64]) -> Result<Vec<f64>> {
+        let normals = self.normal_unknowns();
+        let condensation = Condensation::new(self.matrix(), self.mesh.nodes(), &self.prescribed, &normals)?;
+        let values: Vec<f64> = normals
+            .iter()
+            .zip(normal)
+            .map(|(&unknown, &value)| if self.prescribed[unknown] { 0.0 } else { value })
+            .collect();
+        let none = condensation.reduce(&vec![0.0; self.unknowns()]);
+        Ok(self.to_cartesian(&condensation.recover(&none, &values)))
+    }
+
+    /// J of Cartesian nodal values.
+    pub(crate) fn energy_of(&self, displacement: &[f64]) -> f64 {
+        let u = self.to_frame(displacement);
+        0.5 * careful_dot(&u, &self.multiply(&u)) - careful_dot(&u, &self.load)
+    }
+}
 
 /// The iterate and the data for its correction.
 struct Condensed<'a> {

@@ -18,31 +18,31 @@ pub(super) const HELD: f64 = 1e-10;
 
 /// A dense contact problem on an open or closed chain of nodes.
 #[derive(Debug, Clone)]
-pub(super) struct EdgeProblem<'a> {
+pub(crate) struct EdgeProblem<'a> {
     /// S, symmetric positive definite.
-    pub(super) stiffness: &'a Mat<f64>,
+    pub(crate) stiffness: &'a Mat<f64>,
     /// b.
-    pub(super) load: &'a [f64],
+    pub(crate) load: &'a [f64],
     /// g, one bound per constraint of the cone.
-    pub(super) bound: &'a [f64],
+    pub(crate) bound: &'a [f64],
     /// Nodes fixed at w = 0 (ends of the edge on the Dirichlet boundary).
-    pub(super) fixed: &'a [bool],
+    pub(crate) fixed: &'a [bool],
     /// B.
-    pub(super) cone: Cone,
+    pub(crate) cone: Cone,
     /// Whether the chain is closed; a closed chain has no fixed nodes.
-    pub(super) ends: Ends,
+    pub(crate) ends: Ends,
 }
 
 /// The solution for a given contact set, feasible or not.
 #[derive(Debug, Clone)]
-pub(super) struct EdgeState {
+pub(crate) struct EdgeState {
     /// w.
-    pub(super) displacement: Vec<f64>,
+    pub(crate) displacement: Vec<f64>,
     /// λ; zero off the set.
-    pub(super) multiplier: Vec<f64>,
+    pub(crate) multiplier: Vec<f64>,
     /// B w − g; exactly zero on the set, except on a contact interval between two fixed nodes, which has
     /// one equation more than nodes and may be inconsistent.
-    pub(super) gap: Vec<f64>,
+    pub(crate) gap: Vec<f64>,
 }
 
 impl EdgeProblem<'_> {
@@ -51,7 +51,7 @@ impl EdgeProblem<'_> {
     /// # Errors
     /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) unless S is positive definite,
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) if sizes differ.
-    pub(super) fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
+    pub(crate) fn solve_with(&self, set: &ContactSet) -> Result<EdgeState> {
         self.check(set)?;
         let cone = self.edge_cone();
         let free = cone.coordinates(set.as_slice(), self.bound, self.fixed);

@@ -6,11 +6,16 @@
 //! called by [`ContactProblem::solve`] with [`Settings`].
 
 mod active_set;
+mod body;
 mod by_radius;
 mod cascade;
 mod condensed;
 mod data;
 mod dual_active_set;
+pub(crate) mod edge {
+    pub(crate) use super::active_set::solve_on_edge;
+    pub(crate) use super::edge_problem::EdgeProblem;
+}
 mod edge_problem;
 mod interior_point;
 mod multigrid;
@@ -24,6 +29,7 @@ mod solver;
 mod units;
 mod vtk;
 
+pub use body::{Body, Value};
 pub use multigrid::{Accuracy, Fallback, MultigridLevel, MultigridReport, Progress};
 pub use npy::npy;
 pub use problem::ContactProblem;

@@ -54,13 +54,22 @@ pub fn consistent_load(mesh: &Triangulation, components: usize, values: &[f64]) 
 /// # Errors
 /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if f is not finite at a point of the rule.
 pub fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
-    let components = density.components();
+    load_by_triangles(mesh, density.components(), rule, &|_, point| density.at(point))
+}
+
+/// The load vector ∫_Ω f·φ_i for f that depends on the number of the triangle as well.
+pub(crate) fn load_by_triangles(
+    mesh: &Triangulation,
+    components: usize,
+    rule: &Cubature,
+    density: &dyn Fn(usize, Point) -> Result<Point>,
+) -> Result<Vec<f64>> {
     let mut load = vec![0.0; mesh.nodes().len() * components];
     for (t, corners) in mesh.triangles().iter().enumerate() {
         let triangle = mesh.corners(t);
         let element = Element::new(triangle);
         rule.on(triangle, &mut |point, weight| {
-            let value = density.at(point)?;
+            let value = density(t, point)?;
             let shares = element.barycentric(triangle, point);
             for k in 0..3 {
                 for c in 0..components {

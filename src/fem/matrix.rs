@@ -31,7 +31,7 @@ pub struct BlockMatrix {
 }
 
 impl BlockMatrix {
-    pub(super) fn new(components: usize, offsets: Vec<usize>, columns: Vec<u32>, values: Vec<f64>) -> Self {
+    pub(crate) fn new(components: usize, offsets: Vec<usize>, columns: Vec<u32>, values: Vec<f64>) -> Self {
         Self { components, offsets, columns, values }
     }
 

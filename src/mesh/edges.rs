@@ -5,13 +5,13 @@
 
 use crate::error::{Error, Result, ToolkitError};
 
-pub(super) struct Edges {
+pub(crate) struct Edges {
     offsets: Vec<usize>,
     partners: Vec<usize>,
 }
 
 impl Edges {
-    pub(super) fn new(nodes: usize, triangles: &[[usize; 3]]) -> Self {
+    pub(crate) fn new(nodes: usize, triangles: &[[usize; 3]]) -> Self {
         let sides = || triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let mut offsets = vec![0; nodes + 1];
         sides().for_each(|[a, b]| offsets[a.min(b) + 1] += 1);
@@ -47,7 +47,7 @@ impl Edges {
     }
 
     /// The number of the edge between two nodes.
-    pub(super) fn find(&self, a: usize, b: usize) -> Result<usize> {
+    pub(crate) fn find(&self, a: usize, b: usize) -> Result<usize> {
         let start = self.offsets[a.min(b)];
         self.partners[start..self.offsets[a.min(b) + 1]]
             .iter()
@@ -57,7 +57,7 @@ impl Edges {
     }
 
     /// The ends of every edge, in order.
-    pub(super) fn pairs(&self) -> Vec<[usize; 2]> {
+    pub(crate) fn pairs(&self) -> Vec<[usize; 2]> {
         (0..self.offsets.len() - 1)
             .flat_map(|a| self.partners[self.offsets[a]..self.offsets[a + 1]].iter().map(move |&b| [a, b]))
             .collect()

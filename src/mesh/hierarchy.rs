@@ -154,6 +154,12 @@ impl Hierarchy {
         Self { levels: self.levels[..=last].to_vec(), parents: self.parents[..last].to_vec() }
     }
 
+    /// Keeps the finest level only.
+    pub(crate) fn forget(&mut self) {
+        self.levels.drain(..self.levels.len() - 1);
+        self.parents.clear();
+    }
+
     /// The two nodes of level k − 1 in the middle of which every node of level k > 0 lies; twice the same for
     /// a node that was there already.
     pub(crate) fn parents(&self, level: usize) -> Vec<[u32; 2]> {

@@ -14,8 +14,9 @@ mod structured;
 mod triangulation;
 
 pub use contact_edge::ContactEdge;
+pub(crate) use edges::Edges;
 pub use geometry::{BoundaryEdge, Part, Point};
-pub(crate) use geometry::{distance, doubled_area};
+pub(crate) use geometry::{distance, doubled_area, middle};
 pub(crate) use grid::Grid;
 pub use hierarchy::Hierarchy;
 pub use msh::{parse_msh, read_msh};

@@ -12,7 +12,7 @@ const ROOMS: [(&str, &str); 2] = [
         "value error estimate numeric quadrature order root grading mesh nearly_one kernel gram energy closed_forms \
          piecewise functions dual boundary plane fields function matrix constant trace poincare interpolation",
     ),
-    ("src", "error text numeric mesh fem cone contact strip singular problems edge rates proof"),
+    ("src", "error text numeric mesh fem cone contact bounds strip singular problems edge rates proof"),
 ];
 /// Crates whose rooms are not ranked.
 const OTHERS: [&str; 2] = ["examples/report/src", "book/builder/src"];

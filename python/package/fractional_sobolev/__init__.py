@@ -576,6 +576,11 @@ def contact(
     Contact
         The discrete solution.
 
+    Raises
+    ------
+    SobolevError
+        Invalid data, or an iteration that did not converge.
+
     Examples
     --------
     A square that hangs from its top, over a floor:

@@ -1,0 +1,416 @@
+//! The best equilibrated stress: the dual problem on the same triangulation, in hybrid form.
+//!
+//! Among the stresses q = q_p + q_T (q_p exact for the load, q_T of module `element` on every triangle) with continuous
+//! traction, given traction on Γ_N, q_T = 0 and q_N ≤ 0 on Γ_C, the one of least ½∫ q : 𝒜⁻¹q − ∫_{Γ_D} q n·u_D −
+//! ∫_{Γ_C} q_N g. Continuity is required by multipliers on the edges, which are weighted means of a displacement:
+//!
+//! ```text
+//! per edge of length L:   (2/L) ∫ u_N (1 − s),  (2/L) ∫ u_N s,  (1/L) ∫ u_T       (scalar: (1/L) ∫ u)
+//! ```
+//!
+//! paired with the forces q_N(0) L/2, q_N(1) L/2, q_T L. On a triangle with fields s_i, C_ij = ∫ s_i : 𝒜⁻¹s_j, forces N x of
+//! Σ x_i s_i and known part (c, t₀), least energy for given multipliers λ is at x = C⁻¹(Nᵀλ − c), so that the edges have
+//! the equations
+//!
+//! ```text
+//! Σ_T (N C⁻¹Nᵀ λ − N C⁻¹c + t₀) = given forces,        λ ≤ (2/L) ∫ g (1 − s), (2/L) ∫ g s  beside  −q_N ≥ 0  on Γ_C
+//! ```
+//!
+//! with a positive definite matrix: a contact problem with bounds as its only constraints, solved as the primal one, by
+//! elimination to the contact unknowns and an active set. Its condition number is that of the primal problem, where the
+//! equations of an Airy function would have the square; holes and several clamped parts need no further fields. The
+//! stresses are those of an Airy function in the reduced Hsieh-Clough-Tocher space (scalar: of a linear stream
+//! function), locally, and the minimum is the same.
+
+use super::element::{Equilibrated, FIELDS, Linear, Side, add, combine, side, traction};
+use super::setting::{Border, Sample, Setting, SideOf};
+use crate::cone::{Cone, ContactSet, Ends};
+use crate::contact::edge::{EdgeProblem, solve_on_edge};
+use crate::error::{Error, Result};
+use crate::fem::{BlockMatrix, Condensation};
+use crate::mesh::{Part, Point, doubled_area};
+use crate::numeric::scale::careful_dot;
+use rayon::prelude::*;
+
+/// Forces on one triangle at most: three on each side.
+const FORCES: usize = 9;
+/// Edges of one task of the assembly.
+const CHUNK: usize = 4096;
+
+/// The equations of one triangle, solved for its fields.
+struct Local {
+    /// Number of fields, of forces.
+    count: usize,
+    rows: usize,
+    /// N: forces of every field.
+    forces: [[f64; FORCES]; FIELDS],
+    /// C⁻¹ Nᵀ and C⁻¹ c: x = response · λ − offset.
+    response: [[f64; FORCES]; FIELDS],
+    offset: [f64; FIELDS],
+    /// t₀, the forces of the known field.
+    known_forces: [f64; FORCES],
+    left_over: f64,
+}
+
+impl Local {
+    /// Entry of A = N C⁻¹ Nᵀ.
+    fn stiffness(&self, row: usize, column: usize) -> f64 {
+        (0..self.count).map(|i| self.forces[i][row] * self.response[i][column]).sum()
+    }
+
+    /// N C⁻¹ c − t₀.
+    fn load(&self, row: usize) -> f64 {
+        (0..self.count).map(|i| self.forces[i][row] * self.offset[i]).sum::<f64>() - self.known_forces[row]
+    }
+}
+
+/// The stress of least complementary energy.
+pub(super) struct Dual {
+    /// q − q_p on every triangle.
+    pub(super) fields: Vec<Linear>,
+    /// ‖f − f_T‖ on every triangle.
+    pub(super) left_over: Vec<f64>,
+    /// −q_N ≥ 0 at both ends of every contact segment (its linear part), by number of the border; 0 elsewhere.
+    pub(super) pressure: Vec<[f64; 2]>,
+    /// Energy norm of the stress that would correct the residual left by rounding.
+    pub(super) rounding: f64,
+    /// Steps of the active set.
+    pub(super) steps: usize,
+}
+
+impl Setting<'_, '_> {
+    fn basis(&self, t: usize) -> Equilibrated {
+        Equilibrated::new(self.components, self.reaction() > 0.0, self.mesh.corners(t))
+    }
+
+    /// Forces of a field on the sides, in the order and orientation of the edges.
+    fn forces(&self, field: &Linear, sides: &[Side; 3], of: &[SideOf; 3]) -> [f64; FORCES] {
+        let mut forces = [0.0; FORCES];
+        for k in 0..3 {
+            let [first, last] = [0, 1].map(|end| traction(self.components, field[k][end], &sides[k]));
+            let half = 0.5 * sides[k].length;
+            if self.components == 1 {
+                // The flux out of the triangle; on the other side of the edge it has the opposite sign.
+                forces[k] = half * (first[0] + last[0]);
+                continue;
+            }
+            // q_N and q_T have the same sign on both sides of an edge, the force has not.
+            let (sign, [start, end]) =
+                if of[k].flipped { (-half, [last, first]) } else { (half, [first, last]) };
+            forces[3 * k] = sign * start[0];
+            forces[3 * k + 1] = sign * end[0];
+            forces[3 * k + 2] = sign * (first[1] + last[1]);
+        }
+        forces
+    }
+
+    fn local(&self, t: usize) -> Result<Local> {
+        let basis = self.basis(t);
+        let (known, left_over) = self.known_field(t, &basis.slopes)?;
+        let (corners, inner) = (self.mesh.corners(t), self.compliance(t));
+        let fields = basis.fields();
+        let (count, rows) = (fields.len(), 3 * self.per_edge());
+        let area = 0.5 * doubled_area(corners);
+        let mut compliance = [[0.0; FIELDS]; FIELDS];
+        let mut totals = [[[0.0; 3]; 3]; FIELDS];
+        for (totals, field) in totals.iter_mut().zip(fields) {
+            *totals = field.map(|v| [0, 1, 2].map(|c| v[0][c] + v[1][c] + v[2][c]));
+        }
+        for i in 0..count {
+            for j in 0..=i {
+                // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the triangle.
+                let mut sum = 0.0;
+                for k in 0..3 {
+                    let (a, b) = (&fields[i][k], &fields[j][k]);
+                    sum += inner(&a[0], &b[0]) + inner(&a[1], &b[1]) + inner(&a[2], &b[2]);
+                    sum += inner(&totals[i][k], &totals[j][k]);
+                }
+                compliance[i][j] = area / 36.0 * sum;
+            }
+        }
+        // ∫ of the known stress against the barycentric coordinates of the pieces.
+        let mut moments: Linear = [[[0.0; 3]; 3]; 3];
+        let samples = self.samples(t);
+        for Sample { piece, shares, weight, exact, .. } in &samples {
+            let own = combine(shares, &known[*piece]);
+            for c in 0..3 {
+                let value = weight * (own[c] + exact[c]);
+                (0..3).for_each(|m| moments[*piece][m][c] += shares[m] * value);
+            }
+        }
+        let mut shift = [0.0; FIELDS];
+        for (shift, field) in shift.iter_mut().zip(fields) {
+            let pairs = field.as_flattened().iter().zip(moments.as_flattened());
+            *shift = pairs.map(|(value, moment)| inner(value, moment)).sum();
+        }
+        let reaction = self.reaction();
+        if reaction > 0.0 {
+            // ½‖f + div q‖²/c: div of the last field is 2, of the others 0.
+            compliance[count - 1][count - 1] += 4.0 * area / reaction;
+            for Sample { point, weight, .. } in &samples {
+                let load = self.body.load_at(self.mesh.region(t), *point)?[0];
+                shift[count - 1] += weight * 2.0 * load / reaction;
+            }
+        }
+        let sides = [0, 1, 2].map(|k| side(corners, k));
+        let mut forces = [[0.0; FORCES]; FIELDS];
+        for (row, field) in forces.iter_mut().zip(fields) {
+            *row = self.forces(field, &sides, &self.sides[t]);
+        }
+        let known_forces = self.forces(&known, &sides, &self.sides[t]);
+        let what = "compliance of the stresses on one triangle";
+        let root = factor(compliance, count).ok_or_else(|| Error::not_positive_definite(what, t))?;
+        let mut response = [[0.0; FORCES]; FIELDS];
+        for row in 0..rows {
+            let column = solve(&root, count, std::array::from_fn(|i| forces[i][row]));
+            (0..count).for_each(|i| response[i][row] = column[i]);
+        }
+        let offset = solve(&root, count, shift);
+        Ok(Local { count, rows, forces, response, offset, known_forces, left_over })
+    }
+
+    /// The equations of all triangles.
+    fn locals(&self) -> Result<Vec<Local>> {
+        (0..self.sides.len()).into_par_iter().with_min_len(256).map(|t| self.local(t)).collect()
+    }
+
+    /// The matrix of the edges' equations, and their right-hand side without given forces.
+    fn assembled(&self, locals: &[Local]) -> (BlockMatrix, Vec<f64>) {
+        let c = self.per_edge();
+        let chunk = |first: usize| {
+            let (mut lengths, mut columns, mut values) = (Vec::new(), Vec::<u32>::new(), Vec::<f64>::new());
+            let last = self.edges().min(first + CHUNK);
+            let mut load = vec![0.0; c * (last - first)];
+            for edge in first..last {
+                let start = columns.len();
+                for (t, _) in self.around[edge].into_iter().flatten() {
+                    for side in self.sides[t] {
+                        if !columns[start..].contains(&(side.edge as u32)) {
+                            columns.push(side.edge as u32);
+                        }
+                    }
+                }
+                columns[start..].sort_unstable();
+                lengths.push(columns.len() - start);
+                values.resize(columns.len() * c * c, 0.0);
+                for (t, k) in self.around[edge].into_iter().flatten() {
+                    let local = &locals[t];
+                    for a in 0..c {
+                        load[c * (edge - first) + a] += local.load(c * k + a);
+                    }
+                    for j in 0..3 {
+                        let other = self.sides[t][j].edge as u32;
+                        let at = start + columns[start..].partition_point(|&column| column < other);
+                        for (a, b) in (0..c).flat_map(|a| (0..c).map(move |b| (a, b))) {
+                            values[(at * c + a) * c + b] += local.stiffness(c * k + a, c * j + b);
+                        }
+                    }
+                }
+            }
+            (lengths, columns, values, load)
+        };
+        let chunks: Vec<_> = (0..self.edges()).into_par_iter().step_by(CHUNK).map(chunk).collect();
+        let (mut offsets, mut columns, mut values, mut load) = (vec![0], Vec::new(), Vec::new(), Vec::new());
+        for (lengths, more_columns, more_values, more_load) in chunks {
+            for length in lengths {
+                offsets.push(offsets[offsets.len() - 1] + length);
+            }
+            columns.extend(more_columns);
+            values.extend(more_values);
+            load.extend(more_load);
+        }
+        (BlockMatrix::new(c, offsets, columns, values), load)
+    }
+
+    /// Weighted means of a function of the place along a side: normal to both ends, tangential; scalar: one mean.
+    fn means(&self, border: &Border, value: impl Fn(Point) -> Result<Point>) -> Result<[f64; 3]> {
+        let corners = self.mesh.corners(border.triangle);
+        let (a, b) = (corners[border.side], corners[(border.side + 1) % 3]);
+        let side = self.side(border.triangle, border.side);
+        let mut means = [0.0; 3];
+        for (s, weight) in self.edge_rule.iter() {
+            let [x, y] = value([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])])?;
+            if self.components == 1 {
+                means[0] += weight * x;
+                continue;
+            }
+            let normal = x * side.normal[0] + y * side.normal[1];
+            means[0] += weight * 2.0 * (1.0 - s) * normal;
+            means[1] += weight * 2.0 * s * normal;
+            means[2] += weight * (x * side.tangent[0] + y * side.tangent[1]);
+        }
+        Ok(means)
+    }
+
+    /// The stress of least complementary energy; `touches` is a guess of the contact segments' ends, by border.
+    pub(super) fn best_stress(&self, touches: &[[bool; 2]]) -> Result<Dual> {
+        let c = self.per_edge();
+        let locals = self.locals()?;
+        let (matrix, mut load) = self.assembled(&locals);
+        let mut prescribed = vec![false; load.len()];
+        let mut multipliers = vec![0.0; load.len()];
+        let (mut kept, mut bound, mut guess) = (Vec::new(), Vec::new(), Vec::new());
+        for (number, border) in self.borders.iter().enumerate() {
+            let own = c * border.edge;
+            let length = self.side(border.triangle, border.side).length;
+            let [first, last] = border.linear;
+            // The forces that belong to the linear part of the traction.
+            let given = match self.components {
+                1 => [0.5 * length * (first[0] + last[0]), 0.0, 0.0],
+                _ => [0.5 * length * first[0], 0.5 * length * last[0], 0.5 * length * (first[1] + last[1])],
+            };
+            match border.part {
+                Part::Dirichlet => {
+                    let means = self.means(border, |point| self.body.displacement_at(point))?;
+                    for a in 0..c {
+                        prescribed[own + a] = true;
+                        multipliers[own + a] = means[a];
+                    }
+                }
+                Part::Neumann => (0..c).for_each(|a| load[own + a] += given[a]),
+                Part::Contact => {
+                    (0..c).for_each(|a| load[own + a] += given[a]);
+                    let normal = |point| {
+                        let gap = self.body.gap_at(point)?;
+                        let n = self.side(border.triangle, border.side).normal;
+                        Ok(if self.components == 1 { [gap, 0.0] } else { [gap * n[0], gap * n[1]] })
+                    };
+                    let means = self.means(border, normal)?;
+                    for a in 0..c.min(2) {
+                        kept.push(own + a);
+                        bound.push(means[a]);
+                        guess.push(touches[number][a]);
+                    }
+                }
+            }
+        }
+        let places: Vec<Point> = (0..self.edges()).map(|edge| self.middle_of(edge)).collect();
+        let condensation = Condensation::new(&matrix, &places, &prescribed, &kept)?;
+        let fixed = vec![false; kept.len()];
+        let mut pressure = vec![0.0; kept.len()];
+        let mut set = ContactSet::new(&guess);
+        let mut steps = 0;
+        let mut rounding = 0.0;
+        // Solution, and one correction for its residual; the energy norm of that bounds what rounding leaves.
+        for pass in 0..2 {
+            let product = matrix.multiply(&multipliers);
+            let mut residual: Vec<f64> = load.iter().zip(&product).map(|(f, k)| f - k).collect();
+            for (&unknown, force) in kept.iter().zip(&pressure) {
+                residual[unknown] -= force;
+            }
+            let reduced = condensation.reduce(&residual);
+            let left: Vec<f64> = bound.iter().zip(&kept).map(|(g, &k)| g - multipliers[k]).collect();
+            let edge = EdgeProblem {
+                stiffness: condensation.schur(),
+                load: reduced.kept(),
+                bound: &left,
+                fixed: &fixed,
+                cone: Cone::Nodal,
+                ends: Ends::Open,
+            };
+            let state = if pass == 0 {
+                let outcome = solve_on_edge(&edge, set)?;
+                (set, steps) = (outcome.set, outcome.history.len());
+                if !outcome.status.is_converged() {
+                    return Err(Error::Solver {
+                        reason: format!("the equilibrated stress: {}", outcome.status),
+                    });
+                }
+                outcome.state
+            } else {
+                edge.solve_with(&set)?
+            };
+            let correction = condensation.recover(&reduced, &state.displacement);
+            if pass == 1 {
+                // What a residual below its own rounding hides is added.
+                let work = careful_dot(&correction, &residual).abs();
+                let sizes = matrix.multiply_absolute(&multipliers);
+                let hidden: f64 = sizes
+                    .iter()
+                    .enumerate()
+                    .filter(|&(i, _)| !prescribed[i])
+                    .map(|(i, size)| (f64::EPSILON * (size + load[i].abs())).powi(2) / matrix.diagonal(i))
+                    .sum();
+                rounding = work.sqrt() + hidden.sqrt();
+            }
+            for (i, value) in correction.iter().enumerate() {
+                if !prescribed[i] {
+                    multipliers[i] += value;
+                }
+            }
+            pressure.iter_mut().zip(&state.multiplier).for_each(|(sum, more)| *sum += more);
+        }
+        let left_over = locals.iter().map(|local| local.left_over).collect();
+        let fields = (0..self.sides.len())
+            .into_par_iter()
+            .with_min_len(256)
+            .map(|t| self.recovered(t, &locals[t], &multipliers))
+            .collect::<Result<_>>()?;
+        let mut at_borders = vec![[0.0; 2]; self.borders.len()];
+        let mut next = pressure.chunks_exact(c.min(2));
+        for (number, border) in self.borders.iter().enumerate() {
+            if border.part == Part::Contact
+                && let Some(forces) = next.next()
+            {
+                let length = self.side(border.triangle, border.side).length;
+                // A rounded negative pressure is none: its correction is within `rounding`.
+                at_borders[number] = match forces {
+                    [first, last] => [2.0 * first.max(0.0) / length, 2.0 * last.max(0.0) / length],
+                    _ => [forces[0].max(0.0) / length; 2],
+                };
+            }
+        }
+        Ok(Dual { fields, left_over, pressure: at_borders, rounding, steps })
+    }
+
+    fn middle_of(&self, edge: usize) -> Point {
+        self.around[edge][0].map_or([0.0; 2], |(t, k)| {
+            let corners = self.mesh.corners(t);
+            let (a, b) = (corners[k], corners[(k + 1) % 3]);
+            [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]
+        })
+    }
+
+    /// q − q_p on one triangle, from the multipliers.
+    fn recovered(&self, t: usize, local: &Local, multipliers: &[f64]) -> Result<Linear> {
+        let c = self.per_edge();
+        let basis = self.basis(t);
+        let (mut sum, _) = self.known_field(t, &basis.slopes)?;
+        for (i, field) in basis.fields().iter().enumerate() {
+            let own = |row: usize| multipliers[c * self.sides[t][row / c].edge + row % c];
+            let moved: f64 = (0..local.rows).map(|row| local.response[i][row] * own(row)).sum();
+            add(&mut sum, moved - local.offset[i], field);
+        }
+        Ok(sum)
+    }
+}
+
+/// The lower Cholesky factor of a matrix given by its lower triangle, or `None`.
+fn factor(mut a: [[f64; FIELDS]; FIELDS], count: usize) -> Option<[[f64; FIELDS]; FIELDS]> {
+    for j in 0..count {
+        for i in j..count {
+            let sum = a[i][j] - (0..j).map(|k| a[i][k] * a[j][k]).sum::<f64>();
+            if i > j {
+                a[i][j] = sum / a[j][j];
+            } else if sum > 0.0 {
+                a[j][j] = sum.sqrt();
+            } else {
+                return None;
+            }
+        }
+    }
+    Some(a)
+}
+
+/// The solution of L Lᵀ x = b.
+fn solve(root: &[[f64; FIELDS]; FIELDS], count: usize, mut b: [f64; FIELDS]) -> [f64; FIELDS] {
+    for i in 0..count {
+        let sum: f64 = (0..i).map(|k| root[i][k] * b[k]).sum();
+        b[i] = (b[i] - sum) / root[i][i];
+    }
+    for i in (0..count).rev() {
+        let sum: f64 = (i + 1..count).map(|k| root[k][i] * b[k]).sum();
+        b[i] = (b[i] - sum) / root[i][i];
+    }
+    b
+}

@@ -1,0 +1,148 @@
+//! A mesh that is fine where the bound requires it: solve, bound, mark a share of the bound, bisect.
+
+use super::enclosure::Enclosure;
+use crate::cone::{Cone, ContactSet};
+use crate::contact::Body;
+use crate::error::{Error, Result};
+use crate::mesh::Hierarchy;
+use fractional_sobolev::{Estimate, Work};
+
+/// How a mesh is refined to a tolerance, and where it ends.
+///
+/// ```
+/// use signorini::{bounds::Refinement, contact::Body, fem::{Form, Lame}, mesh::{SideParts, unit_square}};
+/// let body = Body::new(unit_square(4, SideParts::HANGING)?, Form::elastic(Lame::new(1.0, 1.0)?))
+///     .load(|[x, _]: [f64; 2]| [0.0, -(std::f64::consts::PI * x).cos()]);
+/// let found = Refinement { tolerance: 0.2, ..Refinement::default() }.solve(&body)?;
+/// assert!(found.relative_error() <= 0.2);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Refinement {
+    /// The discrete cone.
+    pub cone: Cone,
+    /// The guaranteed error in the energy norm relative to |||u||| at which the refinement ends.
+    pub tolerance: f64,
+    /// Largest number of unknowns of the discrete problem; the mesh that exceeds it is not solved on.
+    pub unknowns: usize,
+    /// Share of the square of the bound whose triangles are bisected; 1: all triangles (uniform refinement).
+    pub share: f64,
+}
+
+impl Default for Refinement {
+    fn default() -> Self {
+        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5 }
+    }
+}
+
+/// Why the refinement ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ended {
+    /// The tolerance is met.
+    Tolerance,
+    /// The next mesh would have more unknowns than allowed.
+    Unknowns,
+    /// Rounding exceeds a tenth of the tolerance.
+    Rounding,
+}
+
+impl std::fmt::Display for Ended {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Ended::Tolerance => "the tolerance is met",
+            Ended::Unknowns => "the limit of unknowns is reached",
+            Ended::Rounding => "rounding is reached",
+        })
+    }
+}
+
+impl Refinement {
+    /// The solution on the first mesh whose guaranteed error is within the tolerance.
+    ///
+    /// # Errors
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with J(u) on the last mesh if the
+    /// refinement ended otherwise; as for [`Refinement::run`].
+    pub fn solve(&self, body: &Body<'_>) -> Result<Enclosure> {
+        let (found, ended) = self.run(body, |_| {})?;
+        let why = match ended {
+            Ended::Tolerance => return Ok(found),
+            Ended::Unknowns => "more unknowns are required than allowed",
+            Ended::Rounding => "rounding is reached",
+        };
+        let best = Estimate {
+            value: 0.5 * (found.energy.lower + found.energy.upper),
+            error: 0.5 * found.energy.width(),
+            work: Work::default(),
+        };
+        Err(Error::not_met("energy J of the body", self.tolerance, best, why))
+    }
+
+    /// The solution on the last mesh, and why the refinement ended; `each` receives the result on every mesh.
+    ///
+    /// # Errors
+    /// As for [`Body::enclose`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a tolerance that
+    /// is not positive or a share outside of (0, 1].
+    pub fn run(&self, body: &Body<'_>, mut each: impl FnMut(&Enclosure)) -> Result<(Enclosure, Ended)> {
+        Error::require("tolerance", self.tolerance, "(0, inf)", self.tolerance > 0.0)?;
+        Error::require("share", self.share, "(0, 1]", self.share > 0.0 && self.share <= 1.0)?;
+        let mut meshes = Hierarchy::new(body.mesh().clone());
+        let mut guess = None;
+        loop {
+            let found = body.enclose_on(meshes.finest(), self.cone, guess.take())?;
+            each(&found);
+            if found.relative_error() <= self.tolerance {
+                return Ok((found, Ended::Tolerance));
+            }
+            if found.rounding > 0.1 * self.tolerance * found.norm.lower {
+                return Ok((found, Ended::Rounding));
+            }
+            if self.share >= 1.0 {
+                meshes.refine()?;
+            } else {
+                let marked = bulk(&found.shares, self.share);
+                meshes.refine_where(|_, t| marked[t])?;
+            }
+            let per_node = body.form().components();
+            if meshes.finest().nodes().len() * per_node > self.unknowns {
+                return Ok((found, Ended::Unknowns));
+            }
+            if self.cone == Cone::Nodal {
+                guess = Some(refined_set(body, &meshes, &found)?);
+            }
+            meshes.forget();
+        }
+    }
+}
+
+/// The fewest triangles that carry the given share of the sum.
+fn bulk(shares: &[f64], share: f64) -> Vec<bool> {
+    let mut order: Vec<usize> = (0..shares.len()).collect();
+    order.sort_by(|&a, &b| shares[b].total_cmp(&shares[a]));
+    let wanted = share * shares.iter().sum::<f64>();
+    let mut marked = vec![false; shares.len()];
+    let mut sum = 0.0;
+    for t in order {
+        marked[t] = true;
+        sum += shares[t];
+        if sum >= wanted {
+            break;
+        }
+    }
+    marked
+}
+
+/// The active nodes on the refined mesh: those of the coarse one, and new ones between two of them.
+fn refined_set(body: &Body<'_>, meshes: &Hierarchy, found: &Enclosure) -> Result<ContactSet> {
+    let level = meshes.levels().len() - 1;
+    let parents = meshes.parents(level);
+    let mut active = vec![false; parents.len()];
+    for (i, &node) in found.problem.edge().nodes().iter().enumerate() {
+        active[node] = found.solution.contact_set.contains(i);
+    }
+    for (node, [a, b]) in parents.iter().enumerate() {
+        active[node] = active[*a as usize] && active[*b as usize];
+    }
+    let _ = body;
+    let edge = crate::mesh::ContactEdge::in_pieces(meshes.finest())?;
+    Ok(ContactSet::new(&edge.nodes().iter().map(|&node| active[node]).collect::<Vec<_>>()))
+}
