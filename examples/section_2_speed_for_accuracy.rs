@@ -1,28 +1,33 @@
-//! Section 2: speed for accuracy of contact solvers: the error belongs to the mesh, whatever solves the discrete problem.
+//! Section 2: speed for accuracy of contact solvers: the error belongs to the mesh, whatever solves
+//! the discrete problem.
 //!
-//! On the unit square, with z = x + iy, let u = −Re (z − 2/5)^(3/2): harmonic, 0 on the bottom edge for x < 2/5 (contact) and
-//! −(x − 2/5)^(3/2) beyond (gap), with ∂u/∂n ≤ 0 in contact and 0 in the gap. So u solves the scalar Signorini problem
-//! with contact on the bottom edge, its own values prescribed on top, its own ∂u/∂n on both sides. u is in H^s for s < 5/2.
+//! On the unit square, with z = x + iy, let u = −Re (z − 2/5)^(3/2): harmonic, 0 on the bottom edge
+//! for x < 2/5 (contact) and −(x − 2/5)^(3/2) beyond (gap), with ∂u/∂n ≤ 0 in contact and 0 in the
+//! gap. So u solves the scalar Signorini problem with contact on the bottom edge, its own values
+//! prescribed on top, its own ∂u/∂n on both sides. u is in H^s for s < 5/2.
 //!
 //! ```text
-//! |u − v|_a  ≤  |u − u^h|_a + |u^h − v|_a,      |v|_a² = a(v, v),      |u − u^h|_a ≤ C h for linear elements
+//! |u − v|_a  ≤  |u − u^h|_a + |u^h − v|_a,        |v|_a² = a(v, v),
+//! |u − u^h|_a ≤ C h for linear elements.
 //! ```
 //!
-//! u^h is the discrete solution (2.9) on n × n squares, each cut from bottom left to top right: it minimises J(v) = ½ a(v, v) −
-//! l(v) over the cone; v is what a solver returns. The first term belongs to the mesh, the second to the algebra. Multigrid
-//! stops where its estimate R/2 + (R²/4 + C)^(1/2) of |u^h − v|_a is below the tolerance, 1e-10 of |v|_a or a hundredth of the
-//! first term as coarser meshes show it: R is the dual norm of l − a(v, ·) − λ, by one more cycle, C = ∫ λ (g − v), λ ≥ 0 the
-//! contact forces, g = 0 the gap. The order is that of the last two meshes.
+//! u^h is the discrete solution (2.9) on n × n squares, each cut from bottom left to top right: it
+//! minimises J(v) = ½ a(v, v) − l(v) over the cone; v is what a solver returns. The first term
+//! belongs to the mesh, the second to the algebra. Multigrid stops where its estimate
+//! R/2 + (R²/4 + C)^(1/2) of |u^h − v|_a is below the tolerance, 1e-10 of |v|_a or a hundredth of
+//! the first term as coarser meshes show it: R is the dual norm of l − a(v, ·) − λ, by one more
+//! cycle, C = ∫ λ (g − v), λ ≥ 0 the contact forces, g = 0 the gap. The order is that of the last
+//! two meshes.
 //!
-//! Refuted if the order of |u − u^h|_a is off 1 by more than 0.1, if a solver to ten digits changes |u − v|_a by more than 1e-6 of
-//! it or one to a hundredth by more than 1e-3, if J differs from that of elimination by 1e-11, or the contact set, if a true
-//! algebraic error is above its estimate, or if the error from the definition is off by 0.3 %. Other bodies, materials and
+//! Refuted if the order of |u − u^h|_a is off 1 by more than 0.1, if a solver to ten digits changes
+//! |u − v|_a by more than 1e-6 of it or one to a hundredth by more than 1e-3, if J differs from
+//! that of elimination by 1e-11, or the contact set, if a true algebraic error is above its
+//! estimate, or if the error from the definition is off by 0.3 %. Other bodies, materials and
 //! meshes: `tests/section_2/multigrid.rs`.
 //!
-//! `cargo run --release --example section_2_speed_for_accuracy -- --n 16,64,256,1024 --cone midpoint`
+//! `cargo run --release --example section_2_speed_for_accuracy -- --n 16,64,256,1024 --cone
+//! midpoint`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, ContactSolution, Settings, Solver};
@@ -30,15 +35,16 @@ use signorini::fem::gradients;
 use signorini::problems::KnownSolution;
 use std::time::Instant;
 
-example! { seconds "Section 2, speed for accuracy", "|u − u^h|_a ≤ C h, whatever solves the discrete problem";
+example! { seconds "Section 2, speed for accuracy",
+    "|u − u^h|_a ≤ C h, whatever solves the discrete problem";
     /// squares along each side, coarsest mesh first
     n: Vec<usize> = "8,16,32,64,128,256" in "[4, 2048]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
     cone: Cone = "nodal",
 }
 
-/// |u − v|_a from its definition: ∇v is constant on triangles, ∇u = (Re f', −Im f') for f' = −3/2 (z − 2/5)^(1/2), and the
-/// integral is a third of the area at the middle of each side.
+/// |u − v|_a from its definition: ∇v is constant on triangles, ∇u = (Re f', −Im f') for f' = −3/2
+/// (z − 2/5)^(1/2), and the integral is a third of the area at the middle of each side.
 fn by_definition(problem: &ContactProblem, v: &[f64]) -> Result<f64> {
     let mesh = problem.mesh();
     let mut square = 0.0;
@@ -63,14 +69,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("steps", "steps", "linear systems, barrier steps, or cycles");
     out.column("ms", "ms", "milliseconds, with mesh and assembly");
     let known = KnownSolution::three_halves();
-    let multigrid = |accuracy| Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
+    let multigrid =
+        |accuracy| Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
     let mut errors = Vec::new();
     for &n in &options.n {
         let mut exact: Option<(f64, ContactSolution)> = None; // |u − u^h|_a and u^h
         let solvers = [
-            // Interior eliminated by a sparse factorisation, then guesses of the contact set on the edge: exact to rounding.
+            // Interior eliminated by a sparse factorisation, then guesses of the contact set on the
+            // edge: exact to rounding.
             ("active set", Solver::ActiveSet.into()),
-            // Nested iteration; gradients with a V-cycle on the contact set in hand; stops by an estimate of |u^h − v|_a.
+            // Nested iteration; gradients with a V-cycle on the contact set in hand; stops by an
+            // estimate of |u^h − v|_a.
             ("multigrid, 1e-10", multigrid(Accuracy::Relative(Tolerance::new(1e-10)?))),
             ("multigrid, h/100", multigrid(Accuracy::OfDiscretisation(0.01))),
             // Primal-dual path (Clarabel) on all unknowns; slow beyond these meshes.
@@ -86,31 +95,34 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let error = known.error_norms(&problem, &v.displacement)?.h1;
             let definition = by_definition(&problem, &v.displacement)?;
             let over = definition / error;
-            out.check("|u − v|_a: by_definition/library").near(over, 1.0, 3e-3, "edge midpoint rule");
-            let estimate = v.multigrid.as_ref().and_then(|report| report.error).map(|e| e.relative_error());
+            let claim = out.check("|u − v|_a: by_definition/library");
+            claim.near(over, 1.0, 3e-3, "edge midpoint rule");
+            let estimate =
+                v.multigrid.as_ref().and_then(|report| report.error).map(|e| e.relative_error());
             let mut algebraic = None;
             if let Some((of_mesh, u)) = &exact {
                 let apart: Vec<f64> =
                     u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
-                let distance = problem.energy_norm(&apart)? / problem.energy_norm(&u.displacement)?;
+                let distance =
+                    problem.energy_norm(&apart)? / problem.energy_norm(&u.displacement)?;
                 let change = (error / of_mesh - 1.0).abs();
                 if solver.ends_with("h/100") {
-                    out.check("multigrid, h/100: change of |u − v|_a").at_most(
-                        change,
-                        1e-3,
-                        "0.1 % of the error",
-                    );
+                    let claim = out.check("multigrid, h/100: change of |u − v|_a");
+                    claim.at_most(change, 1e-3, "0.1 % of the error");
                 } else {
-                    out.check("solvers to 1e-10: change of |u − v|_a").at_most(change, 1e-6, "six digits");
+                    let claim = out.check("solvers to 1e-10: change of |u − v|_a");
+                    claim.at_most(change, 1e-6, "six digits");
                     let of_j = (v.energy / u.energy - 1.0).abs();
                     out.check("two solvers: |ΔJ|/|J|").at_most(of_j, 1e-11, "rounding error");
                     let other = v.contact_set.distance(&u.contact_set);
-                    out.check("constraints active for only one solver").at_most(other, 0.0, "uniqueness");
+                    let claim = out.check("constraints active for only one solver");
+                    claim.at_most(other, 0.0, "uniqueness");
                 }
                 if let Some(estimate) = estimate {
                     // Two solutions in binary64 differ by 1e-13 whatever the estimate.
                     let over = distance / (estimate + 1e-13);
-                    out.check("algebraic error/estimate").at_most(over, 1.0, "stated error estimate");
+                    let claim = out.check("algebraic error/estimate");
+                    claim.at_most(over, 1.0, "stated error estimate");
                 }
                 algebraic = Some(distance);
             }
@@ -123,7 +135,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     if let [.., (h, e), (k, f)] = errors[..] {
-        out.check("order of |u − u^h|_a").near((e / f).ln() / (h / k).ln(), 1.0, 0.1, "linear elements");
+        let claim = out.check("order of |u − u^h|_a");
+        claim.near((e / f).ln() / (h / k).ln(), 1.0, 0.1, "linear elements");
     }
     let name = format!("section_2_seconds_{}", options.cone);
     out.plot(&name, "True error against seconds", Axes::LogLog("milliseconds", "|u − v|_a"))
