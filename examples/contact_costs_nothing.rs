@@ -159,7 +159,7 @@ fn on_triangles(out: &mut Report) -> Result<()> {
                 best.push(error / least);
                 excess.push(0.5 * superclose.powi(2)); // of error/best over one
             }
-            let order = (excess[2] / excess[3]).log2(); // between n = 32 and 64
+            let order = exponent_between((1.0 / 32.0, excess[2]), (1.0 / 64.0, excess[3])).value;
             let problem =
                 if cone == Cone::Nodal { name.to_owned() } else { format!("{name}, midpoint") };
             let quotient = limit(best);

@@ -68,18 +68,6 @@ fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, Measu
     Ok(points)
 }
 
-/// Exponent of y ~ x^p from the first to the last point; ± is the difference of the exponents of
-/// both halves.
-fn exponent(points: &[(f64, Measured)]) -> Measured {
-    let between = |a: (f64, Measured), b: (f64, Measured)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
-    let (Some(&first), Some(&last)) = (points.first(), points.last()) else {
-        return Measured::NONE;
-    };
-    let (whole, middle) = (between(first, last), points[points.len() / 2]);
-    let halves = between(first, middle).value - between(middle, last).value;
-    Measured::new(whole.value, halves.abs() + whole.error)
-}
-
 fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Report) -> Result<()> {
     let cells = 16usize << finest;
     let transition = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: alpha };
@@ -92,7 +80,7 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     // over ℓ(h)
     let increment = |p: &[(f64, Measured)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0]));
     let increments: Vec<(f64, Measured)> = points.windows(3).map(increment).collect();
-    let q = exponent(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
+    let q = exponent_of(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
     let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
     let over = |power: f64, (h, e): (f64, Measured)| e / (h * (-h.ln()).powf(power));
     let [optimal, sharp, paper] =
@@ -104,11 +92,8 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)")).at_most(
-            growth,
-            0.5,
-            "(3.2), (4.3)",
-        );
+        let claim = format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)");
+        out.check(claim).at_most(growth, 0.5, "(3.2), (4.3)");
         out.stronger(format!("{cone} cone, H²: exponent q")).at_most(q, 0.0, "no logarithm");
         let claim = out.observe("u in H²: e/h, finest mesh/middle mesh");
         claim.at_least(optimal, 1.0, "order 1 is optimal");

@@ -114,7 +114,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let wave = Measured::new(0.5 * (low + high), 0.5 * (high - low)) / norm_of_wave(n)?;
         let bound = best * h.powf(1.5);
         let before = out.series("elements", "wave").last().copied();
-        let falk = before.map(|(_, longer)| 0.5 * (longer / wave.value).log2());
+        let falk =
+            before.map(|before| -0.5 * exponent_between(before, (n as f64, wave.value)).value);
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
         let claim = out.check("wave: ‖u − I u‖_(1/2,*) − 1");
@@ -125,10 +126,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let claim = out.check("wave: ‖u − I u‖_(1/2,*)/(h^(3/2) ‖u‖_(3/2))");
         claim.at_least(wave / h.powf(1.5), 0.5 * limit, "half the limit");
     }
-    // of h, last two
-    let [order, order_of_smooth] =
-        ["wave", "smooth"].map(|column| -out.exponent("elements", column));
-    let all = (mean_of_all_waves(170) / mean_of_all_waves(340)).log2() / 170.0;
+    // Orders in h, between the last two meshes.
+    let (order, order_of_smooth) =
+        (-out.exponent("elements", "wave"), -out.exponent("elements", "smooth"));
+    let mean = |k: i32| (0.5f64.powi(k), mean_of_all_waves(k));
+    let all = exponent_between(mean(170), mean(340)).value;
     out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");
     out.check("fixed u: order of the lower bound").near(all, 1.5, 0.02, "h = 2^(−170), 2^(−340)");
     out.check("order obtained from Falk's lemma").near(order / 2.0, 0.75, 0.02, "half of 3/2");

@@ -145,7 +145,9 @@ pub fn read(
             energies[shell as usize] += area * density;
         }
     }
-    let lambda = |k: usize| (energies[k] / energies[k + 2]).log2() / 4.0;
+    // W ~ r^(2λ) between the shells k and k + 2
+    let shell = |k: usize| (0.5f64.powi(k as i32), energies[k]);
+    let lambda = |k: usize| 0.5 * exponent_between(shell(k), shell(k + 2)).value;
     // The next exponent leaves a geometric series in k: extrapolated (Aitken) from three shells.
     let [a, b, c] = [READ - 8, READ - 4, READ].map(lambda);
     let step =

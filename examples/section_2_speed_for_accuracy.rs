@@ -41,6 +41,8 @@ example! { seconds "Section 2, speed for accuracy",
     n: Vec<usize> = "8,16,32,64,128,256" in "[4, 2048]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
     cone: Cone = "nodal",
+    /// number of timed runs, of which the median is reported
+    repeat: usize = "3" in "[1, 100]",
 }
 
 /// |u − v|_a from its definition: ∇v is constant on triangles, ∇u = (Re f', −Im f') for f' = −3/2
@@ -67,7 +69,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("algebraic", "algebraic", "|u^h − v|_a/|u^h|_a, u^h by the active set");
     out.column("estimate", "estimate", "what multigrid states");
     out.column("steps", "steps", "linear systems, barrier steps, or cycles");
-    out.column("ms", "ms", "milliseconds, with mesh and assembly");
+    out.column("ms", "ms", "median of the milliseconds, with mesh and assembly");
     let known = KnownSolution::three_halves();
     let multigrid =
         |accuracy| Settings { solver: Solver::Multigrid, accuracy, ..Settings::default() };
@@ -87,10 +89,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         ];
         let kept = if n <= 64 { 4 } else { 3 };
         for (solver, settings) in solvers.into_iter().take(kept) {
-            let start = Instant::now();
-            let problem = known.problem(n)?; // a new one: no solver finds another's factors
-            let v = problem.solve(options.cone, settings)?;
-            let ms = (1e5 * start.elapsed().as_secs_f64()).ceil() / 100.0;
+            // A new problem each time: no solver finds the factors of another.
+            let timed = || -> Result<(ContactProblem, ContactSolution, f64)> {
+                let start = Instant::now();
+                let problem = known.problem(n)?;
+                let v = problem.solve(options.cone, settings.clone())?;
+                Ok((problem, v, 1e3 * start.elapsed().as_secs_f64()))
+            };
+            let (problem, v, first) = timed()?;
+            let mut times = vec![first];
+            for _ in 1..options.repeat {
+                let (_, _, again) = timed()?;
+                times.push(again);
+            }
+            times.sort_by(f64::total_cmp);
+            let ms = (100.0 * times[options.repeat / 2]).ceil() / 100.0;
             // Cubature of |∇u − ∇v|² on each triangle, refined towards the transition.
             let error = known.error_norms(&problem, &v.displacement)?.h1;
             let definition = by_definition(&problem, &v.displacement)?;
@@ -134,10 +147,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
     }
-    if let [.., (h, e), (k, f)] = errors[..] {
-        let claim = out.check("order of |u − u^h|_a");
-        claim.near((e / f).ln() / (h / k).ln(), 1.0, 0.1, "linear elements");
+    if let [.., coarse, fine] = errors[..] {
+        let order = exponent_between(coarse, fine);
+        out.check("order of |u − u^h|_a").near(order, 1.0, 0.1, "linear elements");
     }
+    out.remark(
+        "h/100 asks for a hundredth of the mesh's error, 1e-10 for ten digits: both solve all \
+         coarser meshes first, which is most of the time up to n = 64 or so; beyond, the looser one \
+         is the faster one.",
+    );
     let name = format!("section_2_seconds_{}", options.cone);
     out.plot(&name, "True error against seconds", Axes::LogLog("milliseconds", "|u − v|_a"))
         .curve_by("solver", "ms", "error");

@@ -95,14 +95,6 @@ fn by_definition(n: usize, b: &[f64]) -> Vec<f64> {
     u
 }
 
-/// Slope of ln y over ln x on the finer half of the points; ± as in the header.
-fn slope(points: &[(f64, f64)]) -> Measured {
-    let between = |a: (f64, f64), b: (f64, f64)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
-    let half = &points[points.len() / 2 - 1..];
-    let (first, middle, last) = (half[0], half[half.len() / 2], half[half.len() - 1]);
-    Measured::new(between(first, last), (between(first, middle) - between(middle, last)).abs())
-}
-
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let Options { tau, finest, cone, kind, .. } = *options;
     out.column("unknowns", "unknowns", "of the two-dimensional problem");
@@ -140,11 +132,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         let errors: Vec<(f64, f64)> =
             out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();
-        let order = slope(&errors);
+        let finer = errors.len() / 2 - 1; // the finer half of the meshes
+        let order = exponent_of(&errors[finer..]);
         let meshes = || errors.iter().map(|point| point.0);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
         let bound = Bound::Paper.through(errors[0], meshes(), tau)?;
-        let printed = slope(&bound).value; // at τ = 2 the logarithm counts
+        let printed = exponent_of(&bound[finer..]).value; // at τ = 2 the logarithm counts
         out.note(format!("order.{name}"), order);
         out.note(format!("order.{name}.error"), order.error);
         let (claim, above) =

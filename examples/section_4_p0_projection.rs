@@ -104,11 +104,11 @@ fn suprema(r: f64, elements: usize, cells: usize) -> Result<Suprema> {
     Ok(Suprema { l2: largest(&rest)?, dual: largest(&dual)?, element: largest(&element)? })
 }
 
-/// The order p of S^−2 = A N^(2p) − B from meshes of N/4, N/2 and N elements; S N^half is fitted,
-/// half = 0 or 1/2.
+/// The order p of S(N) with S^−2 = A N^(2p) − B, from N, 2N and 4N elements; p less `half`, 0 or
+/// 1/2, is fitted to S N^half.
 fn order(s: &[f64], half: f64) -> f64 {
     let square = |k: usize| (s[k] * 2f64.powf(k as f64 * half)).powi(-2);
-    0.5 * ((square(2) - square(1)) / (square(1) - square(0))).log2() + half
+    half - 0.5 * order_of_increments([square(0), square(1), square(2)])
 }
 
 /// ‖φ − π^h φ‖₀ for φ = x^a on n equal elements: closed form on the first, six Gauss points on each
@@ -183,8 +183,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let a = r - 0.5 + 0.005;
         let e =
             [error_of_power(a, 1 << 8)?, error_of_power(a, 1 << 12)?, error_of_power(a, 1 << 16)?];
-        let between = |k: usize| (e[k] / e[k + 1]).log2() / 4.0;
-        let order = Measured::new(between(1), 3.5 * (between(1) - between(0)).abs());
+        let h = [8, 12, 16].map(|power| 0.5f64.powi(power));
+        let before = exponent_between((h[0], e[0]), (h[1], e[1])).value;
+        let last = exponent_between((h[1], e[1]), (h[2], e[2])).value;
+        let order = Measured::new(last, 3.5 * (last - before).abs());
         let limit = e[2] * 65536.0 * (12.0 * (2.0 * a - 1.0)).sqrt() / a; // ‖φ'‖₀ = a / √(2a − 1)
         let next = 4096f64.powf(1.0 - 2.0 * a);
         out.check("r > 1: order − 1").near(order - 1.0, 0.0, 0.02 + next, "Remark 4");

@@ -65,7 +65,10 @@ pub use figures::{Axes, Plot};
 pub use hats::{
     constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis,
 };
-pub use measured::{Measured, largest, order_of_squares, smallest};
+pub use measured::{
+    Measured, exponent_between, exponent_of, largest, order_of_increments, order_of_squares,
+    smallest,
+};
 pub use options::{Declarations, Declared, OptionValue, read_option};
 pub use outcome::{Outcome, Verdict};
 pub use report::Report;
@@ -74,8 +77,8 @@ pub use report::Report;
 pub mod prelude {
     pub use crate::{
         Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example,
-        harmonic_energy, largest, largest_eigenvalue, mass_matrix, mean_zero_basis,
-        order_of_squares, smallest,
+        exponent_between, exponent_of, harmonic_energy, largest, largest_eigenvalue, mass_matrix,
+        mean_zero_basis, order_of_increments, order_of_squares, smallest,
     };
     pub use fractional_sobolev::{Estimate, Order, Tolerance};
 }

@@ -138,6 +138,28 @@ pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Opti
     largest(numbers.into_iter().map(|number| -number.into())).map(|found| -found)
 }
 
+/// The exponent p of y ~ x^p between two points (x, y).
+pub fn exponent_between<T: Into<Measured>>(a: (f64, T), b: (f64, T)) -> Measured {
+    let ((x, y), (x_b, y_b)) = (a, b);
+    (y_b.into() / y.into()).ln() / (x_b / x).ln()
+}
+
+/// The exponent p of y ~ x^p from the first to the last of at least three points (x, y); ± is the
+/// difference of the exponents of both halves, and the effect of the errors of y. No number with
+/// fewer points.
+pub fn exponent_of<T: Copy + Into<Measured>>(points: &[(f64, T)]) -> Measured {
+    let [first, _, .., last] = points else { return Measured::NONE };
+    let middle = points[points.len() / 2];
+    let whole = exponent_between(*first, *last);
+    let halves = exponent_between(*first, middle) - exponent_between(middle, *last);
+    Measured::new(whole.value, halves.value.abs() + whole.error)
+}
+
+/// The exponent p of y = A h^p + B from its values for h, h/2 and h/4: the increments fall by 2^p.
+pub fn order_of_increments(y: [f64; 3]) -> f64 {
+    ((y[0] - y[1]) / (y[1] - y[2])).log2()
+}
+
 /// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their
 /// squares:
 ///
@@ -189,6 +211,20 @@ mod tests {
         let found = largest([(1.0, 0.0), (0.9, 0.2), (0.5, 0.1)]).unwrap();
         assert_eq!(found, Measured::new(0.9, 0.2));
         assert_eq!(smallest([1.0, -2.0]).unwrap().value, -2.0);
+    }
+
+    #[test]
+    fn exponents_of_powers() {
+        let power = |x: f64| (x, 3.0 * x.powf(-0.7));
+        let points = [1.0, 2.0, 5.0, 7.0].map(power);
+        assert!((exponent_between(points[0], points[2]).value + 0.7).abs() < 1e-14);
+        let found = exponent_of(&points);
+        assert!((found.value + 0.7).abs() < 1e-14 && found.error < 1e-14, "{found:?}");
+        let with_error = points.map(|(x, y)| (x, Measured::new(y, 1e-3 * y)));
+        assert!(exponent_of(&with_error).error > 1e-3);
+        assert!(exponent_of(&points[..2]).value.is_nan());
+        let y = [1.0, 0.5, 0.25].map(|h: f64| 5.0 * h.powf(1.3) - 2.0);
+        assert!((order_of_increments(y) - 1.3).abs() < 1e-14);
     }
 
     #[test]
