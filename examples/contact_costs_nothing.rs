@@ -86,7 +86,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             claim.at_most(ratio, 1.0 + 2e-6, "Falk's lemma");
             points.push((1.0 / n as f64, (error / interpolation).value));
         }
-        let quotient = limit(points.iter().map(|point| point.1));
+        let quotient = limit(points.iter().map(|&(_, quotient)| quotient));
         out.row(cells! { problem: name, tau =>
             over_interpolation: quotient, over_best: None::<f64>, order: None::<f64>
         });

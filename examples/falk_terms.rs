@@ -222,9 +222,9 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
     }
     let order = -out.exponent("n", "consistency"); // between the last two meshes
     out.observe("order of ∫σ(I^h u−u) in h").at_least(order, printed_exponent(tau), "2τ² − 5τ + 4");
-    let (error, consistency) = (out.series("n", "error"), out.series("n", "consistency"));
-    if let (Some(error), Some(consistency)) = (error.last(), consistency.last()) {
-        out.note("share", consistency.1 / error.1);
+    let last = |column: &str| out.series("n", column).last().map(|&(_, value)| value);
+    if let (Some(error), Some(consistency)) = (last("error"), last("consistency")) {
+        out.note("share", consistency / error);
     }
     out.plot("falk_terms", "Terms of Falk's lemma", Axes::LogLog("n = 1/h", "term"))
         .curve_by("cone", "n", "error")

@@ -122,7 +122,8 @@ fn study(problem: &str, tau: f64, finest: u32, out: &mut Report) -> Result<()> {
         orders.push(order);
     }
     let name = problem.split(':').next().unwrap_or(problem);
-    let (earlier, printed) = (all[0].1, all.get(1).map(|bound| bound.1));
+    let exponent = |k: usize| all.get(k).map(|&(_, exponent)| exponent);
+    let (earlier, printed) = (exponent(0), exponent(1));
     out.row(cells! { tau, problem: name =>
         earlier, printed, optimal, nodal: orders[0], midpoint: orders[1]
     });

@@ -44,7 +44,10 @@ example! { seconds "When the contact set is finite",
 const WIDTH: f64 = 0.15;
 
 /// P/Q with P of degree 4 and Q of degree 2 in t = (x − x₀)/w; coefficients from low to high.
-pub(crate) struct Rational([f64; 5], [f64; 3]);
+pub(crate) struct Rational {
+    p: [f64; 5],
+    q: [f64; 3],
+}
 
 impl Rational {
     /// min Σ ((P − F² Q)/Q_before)² over unit vectors of coefficients: a smallest singular vector,
@@ -64,12 +67,12 @@ impl Rational {
                 .transpose();
             q = points.iter().map(|(t, _)| (v[5] + t * (v[6] + t * v[7])).abs()).collect();
         }
-        Ok(Self([v[0], v[1], v[2], v[3], v[4]], [v[5], v[6], v[7]]))
+        Ok(Self { p: [v[0], v[1], v[2], v[3], v[4]], q: [v[5], v[6], v[7]] })
     }
 
     fn at(&self, t: f64) -> f64 {
         let horner = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
-        horner(&self.0) / horner(&self.1)
+        horner(&self.p) / horner(&self.q)
     }
 
     /// The zero nearest to 0 by bisection on the first interval with a change of sign.
@@ -89,7 +92,7 @@ impl Rational {
 
     /// Distance of the nearest pole from [−1, 1].
     pub(crate) fn pole(&self) -> f64 {
-        let [c, b, a] = self.1;
+        let [c, b, a] = self.q;
         let (middle, root) = (-0.5 * b / a, 0.25 * (b / a).powi(2) - c / a);
         let outside = |x: f64| (x.abs() - 1.0).max(0.0);
         match root < 0.0 {
@@ -123,6 +126,17 @@ pub(crate) fn samples(u: &ContactSolution, c: f64) -> Vec<(f64, f64)> {
     points
 }
 
+/// An end of the contact set on one mesh.
+struct End {
+    h: f64,
+    /// Between the last node in contact and the next one.
+    mesh: f64,
+    /// Where F² vanishes.
+    zero: f64,
+    /// The stress intensity there.
+    k: f64,
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("mesh", "mesh", "its end of contact, the middle of a segment");
     out.column("zero", "zero", "of F², the predicted end of contact");
@@ -139,8 +153,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     ] {
         let mut found = Vec::new();
         for &n in &options.n {
-            let (problem, h) =
-                (test.map_or_else(|| closed.problem(n), |test| test.problem(n))?, 1.0 / n as f64);
+            let h = 1.0 / n as f64;
+            let problem = match test {
+                Some(test) => test.problem(n)?,
+                None => closed.problem(n)?,
+            };
             // Active set: exact to rounding. Multigrid: twelve digits.
             let solver = if n <= 256 { Solver::ActiveSet } else { Solver::Multigrid };
             let u = problem.solve(Cone::Nodal, solver)?;
@@ -154,8 +171,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 far && (x - end).abs() <= WIDTH && (2.0 * h..=1.0 - 2.0 * h).contains(&x)
             };
             let all = samples(&u, c);
-            let points: Vec<(f64, f64)> =
-                all.iter().filter(|p| used(p.0)).map(|p| ((p.0 - end) / WIDTH, p.1)).collect();
+            let points: Vec<(f64, f64)> = all
+                .iter()
+                .filter(|(x, _)| used(*x))
+                .map(|(x, f)| ((x - end) / WIDTH, *f))
+                .collect();
             if points.len() < 10 {
                 continue; // fewer than unknown coefficients, or hardly more
             }
@@ -163,7 +183,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (t, step) = (fit.zero(), 1e-4);
             let (zero, slope) =
                 (end + WIDTH * t, (fit.at(t + step) - fit.at(t - step)) / (2.0 * step * WIDTH));
-            let absolute: Vec<(f64, f64)> = points.iter().map(|p| (p.0, p.1.abs())).collect();
+            let absolute: Vec<(f64, f64)> = points.iter().map(|(t, f)| (*t, f.abs())).collect();
             let (misfit, corner) =
                 (fit.misfit(&points), Rational::fit(&absolute)?.misfit(&absolute));
             let (pole, k) = (WIDTH * fit.pole(), slope.abs().sqrt());
@@ -184,17 +204,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let plot = out.plot(&name, &title, Axes::Linear("x", "F²"));
                 plot.line("from u^h", all).dashed_line("P/Q", curve);
             }
-            found.push((h, end, zero, k));
+            found.push(End { h, mesh: end, zero, k });
         }
-        let [(h, mesh, zero, k), .., last] = found[..] else { continue };
-        let (exact, k_exact) = if test.is_some() { (last.2, last.3) } else { (0.3, 1.5) };
-        let off = |x: f64| (x - exact).abs() / h;
+        let [coarsest, .., finest] = &found[..] else { continue };
+        let (exact, k_exact) = if test.is_some() { (finest.zero, finest.k) } else { (0.3, 1.5) };
+        let off = |x: f64| (x - exact).abs() / coarsest.h;
         let claim = out.check("coarsest mesh: |zero of F² − end|/h");
-        claim.at_most(off(zero), 0.125, "finest mesh or 3/10");
+        claim.at_most(off(coarsest.zero), 0.125, "finest mesh or 3/10");
         let claim = out.observe("coarsest mesh: |discrete end − end|/h");
-        claim.at_most(off(mesh), 0.5, "half a segment");
+        claim.at_most(off(coarsest.mesh), 0.5, "half a segment");
         let claim = out.check("coarsest mesh: K/reference value of K");
-        claim.near(k / k_exact, 1.0, 0.03, "finest mesh or 3/2");
+        claim.near(coarsest.k / k_exact, 1.0, 0.03, "finest mesh or 3/2");
     }
     Ok(())
 }

@@ -119,7 +119,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 }
                 points.push((1.0 / n as f64, square.sqrt()));
             }
-            let bound = Bound::Paper.through(points[0], points.iter().map(|point| point.0), tau)?;
+            let bound = Bound::Paper.through(points[0], points.iter().map(|&(h, _)| h), tau)?;
             let ([.., coarse, middle, fine], [.., bound_middle, bound_fine]) =
                 (&points[..], &bound[..])
             else {
@@ -133,7 +133,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { tau, cone: cone.to_string() =>
             e_8: library, definition, finest: e_fine, order, printed, optimal });
             if tau <= 2.0 {
-                let growth = e_fine / bound_fine.1 / (e_middle / bound_middle.1);
+                let ((_, at_fine), (_, at_middle)) = (*bound_fine, *bound_middle);
+                let growth = e_fine / at_fine / (e_middle / at_middle);
                 let claim = out.check("τ ≤ 2: growth of error/bound");
                 claim.at_most(growth, 1.0, "(3.1), (3.2), (4.2), (4.3)");
                 if tau < 2.0 {

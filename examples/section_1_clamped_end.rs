@@ -172,6 +172,6 @@ fn plot(out: &mut Report, drawn: &[(String, Vec<RadialInterval>)]) {
     let title = "Contact and gap near a clamped end, by Poisson's ratio and direction of the load";
     let axes = Axes::Linear("log10 of the distance from the end", "");
     let plot = out.plot("section_1_clamped_end", title, axes);
-    plot.named_rows(drawn.iter().map(|d| d.0.clone()).collect());
+    plot.named_rows(drawn.iter().map(|(name, _)| name.clone()).collect());
     plot.given_points("contact", dots(true)).given_points("gap", dots(false));
 }

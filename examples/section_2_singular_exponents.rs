@@ -102,7 +102,9 @@ fn by_definition(wedge: &Wedge) -> Vec<Complex<f64>> {
 /// The one nearest to an exponent, and its distance.
 fn nearest(zeros: &[Complex<f64>], exponent: &Exponent) -> Option<(f64, f64)> {
     let place = Complex::new(exponent.re.value, exponent.im.value);
-    zeros.iter().map(|z| (z.re, (z - place).norm())).min_by(|a, b| a.1.total_cmp(&b.1))
+    let apart = |z: &Complex<f64>| (z - place).norm();
+    let nearest = zeros.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+    nearest.map(|z| (z.re, apart(z)))
 }
 
 /// Shells, and the one that is read: 2^(−30) from the corner.
@@ -214,7 +216,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // complex exponents.
         let is_read = corner.is_some_and(|c| c.wedge.angle() != PI)
             && exponent.is_some_and(|e| !e.is_complex());
-        let mut cells = (None, None);
+        let (mut shown, mut shown_border) = (None, None);
         if let Some(corner) = corner.filter(|_| is_read) {
             let [(coarse, ..), (fine, drift, border)] = [
                 read(problem, &setting, corner.place, 4)?,
@@ -222,7 +224,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             ];
             let read =
                 Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
-            cells = (Some(read), border);
+            (shown, shown_border) = (Some(read), border);
             let off = (read.value - (found.tau - 1.0)).abs();
             out.check("|measured λ − λ|/error").at_most(off / read.error, 1.0, "error estimate");
             let claim = out.check("error of the measured λ");
@@ -230,7 +232,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         out.row(cells! { problem: problem.to_string() =>
         corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
-        newton: newton.map(|(re, _)| re), read: cells.0, border: cells.1 });
+        newton: newton.map(|(re, _)| re), read: shown, border: shown_border });
     }
     out.column(
         "corner",

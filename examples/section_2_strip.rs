@@ -134,7 +134,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();
         let finer = errors.len() / 2 - 1; // the finer half of the meshes
         let order = exponent_of(&errors[finer..]);
-        let meshes = || errors.iter().map(|point| point.0);
+        let meshes = || errors.iter().map(|&(h, _)| h);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
         let bound = Bound::Paper.through(errors[0], meshes(), tau)?;
         let printed = exponent_of(&bound[finer..]).value; // at τ = 2 the logarithm counts

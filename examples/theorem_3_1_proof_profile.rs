@@ -199,15 +199,6 @@ fn pairs(tau: f64, cells: usize) -> Result<Vec<ContactPair>> {
     [5.0 / 12.0, 11.0 / 24.0].into_iter().map(pair).collect()
 }
 
-/// Slope of ln y over ln x on the finer half of the meshes; ± is the difference of the slopes of
-/// its two halves.
-fn slope(points: &[(f64, f64)]) -> Measured {
-    let between = |a: (f64, f64), b: (f64, f64)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
-    let (first, middle, last) =
-        (points[points.len() / 2], points[3 * points.len() / 4], points[points.len() - 1]);
-    Measured::new(between(first, last), (between(first, middle) - between(middle, last)).abs())
-}
-
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let meshes: Vec<usize> = (3..=options.finest).map(|level| 1 << level).collect();
     let mut compared = Vec::new();
@@ -252,13 +243,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let first = first * h * theta(n).powf(1.0 - 1.0 / c.q());
                 let second = second * c.law(theta(n)).printed * h.powf(2.0 * tau - 2.0);
                 sums[4] = first.max(second) * whole;
-                rows.push((h, sums));
+                rows.push(Sums { h, steps: sums });
             }
             if tau < 2.0 {
                 table(cone, tau, &rows, out);
             } else if tau == 2.0 {
                 let over: Vec<f64> =
-                    rows.iter().map(|(h, sums)| sums[4] / (h * h * -h.ln())).collect();
+                    rows.iter().map(|row| row.steps[4] / (row.h * row.h * -row.h.ln())).collect();
                 for pair in over.windows(2) {
                     let claim = out.check("τ = 2: ratio of bound/(h² ln(1/h)), h/2 to h");
                     claim.at_most(pair[1] / pair[0], 1.0 + 1e-8, "θ = h²");
@@ -268,9 +259,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     let labels = (3..=15).map(|k| format!("(3.{k})")).chain((9..=14).map(|k| format!("(4.{k})")));
     for label in labels {
-        for &(name, value, is_equality) in
-            compared.iter().filter(|found| found.0.starts_with(&label))
-        {
+        let those = compared.iter().filter(|line: &&Compared| line.name.starts_with(&label));
+        for &Compared { name, value, is_equality } in those {
             match is_equality {
                 true => out.check(name).near(value, 0.0, 1e-10, "equality"),
                 false => out.check(name).at_most(value, 1.0 + 1e-8, "left/right ≤ 1"),
@@ -280,38 +270,54 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     Ok(())
 }
 
-/// Name, left/right or for an equality the difference over depth or force; none where the right
-/// side is rounding only.
-fn compare(
-    (name, left, right, size): Line,
-    t: &SegmentNorms,
-) -> Option<(&'static str, Measured, bool)> {
+/// A line of the proofs on one segment.
+struct Compared {
+    name: &'static str,
+    /// Left over right side; of an equality the difference, over depth or force.
+    value: Measured,
+    is_equality: bool,
+}
+
+/// Both sides of a line; none where the right side is rounding only.
+fn compare((name, left, right, size): Line, t: &SegmentNorms) -> Option<Compared> {
     let scale = t.depth.max(t.force * t.depth).max(f64::MIN_POSITIVE);
     let error = t.stress.seminorm_error() + t.slope.seminorm_error() + 1e-9; // relative
-    match size.is_infinite() {
-        true => Some((name, ((left - right) / scale).into(), true)),
-        false => (right > 1e-10 * size)
-            .then(|| (name, Measured::new(left / right, error * left / right), false)),
+    if size.is_infinite() {
+        let value = ((left - right) / scale).into();
+        return Some(Compared { name, value, is_equality: true });
     }
+    if right <= 1e-10 * size {
+        return None;
+    }
+    let value = Measured::new(left / right, error * left / right);
+    Some(Compared { name, value, is_equality: false })
+}
+
+/// The five sums of a mesh: the integral, and four bounds of it.
+struct Sums {
+    h: f64,
+    steps: [f64; 5],
 }
 
 /// The sums on the finest mesh, their exponents of h, and what is lost from one to the next.
-fn table(cone: Cone, tau: f64, rows: &[(f64, [f64; 5])], out: &mut Report) {
-    let points = |k: usize| rows.iter().map(|(h, sums)| (*h, sums[k])).collect::<Vec<_>>();
+fn table(cone: Cone, tau: f64, rows: &[Sums], out: &mut Report) {
+    let points = |k: usize| rows.iter().map(|row| (row.h, row.steps[k])).collect::<Vec<_>>();
     let steps = ["integral", "Hölder", "zone of the segment", "zone of length θh", "whole edge"];
+    let finer = rows.len() / 2; // the finer half of the meshes
+    let exponent = |k: usize| exponent_of(&points(k)[finer..]);
     let mut before = Measured::NONE;
     for (k, step) in steps.into_iter().enumerate() {
-        let exponent = slope(&points(k));
+        let exponent = exponent(k);
         let loss = (k > 0).then(|| before - exponent);
         out.row(cells! { cone: cone.to_string(), step =>
-            sum: rows[rows.len() - 1].1[k], exponent, loss
+            sum: rows[rows.len() - 1].steps[k], exponent, loss
         });
         before = exponent;
         let axes = Axes::LogLog("h", "sum over the segments");
         let title = format!("From the integral to the bound, τ = {tau}, {cone} cone");
         out.plot(&format!("theorem_3_1_proof_profile_{cone}"), &title, axes).line(step, points(k));
     }
-    let [integral, whole] = [0, 4].map(|k| slope(&points(k)));
+    let (integral, whole) = (exponent(0), exponent(4));
     let printed = 2.0 * tau * tau - 5.0 * tau + 4.0;
     out.stronger("exponent of h in the integral").near(integral, 2.0 * tau - 2.0, 0.05, "2τ − 2");
     out.check("exponent of h in the bound, whole edge").near(whole, printed, 1e-8, "2τ² − 5τ + 4");
