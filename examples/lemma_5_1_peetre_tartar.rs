@@ -1,23 +1,29 @@
 //! Lemma 5.1 (Peetre and Tartar) for the spaces of Lemma 5.2: the constant α in α ‖u‖_X ≤ |u|_ν.
 //!
-//! The lemma: A : X → Y continuous and injective, T : X → Z compact and c ‖x‖_X ≤ ‖Ax‖_Y + ‖Tx‖_Z
-//! give an α > 0 with α ‖x‖_X ≤ ‖Ax‖_Y, of unknown size. Lemma 5.2 uses it for X = {u in H^ν(0, 1):
-//! mean zero on (0, θ)}, 0 < ν < 1, with ‖u‖²_X = ‖u‖₀² + |u|²_ν, |u|²_ν = ∬ (u(x) − u(y))² / |x −
-//! y|^(1+2ν) dx dy, ‖Au‖_Y = |u|_ν and T the embedding in L². There the best constant is known from
-//! the best γ in ‖u‖₀ ≤ γ |u|_ν, which is (5.4):
+//! The lemma says: if A : X → Y is continuous and injective, T : X → Z is compact, and c
+//! ‖x‖_X ≤ ‖Ax‖_Y + ‖Tx‖_Z, then α ‖x‖_X ≤ ‖Ax‖_Y with some α > 0, whose size is unknown. Lemma 5.2
+//! uses it for functions with mean zero on a zone (0, θ), 0 < ν < 1:
+//!
+//! ```text
+//! X = { u in H^ν(0, 1) : ∫ u = 0 over (0, θ) },     ‖u‖²_X = ‖u‖₀² + |u|²_ν,     ‖Au‖_Y = |u|_ν,
+//! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy,     T the embedding in L².
+//! ```
+//!
+//! There the best constant is known from the best γ in ‖u‖₀ ≤ γ |u|_ν, which is (5.4):
 //!
 //! ```text
 //! α = inf |u|_ν / ‖u‖_X = (1 + γ²)^(−1/2).
 //! ```
 //!
-//! γ₁ is γ for θ = 1, N the largest (mean of u on (0, 1)) − (mean on (0, θ)) with |u|_ν = 1. With m
-//! the mean on (0, 1), ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν.
+//! This file computes α from γ, from its definition on hat functions, and as the quotient of the
+//! function that attains γ. It compares α with a positive bound that needs no eigenvalue of the
+//! zone: with m the mean of u on (0, 1), ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν, where γ₁ is γ
+//! for θ = 1, and N the largest difference of m and the mean on (0, θ) with |u|_ν = 1.
 //!
-//! Refuted if this α is below the positive bound (1 + γ₁² + N²)^(−1/2), which needs no eigenvalue
-//! of the zone (by more than 1e-9), if it differs by more than 0.5 % from the infimum over
-//! piecewise linear functions (`by_definition`), if the extremal function of (5.4) has another
-//! quotient |u|_ν / ‖u‖_X, by more than 0.1 %, or if one of the extremal functions of the other
-//! orders, which lie in X, has a smaller one, by more than 0.1 %.
+//! Refuted if α is below (1 + γ₁² + N²)^(−1/2) by more than 1e-9; if it differs by more than 0.5 %
+//! from the infimum over piecewise linear functions (`by_definition`); if the extremal function of
+//! (5.4) has another quotient |u|_ν / ‖u‖_X, by more than 0.1 %; or if one of the extremal
+//! functions of the other orders, which lie in X, has a smaller one, by more than 0.1 %.
 //!
 //! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 

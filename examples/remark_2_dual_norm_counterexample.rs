@@ -2,23 +2,29 @@
 //! no better.
 //!
 //! Falk's lemma bounds the error² by, among others, ‖σ_N‖_(1/2) ‖u_N − I u_N‖_(1/2,*), where I
-//! interpolates linearly on elements of length h and ‖f‖_(1/2,*) = sup ∫ f ψ / ‖ψ‖_(1/2),
-//! ‖ψ‖²_(1/2) = ‖ψ‖₀² + ∬ (ψ(x) − ψ(y))² / (x − y)² dx dy. For u in H²(Ω), u_N in H^(3/2), the
-//! remark says that better than h^(3/4) was not available on that way.
-//!
-//! One wave per element, u = cos(2πx/h) − 1 on (0, 1), vanishes at all nodes: I u = 0, and the
-//! error is u, of mean −1. The dual norm sees the mean, so that it is 1 or more, while ‖u‖_(3/2) is
-//! of the order h^(−3/2):
+//! interpolates linearly on elements of length h and
 //!
 //! ```text
-//! ‖u − I u‖²_(1/2,*) = 1 + ‖cos‖²_(1/2,*),  0 ≤ ‖cos‖_(1/2,*) ≤ γ₁ (h/2)^(1/2),
-//! ‖u‖²_(3/2) = 3/2 + ω²/2 + ω² (2ω Si(ω) − 2 Cin(2ω)),  ω = 2π/h;  quotient → h^(3/2) / (√8 π²),
+//! ‖f‖_(1/2,*) = sup ∫ f ψ / ‖ψ‖_(1/2),     ‖ψ‖²_(1/2) = ‖ψ‖₀² + ∬ (ψ(x) − ψ(y))² / (x − y)² dx dy.
 //! ```
 //!
-//! γ₁ the constant of Lemma 5.2 for mean zero on (0, 1). One function for all meshes h = 2^(−k) is
-//! u = Σ c_j 2^(−3j/2) (cos(2π 2^j x) − 1) over j ≥ 0, c_j = (1 + j)^(−0.6), in H^(3/2): the waves
-//! j ≥ k are aliased, the errors of the others have mean zero, so the dual norm is at least the sum
-//! of c_j 2^(−3j/2) over j ≥ k.
+//! For u in H²(Ω), hence u_N in H^(3/2), the remark says that no better bound of the error than
+//! h^(3/4) was available in this way.
+//!
+//! This file computes the dual norm of the interpolation error of one wave per element,
+//! u = cos(2πx/h) − 1 on (0, 1). It vanishes at all nodes, so I u = 0 and the error is u, of mean
+//! −1. The dual norm sees the mean and is 1 or more, while ‖u‖_(3/2) is of the order h^(−3/2): with
+//! γ₁ the constant of Lemma 5.2 for mean zero on (0, 1),
+//!
+//! ```text
+//! ‖u − I u‖²_(1/2,*) = 1 + ‖cos‖²_(1/2,*),     0 ≤ ‖cos‖_(1/2,*) ≤ γ₁ (h/2)^(1/2),
+//! ‖u‖²_(3/2) = 3/2 + ω²/2 + ω² (2ω Si(ω) − 2 Cin(2ω)),     ω = 2π/h,
+//! ‖u − I u‖_(1/2,*) / ‖u‖_(3/2) ~ h^(3/2) / (√8 π²).
+//! ```
+//!
+//! One function for all meshes h = 2^(−k) is u = Σ c_j 2^(−3j/2) (cos(2π 2^j x) − 1) over j ≥ 0 in
+//! H^(3/2), c_j = (1 + j)^(−0.6): the waves j ≥ k are aliased, the errors of the others have mean
+//! zero, so the dual norm is at least the sum of c_j 2^(−3j/2) over j ≥ k.
 //!
 //! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of
 //! all functions (Lemma 6.2) or is less than half its limit, or if the dual norm is not between the

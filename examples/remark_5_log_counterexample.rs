@@ -1,23 +1,30 @@
 //! Remark 5: (5.3) fails at ν = 1/2. Truncated powers of |ln x|.
 //!
-//! (5.3) bounds ‖u‖₀ by C |u|_ν with one C for all zones (0, θ), for ν > 1/2. At ν = 1/2 let u =
-//! |ln x|^α, 0 < α < 1/2, which is in H^(1/2)(0, 1) and unbounded; |u|² = ∬ (u(x) − u(y))² / (x −
-//! y)² dx dy and ‖u‖² = ‖u‖₀² + |u|². Then
+//! For ν > 1/2 (5.3) bounds ‖u‖₀ by C |u|_ν with one C for all zones (0, θ). At ν = 1/2 the remark
+//! takes u = |ln x|^α, 0 < α < 1/2, which is in H^(1/2)(0, 1) and unbounded, with
+//!
+//! ```text
+//! |u|² = ∬ (u(x) − u(y))² / (x − y)² dx dy,        ‖u‖² = ‖u‖₀² + |u|²,
+//! ```
+//!
+//! and cuts it off at the height n:
 //!
 //! ```text
 //! w = 1 − min(u, n)/n vanishes on (0, θ),     L = ln(1/θ) = n^(1/α),
-//! ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,     |w| ≤ |u|/n → 0:
+//! ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,     |w| ≤ |u|/n → 0.
 //! ```
 //!
-//! so the quotient ‖w‖₀/|w| has no bound. Printed, for ‖u‖ = 1, is |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n, v = 1 −
-//! w. With full norms that is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right. For α ≥ 1/2
-//! u is not in H^(1/2), but w is; α = 1 gives a ramp in ln x, whose quotient² grows like 3/(2π²) L,
-//! as that of the best constant γ of the zone does.
+//! So the quotient ‖w‖₀/|w| has no bound. The paper prints, for ‖u‖ = 1, |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n with
+//! v = 1 − w. With full norms that is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right.
 //!
-//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation), if a quotient q exceeds
-//! γ, the best constant of the zone, or is off `by_definition` by 0.3 %, if for one α q does not
-//! grow between the last two L, if γ grows there like another power of L than 1/2 ± 0.02, or if the
-//! slope of q² over L for α = 1 is off 3/(2π²) by more than 0.001.
+//! This file computes the quotient q = ‖w‖₀/|w|, and γ, the best constant of the zone. It also
+//! takes α ≥ 1/2, for which u is not in H^(1/2), but w is: α = 1 gives a ramp in ln x, whose q²
+//! grows like 3/(2π²) L, as γ² does.
+//!
+//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation); if q exceeds γ, or is
+//! off `by_definition` by 0.3 %; if for one α q does not grow between the last two L; if γ grows
+//! there like another power of L than 1/2 ± 0.02; or if the slope of q² over L for α = 1 is off
+//! 3/(2π²) by more than 0.001.
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 

@@ -1,19 +1,30 @@
 //! Remark 6: for ν > 1/2 it is enough that u vanishes at one point.
 //!
-//! For u in H^ν(0, 1), 1/2 < ν < 1, with u(a) = 0 let γ₀ be the best constant in ‖u‖₀ ≤ γ₀ |u|_ν,
-//! where |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: γ₀ is finite, since H^ν is
-//! compactly embedded in the continuous functions. It is the limit, from below, of the constant
-//! γ(θ) for mean zero on (0, θ) as θ → 0, with a difference of the order θ^(2ν−1).
+//! Let 1/2 < ν < 1, and for u in H^ν(0, 1) with u(a) = 0 let γ₀ be the best constant in
 //!
-//! As ν → 1/2 it cannot stay bounded, because a point then fixes nothing: (2ν − 1) γ₀² → A =
-//! 3/(2π²) for a = 0 (proof on the page `lemma_5_2`), the factor of Lemma 5.2 at ν = 1/2. The end
-//! of the interval is the worst place for the point.
+//! ```text
+//! ‖u‖₀ ≤ γ₀ |u|_ν,        |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy.
+//! ```
+//!
+//! The remark says that γ₀ is finite, because H^ν is compactly embedded in the continuous
+//! functions. It is the limit, from below, of the constant γ(θ) for mean zero on (0, θ) as θ → 0,
+//! with a difference of the order θ^(2ν−1). As ν → 1/2 it cannot stay bounded, because a point then
+//! fixes nothing: for a = 0
+//!
+//! ```text
+//! (2ν − 1) γ₀² → A = 3/(2π²),
+//! ```
+//!
+//! the factor of Lemma 5.2 at ν = 1/2 (proof on the page `lemma_5_2`). The end of the interval is
+//! the worst place for the point.
+//!
+//! This file computes γ₀ for the end and for a point inside, and γ(1e-12).
 //!
 //! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions,
-//! whose value is a lower bound, if the zone (0, 1e-12) has a larger constant or is off by more
-//! than its correction, if the point inside has a larger constant than the end, or if (2ν − 1)
-//! γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1. (4e-8: the tolerance 1e-8 of both constants,
-//! twice.)
+//! whose value is a lower bound; if the zone (0, 1e-12) has a larger constant or is off by more
+//! than its correction; if the point inside has a larger constant than the end; or if (2ν − 1)
+//! γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1. (4e-8 stands for the tolerance 1e-8 of two
+//! constants, twice.)
 //!
 //! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 

@@ -18,8 +18,10 @@
 //! Refuted if an order between the last two N is off p by more than 0.02, or C by more than 0.5 %
 //! where `limit` gives it.
 //!
-//! `cargo run --release --example section_1_field_errors -- --alpha 0.6 --elements
-//! 1000,10000,100000`
+//! ```text
+//! cargo run --release --example section_1_field_errors -- \
+//!     --alpha 0.6 --elements 1000,10000,100000
+//! ```
 
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Mesh};

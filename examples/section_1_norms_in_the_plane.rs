@@ -1,30 +1,37 @@
 //! Section 1, the plane: norms of fractional order on triangulations, up to the limits where they
 //! cease to be finite.
 //!
+//! The regularity τ of the paper's u is that of the norm of order s = τ − 1 of ∇u in the plane. For
+//! a polygon Ω and 0 < s < 1
+//!
 //! ```text
-//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy,     0 < s < 1,   Ω a polygon.
+//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy.
 //! ```
 //!
-//! For w = x₁ on the unit square the integral has a closed form, which no triangulation may change:
-//! here a grid whose inner nodes are moved. As s → 1, (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain,
-//! Brezis & Mironescu 2001). For the step that is 1 below the diagonal and 0 above, the norm is
-//! finite for s < 1/2 only, and (1 − 2s)|w|²_s tends to four times the length of the jump, 4√2. At
-//! a corner of angle ω solutions behave like w = r^a sin(πφ/ω), r and φ polar coordinates: finite
-//! for a + 1 − s > 0 only; on a sector of radius R the seminorm is proportional to R^(a+1−s), so
-//! that the norm on a polygon lies between those of the largest sector inside and the smallest
-//! outside, and all three agree as a + 1 − s → 0.
+//! This file computes it for three functions.
 //!
-//! |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over (0, 1)². The ± of a norm is the
-//! change between two orders of its rules, 1e-8 and less at the corners where 1e-6 is asked. Where
-//! a finite norm is not reached the program ends with an error.
+//! - w = x₁ on the unit square: |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over
+//!   (0, 1)², which no triangulation may change: here a grid whose inner nodes are moved. As s → 1,
+//!   (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001).
+//! - The step that is 1 below the diagonal and 0 above: the norm is finite for s < 1/2 only, and
+//!   (1 − 2s)|w|²_s tends to four times the length of the jump, 4√2.
+//! - w = r^a sin(πφ/ω) at a corner of angle ω, as solutions behave there (r, φ polar coordinates):
+//!   finite for a + 1 − s > 0 only. On a sector of radius R the seminorm is proportional to
+//!   R^(a+1−s), so that the norm on a polygon lies between those of the largest sector inside and
+//!   the smallest outside, and all three agree as a + 1 − s → 0.
 //!
-//! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at
-//! s = 1 − 1e-8 and s = 1/2 − 1e-8; if a polygon and its triangulation cut near the corner give
-//! different norms, a norm is outside its two sectors, or polygon and inner sector differ by more
-//! than a + 1 − s relatively; or if an infinite norm is given.
+//! The ± of a norm is the change between two orders of its rules, 1e-8 and less at the corners
+//! where 1e-6 is requested. Where a finite norm is not reached the program ends with an error.
 //!
-//! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.9 --gap
-//! 0.3,1e-4 --corner 0.8`
+//! Refuted if |x₁|_s is further from its closed form than requested, or a norm over its limit from
+//! 1 by 1e-6 at s = 1 − 1e-8 and s = 1/2 − 1e-8; if a polygon and its triangulation cut near the
+//! corner give different norms, a norm is outside its two sectors, or polygon and inner sector
+//! differ by more than a + 1 − s relatively; or if an infinite norm is given.
+//!
+//! ```text
+//! cargo run --release --example section_1_norms_in_the_plane -- \
+//!     --squares 9 --s 0.1,0.9 --gap 0.3,1e-4
+//! ```
 
 use example_report::prelude::*;
 use fractional_sobolev::{Error as Refusal, Function, PlanePosition, Triangles, closed_forms};

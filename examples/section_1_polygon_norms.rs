@@ -1,18 +1,21 @@
 //! Section 1, boundaries: norms of order ν and −ν on the boundary Γ of a polygon, with the distance
 //! in the plane.
 //!
+//! The paper measures σ_N in a space dual to traces. On the boundary of a polygon, 0 < ν < 1,
+//!
 //! ```text
 //! |v|²_ν = ∫_Γ∫_Γ (v(x) − v(y))² / |x − y|^(1+2ν) ds ds,
 //! ‖v‖²_ν = ∫_Γ v² ds + |v|²_ν,        ‖g‖_−ν = sup ∫_Γ g v ds / ‖v‖_ν.
 //! ```
 //!
-//! Three facts decide. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up to one, so by symmetry
-//! of square and L-shape |x₁|² = L²/2, L the length of Γ. The hat function φ of a right angle tends
-//! to |φ|² = 4 + 2 ln 2 + 4G − π (G Catalan's constant) as its elements shrink. The normal n₁
-//! satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν.
+//! This file computes norms of x₁, of a hat function and of the normal n₁ on a square and an
+//! L-shape, and compares them with three facts. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up
+//! to one, so by symmetry of square and L-shape |x₁|² = L²/2, L the length of Γ. The hat function φ
+//! of a right angle tends to |φ|² = 4 + 2 ln 2 + 4G − π (G Catalan's constant) as its elements
+//! shrink. The normal n₁ satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν.
 //!
-//! Refuted if 2|x₁|²/L² is off 1 by 1e-6, if |φ|², extrapolated by c/n from the last two n, is off
-//! its limit by 0.2 %, or if area/(‖n₁‖ ‖x₁‖) exceeds 1 by more than the error of ‖n₁‖.
+//! Refuted if 2|x₁|²/L² is off 1 by 1e-6; if |φ|², extrapolated by c/n from the last two n, is off
+//! its limit by 0.2 %; or if area/(‖n₁‖ ‖x₁‖) exceeds 1 by more than the error of ‖n₁‖.
 //!
 //! `cargo run --release --example section_1_polygon_norms -- --nu 0.3`
 

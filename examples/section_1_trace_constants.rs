@@ -1,29 +1,33 @@
 //! Section 1, traces: the trace theorem with its constant.
 //!
+//! The paper uses that traces of H^s functions are in H^(s−1/2) on the edge. For w on the
+//! half-plane y > 0, with |w|²_s = ∬ (w(x) − w(z))² / |x − z|^(2+2s) dx dz and, on the edge, the
+//! seminorm (1.1) of order s − 1/2,
+//!
 //! ```text
 //! |w(·, 0)|_(s−1/2) ≤ C(s) |w|_s,    1/2 < s < 1,
 //! C(s)² = 4s² / ((2s − 1) D(s)),    D(s) = −π cot πs − ψ(2s) − γ,
 //! ```
 //!
-//! for w on the half-plane y > 0, |w|²_s = ∬ (w(x) − w(z))² / |x − z|^(2+2s) dx dz and, on the
-//! edge, (1.1) of order s − 1/2; ψ = Γ'/Γ, γ Euler's constant. Why one number: w = cos(kx) f(y) has
+//! where ψ = Γ'/Γ and γ is Euler's constant. One number serves all w, because w = cos(kx) f(y) has
 //! the same best quotient for every k, by scaling.
 //!
-//! On a sector 0 < φ < ω, the trace taken on the side φ = 0, scaling leaves w = r^(s−1+iμ) f(φ),
-//! f(0) = 1: one form in f for every frequency μ. With c = cosh (1 − s)t, the energy of the edge
-//! over that of f is
+//! This file computes C(s) by the formula and by finite elements, and the best quotients of a
+//! corner. On a sector 0 < φ < ω, with the trace on the side φ = 0, scaling leaves w = r^(s−1+iμ)
+//! f(φ), f(0) = 1: one form in f for every frequency μ. With c = cosh (1 − s)t, f = f(φ),
+//! f' = f(φ'), the energy of the edge over that of f is
 //!
 //! ```text
 //! ∫ 2 (c − cos μt) / |2 sinh(t/2)|^(2s) dt   over
-//! ∭ [c (f² + f'²) − 2 cos μt f f'] / (2 cosh t − 2 cos(φ − φ'))^(1+s) dt dφ dφ',
+//! ∭ [c (f² + f'²) − 2 cos μt f f'] / (2 cosh t − 2 cos(φ − φ'))^(1+s) dt dφ dφ'.
 //! ```
 //!
-//! f = f(φ), f' = f(φ'). On the half-plane, with values even in x, f is even about 90°, the edge is
-//! both rays, and the best quotient must be C(s)² for every μ: the second computation, by finite
-//! elements in φ.
+//! On the half-plane, with values even in x, f is even about 90°, the edge is both rays, and the
+//! best quotient must be C(s)² for every μ: that is the second computation, by finite elements in
+//! φ.
 //!
-//! Refuted if finite elements and closed form differ by 1e-5, if (2s − 1) C(s) at s = 1/2 + 1e-7 is
-//! off its limit √3/π by 1e-5, or if a mode of a corner of 90° or more exceeds C(s)². Below 90°
+//! Refuted if finite elements and closed form differ by 1e-5; if (2s − 1) C(s) at s = 1/2 + 1e-7 is
+//! off its limit √3/π by 1e-5; or if a mode of a corner of 90° or more exceeds C(s)². Below 90°
 //! nothing is checked (at 45° some exceed it).
 //!
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999 --angle 60`

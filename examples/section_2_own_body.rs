@@ -25,8 +25,10 @@
 //! largest change since three meshes before, or as many as there are (`order_of_squares`). It
 //! decides nothing.
 //!
-//! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
-//! --files DIR`
+//! ```text
+//! cargo run --release --example section_2_own_body -- \
+//!     --mesh FILE.msh --load "0, -0.1" --out DIR --files DIR
+//! ```
 
 use example_report::{Expression, prelude::*};
 use signorini::cone::Cone;

@@ -25,8 +25,10 @@
 //! estimate, or if the error from the definition is off by 0.3 %. Other bodies, materials and
 //! meshes: `tests/section_2/multigrid.rs`.
 //!
-//! `cargo run --release --example section_2_speed_for_accuracy -- --n 16,64,256,1024 --cone
-//! midpoint`
+//! ```text
+//! cargo run --release --example section_2_speed_for_accuracy -- \
+//!     --n 16,64,256,1024 --cone midpoint
+//! ```
 
 use example_report::prelude::*;
 use signorini::cone::Cone;

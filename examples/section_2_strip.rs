@@ -39,8 +39,10 @@
 //! than 30 iterations, or if the order of `transition` with its ± is below p. Cantor sets repeat
 //! themselves after a factor s in h, too few times here to decide.
 //!
-//! `cargo run --release --example section_2_strip -- --problem cantor:0.3,transitions:11 --tau 1.6
-//! --finest 16`
+//! ```text
+//! cargo run --release --example section_2_strip -- \
+//!     --problem cantor:0.3,transitions:11 --tau 1.6 --finest 16
+//! ```
 
 use example_report::prelude::*;
 use signorini::cone::Cone;

@@ -1,23 +1,29 @@
-//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0, 1) ⊂ L^q(0, 1) and C(α) of H^(3/2)(0,
-//! 1) ⊂ C^(0,α).
+//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0, 1) ⊂ L^q(0, 1) and C(α) of
+//! H^(3/2)(0, 1) ⊂ C^(0,α).
 //!
-//! C(q) is the largest ‖u‖_Lq / ‖u‖_ν, ‖u‖²_ν = ‖u‖₀² + ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy:
-//! finite for q ≤ 2/(1 − 2ν) if ν < 1/2, for every q < ∞ if ν = 1/2. The proof of Theorem 3.1 uses
-//! it at τ = 2, where ν = 1/2; how fast C(q) grows decides what a good q can give. C(α) is the
-//! largest |u(x) − u(y)| / (|x − y|^α ‖u‖_(3/2)); Hölder: C(α) ≤ C(q), q = 1/(1 − α).
+//! With ‖u‖²_ν = ‖u‖₀² + ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy, let C(q) be the largest
+//! ‖u‖_Lq / ‖u‖_ν. It is finite for q ≤ 2/(1 − 2ν) if ν < 1/2, and for every q < ∞ if ν = 1/2. The
+//! proof of Theorem 3.1 uses it at τ = 2, where ν = 1/2: how fast C(q) grows decides what a good q
+//! can give. C(α) is the largest |u(x) − u(y)| / (|x − y|^α ‖u‖_(3/2)); by Hölder C(α) ≤ C(q) with
+//! q = 1/(1 − α).
+//!
+//! This file computes bounds of C(q) from below, by functions, and from above, and shows
 //!
 //! ```text
 //! ν = 1/2:   0.167 √q ≤ C(q) ≤ 0.708 √q,      0.167 (1 − α)^(−1/2) ≤ C(α).
 //! ```
 //!
-//! From below, functions: the limit of their C(q)/√q is (3/(4π²e))^(1/2) = 0.1672, that of
-//! logarithms cut off at x = e^(−q/2). From above, the even reflection of u on the circle, with c_k
-//! its Fourier coefficients: ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's inequality ‖u‖²_Lq ≤ Σ m_k c_k²,
-//! so C(q)² ≤ max m_k / w_k; at ν = 1/2 w_0 = m_0 = 1, w_k = π² k + 3 − π²/2 and m_k = m_(k−1) (k −
-//! 1/q)/(k − 1 + 1/q) for k ≥ 1 (`circle`).
+//! From below: the limit of C(q)/√q of the functions found is (3/(4π²e))^(1/2) = 0.1672, that of
+//! logarithms cut off at x = e^(−q/2). From above: let c_k be the Fourier coefficients of the even
+//! reflection of u on the circle. Then ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's inequality ‖u‖²_Lq ≤ Σ
+//! m_k c_k², so C(q)² ≤ max m_k / w_k. At ν = 1/2 (`circle`)
 //!
-//! Refuted if a function passes an upper bound, if these quotients leave their interval for one q,
-//! if the constant function does not attain a bound of 1, or if `ascent` and `circle` are off the
+//! ```text
+//! w_0 = m_0 = 1,     w_k = π² k + 3 − π²/2,     m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q),     k ≥ 1.
+//! ```
+//!
+//! Refuted if a function exceeds an upper bound; if these quotients leave their interval for one q;
+//! if the constant function does not attain a bound of 1; or if `ascent` and `circle` are off the
 //! library's bounds by 1e-3.
 //!
 //! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`

@@ -1,25 +1,32 @@
 //! Theorems 3.1 and 4.1 for bodies: the singularity is that of a corner, and a finer solution
 //! stands for u.
 //!
-//! ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2) for u in H^τ, 3/2 < τ < 2, in the energy norm; u^h linear on
-//! triangles, ≤ 0 at the nodes of the contact edge (nodal cone), or with means ≤ 0 over its
-//! segments (midpoint cone).
+//! The paper proves ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2) for u in H^τ, 3/2 < τ < 2, in the energy norm.
+//! u^h is linear on triangles, and ≤ 0 at the nodes of the contact edge (nodal cone), or in the
+//! mean over its segments (midpoint cone). This file computes the order of the error for bodies.
 //!
-//! `corner`: −Δu = −1 on the square with its left side turned to the angle ω = 90°/(τ − 1), (x,
-//! y) → (x + y (1 − x) cot ω, y) for ω ≥ 90°; u = 0 there, contact on y = 0, ∂u/∂n = 0 on the other
-//! sides. By the maximum principle u < 0: no contact, and u ~ r^(τ−1) at the corner, in H^s for
-//! s < τ only. Other bodies have the τ of their own corners: `block`, plane strain, λ = μ = 1,
-//! f = (0, −cos πx), fixed on top.
+//! `corner`: −Δu = −1 on the square with its left side turned to the angle ω = 90°/(τ − 1), by (x,
+//! y) → (x + y (1 − x) cot ω, y), ω ≥ 90°. On that side u = 0; y = 0 is the contact edge; ∂u/∂n = 0
+//! on the other sides. By the maximum principle u < 0: there is no contact, and u ~ r^(τ−1) at the
+//! corner, which is in H^s for s < τ only. Other bodies have the τ of their own corners: `block` is
+//! in plane strain, λ = μ = 1, f = (0, −cos πx), fixed on top.
 //!
 //! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right, every triangle cut
-//! into four again and again: 4, 8, .. 2^finest squares along a side, h = 1/4, 1/8, ...
-//! e(h) = ‖u^* − u^h‖/‖u^*‖ for all but the last, whose solution is u^*; all by multigrid to 1e-10.
-//! As e² ≈ A h^(2p) + B h² + const, the order p, at most 1, is that of t(h) = 4
-//! d(h/2) − d(h) ~ h^(2p), d(h) = e(h)² − e(h/2)², over the last two halvings; ±: its largest
-//! change since the three meshes before, or as many as there are (`order_of_squares`).
+//! into four again and again: 4, 8, .. 2^finest squares along a side, h = 1/4, 1/8, ... The
+//! solution on the last mesh stands for u, e(h) = ‖u − u^h‖/‖u‖ on all others, all by multigrid to
+//! 1e-10. The order p of e, at most 1, is computed from e² ≈ A h^(2p) + B h² + const
+//! (`order_of_squares`):
 //!
-//! Expected: min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
+//! ```text
+//! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p);
+//! ```
+//!
+//! p over the last two halvings, ± its largest change since the three meshes before, or as many as
+//! there are.
+//!
+//! Expected is min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
 //! below the printed exponent.
+
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::{Accuracy, ContactProblem, Settings, Solver};

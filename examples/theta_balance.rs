@@ -1,31 +1,35 @@
 //! Section 3, "Globally": θ = h^(2τ−3), at τ = 2 θ = h², balances the bounds of the two cases.
 //!
 //! On a segment of length h let ν = τ − 3/2, |v|²_ν = ∬ (v(x) − v(y))²/|x − y|^(1+2ν),
-//! ‖v‖²_ν = ‖v‖₀² + |v|²_ν. Bounds of ∫ σ_N I^h u_N:
+//! ‖v‖²_ν = ‖v‖₀² + |v|²_ν. The paper bounds ∫ σ_N I^h u_N in two cases (Figure 3.2):
 //!
 //! ```text
 //! first case    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,             q = 1/(2 − τ)        (3.9),
 //!                                                            at τ = 2  q = 2      (3.10)
 //! second case   C_I h^(2τ−2) C_P θ^(τ−2) |σ_N|_ν |u_N'|_ν                          (3.14),
-//!               at τ = 2 with C_P ln(1/θ) in place of C_P θ^(τ−2)                   (3.15)
+//!               at τ = 2 with C_P ln(1/θ) in place of C_P θ^(τ−2)                  (3.15)
 //! ```
 //!
-//! Constants, best ones on (0, 1) or bounds of them: C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν (1 for τ ≤ 7/4
-//! and at τ = 2, attained by v = 1; else an upper bound, Beckner's inequality). C_I of ‖v − I
-//! v‖₀ ≤ C_I |v'|_ν, I v linear, equal to v at 0 and 1 (Lemma 6.1; to 1e-8). γ_θ of ‖v‖₀ ≤ γ_θ
-//! |v|_ν if ∫ v = 0 over (0, θ) (Lemma 5.2; to 1e-5, its error added). C_P: the largest
-//! γ_θ/θ^(τ−2), γ_θ/ln(1/θ) for θ = 2^−1, .. 2^−16.
+//! One bound rises with θ, the other falls. This file computes both, with best constants on (0, 1)
+//! or bounds of them, and the θ at which they are equal:
 //!
-//! One bound rises with θ, the other falls. Expected: they are equal at a constant times h^(2τ−3),
-//! of order h^(2τ²−5τ+4) there. Refuted if the quotient of both at the printed θ depends on h
-//! (1e-9; at τ = 2 but for ln(1/h)), if for τ < 2 the exponent of θ where they are equal or of the
-//! bound, there or at the printed θ, differs by 1e-9 between the finest two h; or if a bound where
-//! both are equal is below the true supremum κ h^(2τ−2) of the integral over |σ_N|_ν |u_N'|_ν,
-//! κ = max W(a) (`by_definition`, to 0.005), W(2^−1), .. W(2^−10) ≤ κ.
+//! - C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν: 1 for τ ≤ 7/4 and at τ = 2, attained by v = 1; else Beckner's
+//!   upper bound.
+//! - C_I of ‖v − I v‖₀ ≤ C_I |v'|_ν, I v linear, equal to v at 0 and 1 (Lemma 6.1; to 1e-8).
+//! - γ_θ of ‖v‖₀ ≤ γ_θ |v|_ν if ∫ v = 0 over (0, θ) (Lemma 5.2; to 1e-5, its error added).
+//! - C_P: the largest γ_θ/θ^(τ−2), γ_θ/ln(1/θ) for θ = 2^−1, .. 2^−16.
 //!
-//! The truth is better, and so is another bound: `sharp`. u_N' has mean zero between its two zeros,
+//! Expected: they are equal at a constant times h^(2τ−3), and are of order h^(2τ²−5τ+4) there.
+//! Refuted if the quotient of both at the printed θ depends on h (1e-9; at τ = 2 but for ln(1/h));
+//! if for τ < 2 the exponent of θ where they are equal, or of the bound, there or at the printed θ,
+//! differs by 1e-9 between the finest two h; or if a bound where both are equal is below the true
+//! supremum κ h^(2τ−2) of the integral over |σ_N|_ν |u_N'|_ν, κ = max W(a) (`by_definition`, to
+//! 0.005), W(2^−1), .. W(2^−10) ≤ κ.
+//!
+//! The truth is better, and so is another bound, `sharp`: u_N' has mean zero between its two zeros,
 //! so that for θ ≤ 1/4 the first case has C_q h^(1+ν) θ^(1−1/q) (1 + γ²)^(1/2) |u_N'|_ν,
 //! γ = γ_(1/2), if that is less, and half of the loss is regained.
+
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,
