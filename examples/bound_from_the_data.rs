@@ -1,30 +1,35 @@
 //! A bound from the data alone: the error of Signorini's problem below C h ‖f‖, C a number.
 //!
-//! membrane: −Δu = f on the unit square, u = 0 on three sides, contact on the bottom: u ≤ 0, ∂u/∂n ≤ 0, u ∂u/∂n = 0. Remark 1:
-//! −Δu + u = f, contact on all sides. u^h by linear elements on n × n squares cut from lower left to upper right, h = 1/n,
-//! u^h ≤ 0 at the nodes of the contact sides. For every f in L² and every contact set
+//! The paper's C is unknown. Here it is computed, for two problems. `membrane`: −Δu = f on the unit
+//! square, u = 0 on three sides, contact on the bottom, that is u ≤ 0, ∂u/∂n ≤ 0, u ∂u/∂n = 0.
+//! Remark 1: −Δu + u = f, contact on all sides. u^h is linear on n × n squares cut from lower left
+//! to upper right, h = 1/n, with u^h ≤ 0 at the nodes of the contact sides. For every f in L² and
+//! every contact set
 //!
 //! ```text
-//! |u − u^h|_a ≤ C h ‖f‖,     C² = A² + (4π/27) coth π,   A = 0.4929..: 1/A + tan(1/A) = 0,   C = 0.843
+//! |u − u^h|_a ≤ C h ‖f‖,        C² = A² + (4π/27) coth π,        C = 0.843,
+//! A = 0.4929..: 1/A + tan(1/A) = 0,
 //! ```
 //!
-//! with |v|_a = ‖∇v‖ for the membrane; in Remark 1 |v|²_a = ‖∇v‖² + ‖v‖² and C² = A² + A₀² h² + (8π/27) coth π, ‖v − I v‖ ≤ A₀ h²
-//! |v|₂ for linear interpolation I.
+//! with |v|_a = ‖∇v‖ for the membrane; in Remark 1 |v|²_a = ‖∇v‖² + ‖v‖² and C² = A² + A₀²
+//! h² + (8π/27) coth π, ‖v − I v‖ ≤ A₀ h² |v|₂ for linear interpolation I.
 //!
-//! (i) |u|₂² = Σ ‖∂ᵢ∂ⱼ u‖² ≤ ‖f‖². (ii) Falk: |u − u^h|²_a ≤ |u − I u|²_a + 2 ∫ σ_N I u; ‖∇(u − I u)‖² ≤ A² h² |u|₂². (iii) On a segment (0, 1), where σ_N(x) ≠ 0 and so u(x) = 0, I u(x) = x ∫ u' over (x, 1) − (1 − x) ∫ u' over (0,
-//! x). As σ_N u' = 0, only pairs with σ_N(y) = u'(x) = 0 count, half of those in the seminorms: ∫ σ_N I u ≤ ½ max x² (1 −
-//! x) h² |σ_N|_½ |u'|_½, which is (2/27) h² |σ_N|_½ |u'|_½. (iv) |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x, u_y on the square of
-//! side h above the segment, and ‖∇u_x‖ ‖∇u_y‖ ≤ ½ |u|₂²; at a corner of Remark 1 two squares overlap. Proofs: page
-//! `bound_from_the_data`.
+//! (i) |u|₂² = Σ ‖∂ᵢ∂ⱼ u‖² ≤ ‖f‖². (ii) Falk: |u − u^h|²_a ≤ |u − I u|²_a + 2 ∫ σ_N I u; ‖∇(u − I
+//! u)‖² ≤ A² h² |u|₂². (iii) On a segment (0, 1), where σ_N(x) ≠ 0 and so u(x) = 0, I u(x) = x ∫ u'
+//! over (x, 1) − (1 − x) ∫ u' over (0, x). As σ_N u' = 0, only pairs with σ_N(y) = u'(x) = 0 count,
+//! half of those in the seminorms: ∫ σ_N I u ≤ ½ max x² (1 − x) h² |σ_N|_½ |u'|_½, which is (2/27)
+//! h² |σ_N|_½ |u'|_½. (iv) |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x, u_y on the square of side h above
+//! the segment, and ‖∇u_x‖ ‖∇u_y‖ ≤ ½ |u|₂²; at a corner of Remark 1 two squares overlap. Proofs:
+//! page `bound_from_the_data`.
 //!
-//! Here f = 6 (1 − 2x), ‖f‖ = √12: one load, one contact set. A failure refutes the theorem, a pass is one instance, and as
-//! error < A h ‖f‖ already it says nothing of (iii). u is replaced by the solution on N = 512 squares, and its error, of order
-//! h, by the share n/N of the distance: the ± of an error. |u|₂ is taken from second differences of u^h over h², without the
-//! nodes on the boundary: too small by O(h). Rows: n = 8, 16, .. N/4. Refuted if an error with its ± is above C h ‖f‖, if
-//! |u|₂ at n = N exceeds ‖f‖ or, membrane, is 2 % below it (equal for continuous ∇u), or if the order between the last two rows is off
-//! the optimal one, 1, by 0.1; (3.2) has h |ln h|^(1/2).
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
+//! Here f = 6 (1 − 2x), ‖f‖ = √12: one load, one contact set. A failure refutes the theorem, a pass
+//! is one instance, and as error < A h ‖f‖ already it says nothing of (iii). u is replaced by the
+//! solution on N = 512 squares, and its error, of order h, by the share n/N of the distance: the ±
+//! of an error. |u|₂ is taken from second differences of u^h over h², without the nodes on the
+//! boundary: too small by O(h). Rows: n = 8, 16, .. N/4. Refuted if an error with its ± is above C
+//! h ‖f‖, if |u|₂ at n = N exceeds ‖f‖ or, membrane, is 2 % below it (equal for continuous ∇u), or
+//! if the order between the last two rows is off the optimal one, 1, by 0.1; (3.2) has h |ln
+//! h|^(1/2).
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};
 use signorini::cone::Cone;
@@ -33,18 +38,21 @@ use signorini::fem::{Field, Form};
 use signorini::mesh::{Hierarchy, Part, SideParts, Triangulation, unit_square};
 use std::f64::consts::PI;
 
-example! { seconds "A bound from the data", "|u − u^h|_a ≤ C h ‖f‖, C a number, for every f and every contact set";
+example! { seconds "A bound from the data",
+    "|u − u^h|_a ≤ C h ‖f‖, C a number, for every f and every contact set";
     /// number of refinements; the reference mesh has N = 8 · 2^meshes squares per side
     meshes: usize = "6" in "[6, 8]",
 }
 
-/// f = 6 (1 − 2x): ∫ f φᵢ by the mass matrix and the nodal values of f, which is affine. Matrix: ∫ ∇φᵢ·∇φⱼ + reaction φᵢ φⱼ.
+/// f = 6 (1 − 2x): ∫ f φᵢ by the mass matrix and the nodal values of f, which is affine. Matrix: ∫
+/// ∇φᵢ·∇φⱼ + reaction φᵢ φⱼ.
 fn problem(mesh: Triangulation, reaction: f64) -> Result<ContactProblem> {
     let load = Field::Scalar(&|[x, _]| 6.0 * (1.0 - 2.0 * x)).sample(mesh.nodes())?;
     Ok(ContactProblem::new(mesh, Form::Scalar { reaction }, &load)?)
 }
 
-/// |u|₂ by differences: u_xx, u_yy at inner nodes from three values each, u_xy at middles of squares from four.
+/// |u|₂ by differences: u_xx, u_yy at inner nodes from three values each, u_xy at middles of
+/// squares from four.
 pub(crate) fn second_seminorm(mesh: &Triangulation, u: &[f64], n: usize) -> f64 {
     let mut grid = vec![0.0; (n + 1) * (n + 1)]; // refinement has its own order of nodes
     let number = |t: f64| (t * n as f64).round() as usize;
@@ -74,7 +82,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let interpolation = 1.0 / t;
     let (trace, f) = (4.0 / 27.0 * PI / PI.tanh(), 12f64.sqrt());
     out.note("C", (interpolation.powi(2) + trace).sqrt());
-    // A₀: an upper bound by eigenvalues, for the triangle cut into 20² similar ones; proved but for rounding.
+    // A₀: an upper bound by eigenvalues, for the triangle cut into 20² similar ones; proved but for
+    // rounding.
     let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
     let found = interpolation_constant(triangle, ErrorNorm::L2, 1.0, 1e-3)?;
     let in_l2 = found.upper.map_or(f64::NAN, |upper| upper.value);
@@ -85,8 +94,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let mut solved = Vec::new();
         for mesh in hierarchy.levels() {
             let problem = problem(mesh.clone(), reaction)?;
-            // Guess the nodes with u = 0, solve, correct by the signs of u and of the force, until nothing changes.
-            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement; // exact to rounding
+            // Guess the nodes with u = 0, solve, correct by the signs of u and of the force, until
+            // nothing changes.
+            // exact to rounding
+            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?.displacement;
             solved.push((problem, u));
         }
         let Some((fine, exact)) = solved.last() else { return Ok(()) };
@@ -94,12 +105,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let n = 8usize << k;
             let h = 1.0 / n as f64;
             let square = interpolation.powi(2) + trace + reaction * ((in_l2 * h).powi(2) + trace);
-            // |I u^h − u_N|_a by the matrix of the reference mesh, which contains every node of this one.
+            // |I u^h − u_N|_a by the matrix of the reference mesh, which contains every node of
+            // this one.
             let distance = fine.nested_energy_error(&hierarchy, (k, u), (levels, exact))?;
             let error = Measured::new(distance, distance * n as f64 / (8usize << levels) as f64);
             let (bound, seminorm) = (square.sqrt() * h * f, second_seminorm(problem.mesh(), u, n));
             let [over_error, lost] = [bound, interpolation * h * f].map(|x| (error.recip() * x).value);
-            out.row(cells! { problem: name, h => seminorm, error, bound, interpolation: lost, over_error });
+            out.row(cells! { problem: name, h =>
+                seminorm, error, bound, interpolation: lost, over_error
+            });
             out.check("error/(C h ‖f‖)").at_most(error / bound, 1.0, "proved");
         }
         let finest = second_seminorm(fine.mesh(), exact, 8 << levels) / f;
@@ -108,7 +122,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.note("seminorm_over_f", finest);
             out.check("membrane: |u|₂/‖f‖").at_least(finest, 0.98, "equality for continuous ∇u");
         }
-        let order = out.exponent("h", "error"); // between the last two rows, without a ±: both errors lack the same part
+        // between the last two rows, without a ±: both errors lack the same part
+        let order = out.exponent("h", "error");
         out.check("order of |u − u^h|_a").near(order, 1.0, 0.1, "optimal for linear elements");
     }
     out.plot("bound_from_the_data", "Error and bound", Axes::LogLog("h", "|u − u^h|_a"))

@@ -1,32 +1,37 @@
 //! (3.2), (4.3): at τ = 2, does the error need a power of |ln h|?
 //!
-//! For u in H² the paper proves e = ‖u − u^h‖ ≤ C h |ln h|^(1/2) in the energy norm, u^h linear on triangles, for the nodal cone,
-//! u^h ≤ 0 at the nodes of the contact edge (3.2), and for the midpoint cone, means of u^h over the cells of the edge ≤ 0 (4.3).
-//! Near an end of the contact set let u_N' on one side and σ_N on the other be like ℓ(r)^(−α), ℓ(r) = 2 + ln(1/r): u is in H² if
+//! For u in H² the paper proves e = ‖u − u^h‖ ≤ C h |ln h|^(1/2) in the energy norm, u^h linear on
+//! triangles, for the nodal cone, u^h ≤ 0 at the nodes of the contact edge (3.2), and for the
+//! midpoint cone, means of u^h over the cells of the edge ≤ 0 (4.3). Near an end of the contact set
+//! let u_N' on one side and σ_N on the other be like ℓ(r)^(−α), ℓ(r) = 2 + ln(1/r): u is in H² if
 //! and only if α > 1/2. Cells at distance r from it add h² ℓ(r)^(−2α) dr/r to e², so that
 //!
 //! ```text
-//! (e/h)² ≈ B + A ℓ(h)^q / q,     q = 1 − 2α:     no logarithm for q < 0,     |ln h|^(q/2) for q > 0.
+//! (e/h)² ≈ B + A ℓ(h)^q / q,     q = 1 − 2α:
+//! no logarithm for q < 0,     |ln h|^(q/2) for q > 0.
 //! ```
 //!
-//! q is measured: increments of (e/h)² over two halvings of h are like ℓ^(q−1). Refuted if for one α > 1/2 e/(h |ln h|^(1/2))
-//! keeps growing: if its last increment is above half of the one before (those of a power of |ln h| fall by a factor near 1);
-//! the paper is loose if also q ≤ 0 for every α > 1/2, no logarithm.
+//! q is measured: increments of (e/h)² over two halvings of h are like ℓ^(q−1). Refuted if for one
+//! α > 1/2 e/(h |ln h|^(1/2)) keeps growing: if its last increment is above half of the one before
+//! (those of a power of |ln h| fall by a factor near 1); the paper is loose if also q ≤ 0 for every
+//! α > 1/2, no logarithm.
 //!
-//! Test problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the edge, 0 at y = 1, ∂u/∂n
-//! = 0 at the sides; u_N = u, σ_N = −λ. In a gap (a, b), where there is no contact, g = −δ^p ℓ(δ)^(−α), δ = (x − a)(b −
-//! x)/(b − a); else λ = ℓ(r)^(−α), r the distance to the next gap. N = 16·2^finest cells carry these data: g at the nodes;
-//! the force of a cell in contact is λ at its middle times 1/N, half to each node; if a lies in a cell, λ (at its middle)
-//! times what is in contact goes to the node left of a. (By η = 2 arsinh(sin(kπ/2n)), the same below, S_k keeps its digits.)
+//! Test problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the
+//! edge, 0 at y = 1, ∂u/∂n = 0 at the sides; u_N = u, σ_N = −λ. In a gap (a, b), where there is no
+//! contact, g = −δ^p ℓ(δ)^(−α), δ = (x − a)(b − x)/(b − a); else λ = ℓ(r)^(−α), r the distance to
+//! the next gap. N = 16·2^finest cells carry these data: g at the nodes; the force of a cell in
+//! contact is λ at its middle times 1/N, half to each node; if a lies in a cell, λ (at its middle)
+//! times what is in contact goes to the node left of a. (By η = 2 arsinh(sin(kπ/2n)), the same
+//! below, S_k keeps its digits.)
 //!
 //! ```text
-//! transition       one gap, b = 2 − a (a mirror at x = 1), p = 1; e² is the mean over a = 5/12 and a = 11/24
+//! transition       one gap, b = 2 − a (a mirror at x = 1), p = 1;
+//!                  e² is the mean over a = 5/12 and a = 11/24
 //! transitions:11   gaps ((i + 1/4)/11, (i + 3/4)/11), i = 0, .. 10, ends rounded to nodes, p = 1
-//! cantor:0.25      the middle half of (0, 1) is a gap, so that of both other quarters, .. 20 times, or until a rounded gap has no
-//!                  inner node or a remaining piece no cell; dimension 1/2, p = 5/4; λ is on pieces of measure ≈ 0: nodal cone only
+//! cantor:0.25      the middle half of (0, 1) is a gap, so that of both other quarters, .. 20
+//!                  times, or until a rounded gap has no inner node or a piece no cell;
+//!                  dimension 1/2, p = 5/4; λ is on pieces of measure ≈ 0: nodal cone only
 //! ```
-// x.at_most(b): x plus its error ≤ b; x.at_least(b): x less its error ≥ b; near(x, b, t): |x − b| plus its error ≤ t. Of several
-// calls of a check the worst counts. stronger: if it holds, the paper is loose. observe: shown, decides nothing.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};
@@ -41,14 +46,17 @@ example! { seconds "(3.2), (4.3)", "u in H²:  ‖u − u^h‖ ≤ C h |ln h|^(1
     finest: u32 = "14" in "[10, 18]",
 }
 
-/// (h, e), h = 1/8, .. 2^−finest. n × n squares cut into triangles: v·A_n v is the energy of the discrete harmonic function
-/// with edge values v, A_n = Σ S_k w_k w_kᵀ over the waves w_k = (cos kπi/n)_i, end nodes by half, k = 0, .. n, S_k = (2/n)
-/// sinh η coth nη (k = 0 and n by half; S_0 = 1/n²), cosh η = 2 − cos(kπ/n). P interpolates from n to N cells. u^h has the
-/// edge values v that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone (active set, conjugate gradients to 1e-13, A by
-/// cosine transforms), and e² = g·A_N g − 2 (A_N g)·P v + v·A_n v against the discrete u on N cells, whose own error, like
-/// 1/N, is missing in it: e² ~ h² − 1/N² in place of h². So e² is divided by 1 − (n/N)².
+/// (h, e), h = 1/8, .. 2^−finest. n × n squares cut into triangles: v·A_n v is the energy of the
+/// discrete harmonic function with edge values v, A_n = Σ S_k w_k w_kᵀ over the waves w_k = (cos
+/// kπi/n)_i, end nodes by half, k = 0, .. n, S_k = (2/n) sinh η coth nη (k = 0 and n by half;
+/// S_0 = 1/n²), cosh η = 2 − cos(kπ/n). P interpolates from n to N cells. u^h has the edge values v
+/// that minimise ½ v·A_n v − (A_N g + λ)·P v in the cone (active set, conjugate gradients to 1e-13,
+/// A by cosine transforms), and e² = g·A_N g − 2 (A_N g)·P v + v·A_n v against the discrete u on N
+/// cells, whose own error, like 1/N, is missing in it: e² ~ h² − 1/N² in place of h². So e² is
+/// divided by 1 − (n/N)².
 fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, Measured)>> {
-    let mut points: Vec<_> = (3..=finest).map(|k| (0.5f64.powi(k as i32), Measured::from(0.0))).collect();
+    let mut points: Vec<_> =
+        (3..=finest).map(|k| (0.5f64.powi(k as i32), Measured::from(0.0))).collect();
     for edge in edges {
         let problem = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
         for (u, (_, e)) in problem.solutions(cone, 8, 1 << finest)?.iter().zip(&mut points) {
@@ -60,15 +68,6 @@ fn errors(edges: &[EdgeData], cone: Cone, finest: u32) -> Result<Vec<(f64, Measu
     Ok(points)
 }
 
-/// Exponent of y ~ x^p from the first to the last point; ± is the difference of the exponents of both halves.
-fn exponent(points: &[(f64, Measured)]) -> Measured {
-    let between = |a: (f64, Measured), b: (f64, Measured)| (b.1 / a.1).ln() / (b.0 / a.0).ln();
-    let (Some(&first), Some(&last)) = (points.first(), points.last()) else { return Measured::NONE };
-    let (whole, middle) = (between(first, last), points[points.len() / 2]);
-    let halves = between(first, middle).value - between(middle, last).value;
-    Measured::new(whole.value, halves.abs() + whole.error)
-}
-
 fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Report) -> Result<()> {
     let cells = 16usize << finest;
     let transition = TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: alpha };
@@ -78,12 +77,14 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     };
     let points = errors(&edges, cone, finest)?;
     let square = |(h, e): (f64, Measured)| (e / h).squared();
-    let increment = |p: &[(f64, Measured)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0])); // over ℓ(h)
+    // over ℓ(h)
+    let increment = |p: &[(f64, Measured)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0]));
     let increments: Vec<(f64, Measured)> = points.windows(3).map(increment).collect();
-    let q = exponent(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
+    let q = exponent_of(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
     let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
     let over = |power: f64, (h, e): (f64, Measured)| e / (h * (-h.ln()).powf(power));
-    let [optimal, sharp, paper] = [0.0, 0.25, 0.5].map(|power| over(power, last) / over(power, middle));
+    let [optimal, sharp, paper] =
+        [0.0, 0.25, 0.5].map(|power| over(power, last) / over(power, middle));
     let expected = 1.0 - 2.0 * alpha;
     let name = problem.to_string().split(':').next().unwrap_or_default().to_owned();
     out.row(cells! { problem: name, alpha, cone: cone.to_string() => expected, q,
@@ -91,20 +92,20 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     if alpha > 0.5 {
         let [before, middle, last] = [3, 2, 1].map(|k| over(0.5, points[points.len() - k]));
         let growth = (last - middle) / (middle - before).abs();
-        out.check(format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)")).at_most(
-            growth,
-            0.5,
-            "(3.2), (4.3)",
-        );
+        let claim = format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)");
+        out.check(claim).at_most(growth, 0.5, "(3.2), (4.3)");
         out.stronger(format!("{cone} cone, H²: exponent q")).at_most(q, 0.0, "no logarithm");
-        out.observe("u in H²: e/h, finest mesh/middle mesh").at_least(optimal, 1.0, "order 1 is optimal");
+        let claim = out.observe("u in H²: e/h, finest mesh/middle mesh");
+        claim.at_least(optimal, 1.0, "order 1 is optimal");
     } else if alpha == 0.0 {
         out.observe("α = 0, u not in H²: exponent q").at_least(q, 0.0, "|ln h|^(q/2)");
     }
     if problem.moves() {
-        out.observe("transition: q − (1 − 2α)").near(q - expected, 0.0, 0.2, "asymptotics of (e/h)²");
+        let claim = out.observe("transition: q − (1 − 2α)");
+        claim.near(q - expected, 0.0, 0.2, "asymptotics of (e/h)²");
         if cone == Cone::Nodal {
-            let relative = |&p: &(f64, Measured)| (p.0, (over(0.0, p) / over(0.0, points[0])).value);
+            let relative =
+                |&p: &(f64, Measured)| (p.0, (over(0.0, p) / over(0.0, points[0])).value);
             chart(out).line(&format!("α = {alpha}"), points.iter().map(relative).collect());
         }
     }
@@ -123,7 +124,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         chart(out).dashed_line(name, curve.collect());
     }
     for problem in &options.problem {
-        let cones = if matches!(problem, StripData::Cantor { .. }) { &Cone::ALL[..1] } else { &Cone::ALL };
+        let cones =
+            if matches!(problem, StripData::Cantor { .. }) { &Cone::ALL[..1] } else { &Cone::ALL };
         for &alpha in &options.alpha {
             for &cone in cones {
                 study(problem, alpha, cone, options.finest, out)?;

@@ -1,11 +1,28 @@
-//! Figure 3.2: the two cases, segment by segment, on a computed contact set. θ = h^(2τ−3), at τ = 2 h²; h = 1/n; σ_N u_N = 0.
-//! A segment t of length h is in one case or both: (1) u_N has a zero nearer than θh to the left end of t and one to the right end;
-//! (2) σ_N = 0 on a piece of length θh at one end. They bound ∫ σ_N I^h u_N ≥ 0 over t, I^h u_N linear with the values of u_N at both
-//! ends. Refuted if a segment is in neither case, or if more carry the integral (over 1e-12 of the sum) than the contact set has ends
-//! inside the edge. Contact set, pressed set: intervals between neighbouring nodes, and nodes, with u_N = 0, force λ > 0.
-//! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0, −cos πx)
-//! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
-//! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
+//! Figure 3.2: the two cases of the nodal cone, segment by segment, on a computed contact set.
+//!
+//! Let t be a segment of the contact edge, of length h, and 0 < θ < 1. The paper puts t in a case:
+//!
+//! ```text
+//! first case:    u_N has a zero nearer than θh to the left end of t, and one to the right end;
+//! second case:   σ_N = 0 on a piece of t of length θh at one of its ends.
+//! ```
+//!
+//! Why one of them holds: without a zero near an end, u_N < 0 there, hence σ_N = 0, because σ_N
+//! u_N = 0 (2.5). The cases bound the consistency term ∫ σ_N I^h u_N ≥ 0 over t, where I^h u_N is
+//! linear with the values of u_N at both ends of t. The proof takes θ = h^(2τ−3), and h² at τ = 2.
+//!
+//! This file computes u on a fine mesh, puts each of n equal segments of the edge in its case or
+//! cases, and adds up the term. `block` is the unit square in plane strain, Lamé constants 1 and 1,
+//! held at y = 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the nodes, under the load (0,
+//! −cos πx), linear between nodes. u is the P1 solution on 8n × 8n squares, n the largest of the
+//! list, each cut from bottom left to top right. At each node of the edge there is a force
+//! λ = l(φ) − a(u, φ) ≥ 0; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets of intervals
+//! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
+//!
+//! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
+//! than the contact set has ends inside the edge. For an exact solution both follow from σ_N
+//! u_N = 0; what is not trivial are the shares of both cases, and how near the zeros are to the
+//! ends.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -13,7 +30,8 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
 use signorini::strip::LateralCondition;
 
-example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both ends, or σ_N = 0 on a piece θh at one end";
+example! { quick "Figure 3.2",
+    "each segment: zeros of u_N within θh of both ends, or σ_N = 0 on a piece θh at one end";
     /// test problem: a body, or a prescribed contact set on an edge
     problem: NamedProblem = "block",
     /// numbers of segments
@@ -22,52 +40,131 @@ example! { quick "Figure 3.2", "each segment: zeros of u_N within θh of both en
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
 }
 
-/// Whether t is in the first and the second case, and d: the larger distance of an end of t to the nearest zero of u_N.
-pub(crate) fn cases(u: &EdgeTrace, t: Interval, theta: f64) -> ([bool; 2], f64) {
-    // From the left and from the right end of t to the nearest of the intervals; ≤ 0 where one covers the end.
-    let near = |d: [f64; 2], p: &Interval| [d[0].min(p.start - t.start), d[1].min(t.end - p.end)];
-    let (contact, pressed) = (u.contact().iter(), u.pressed().iter());
-    let zeros = contact.filter(|p| p.start <= t.end && t.start <= p.end).fold([f64::INFINITY; 2], near);
-    let forces = pressed.filter(|p| p.start < t.end && t.start < p.end).fold([f64::INFINITY; 2], near);
-    let (reach, d) = (theta * t.length(), zeros[0].max(zeros[1]));
-    ([d < reach, forces[0].max(forces[1]) >= reach], d.max(0.0))
+/// The cases of one segment.
+pub(crate) struct Cases {
+    pub first: bool,
+    pub second: bool,
+    /// The larger distance of an end of the segment to the nearest zero of u_N.
+    pub distance: f64,
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let finest = *options.n.iter().max().unwrap_or(&2);
-    let u = match &options.problem {
+/// The distance from each end of a segment to the nearest point of a set inside it.
+struct FromEnds {
+    left: f64,
+    right: f64,
+}
+
+/// These distances for a union of intervals: at most 0 where one covers the end, infinite where
+/// none meets the segment.
+fn from_ends<'a>(t: Interval, set: impl Iterator<Item = &'a Interval>) -> FromEnds {
+    let mut nearest = FromEnds { left: f64::INFINITY, right: f64::INFINITY };
+    for p in set {
+        nearest.left = nearest.left.min(p.start - t.start);
+        nearest.right = nearest.right.min(t.end - p.end);
+    }
+    nearest
+}
+
+/// The cases of the segment t.
+pub(crate) fn cases(u: &EdgeTrace, t: Interval, theta: f64) -> Cases {
+    // A zero may be an end point of t; a pressure must be inside.
+    let zeros = u.contact().iter().filter(|p| p.start <= t.end && t.start <= p.end);
+    let pressures = u.pressed().iter().filter(|p| p.start < t.end && t.start < p.end);
+    let (zero, pressure) = (from_ends(t, zeros), from_ends(t, pressures));
+    let reach = theta * t.length();
+    Cases {
+        first: zero.left < reach && zero.right < reach,
+        second: pressure.left >= reach || pressure.right >= reach,
+        distance: zero.left.max(zero.right).max(0.0),
+    }
+}
+
+/// A segment with its cases and its part of the consistency term.
+struct Segment {
+    t: Interval,
+    cases: Cases,
+    integral: f64,
+}
+
+/// u on the edge: the solution on a mesh eight times finer than the finest one of the list, or a
+/// prescribed pair (u_N, σ_N).
+fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
+    match problem {
         NamedProblem::Mesh(body) => {
             let problem = body.problem(8 * finest)?;
-            EdgeTrace::of_solution(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?
+            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?; // exact up to rounding
+            Ok(EdgeTrace::of_solution(&problem, &u)?)
         }
         NamedProblem::Strip(set) => {
-            let cells = (64 * finest).max(1 << 16); // the pair (u_N, σ_N) is given at their ends
-            EdgeTrace::of_data(&set.data(options.tau, cells, LateralCondition::Natural)?)?
+            let cells = (64 * finest).max(1 << 16);
+            Ok(EdgeTrace::of_data(&set.data(tau, cells, LateralCondition::Natural)?)?)
         }
-    };
-    let (x, values) = (u.nodes(), u.displacement());
-    for &n in &options.n {
-        let (k, h) = ((x.len() - 1) / n, 1.0 / n as f64); // k cells of u in a segment
-        Error::unless(x.len() == k * n + 1, "n", "divisors of the largest one")?;
-        let theta = h.powf(if options.tau == 2.0 { 2.0 } else { 2.0 * options.tau - 3.0 });
-        let mut found = Vec::new();
-        for (a, b) in (0..n).map(|s| (s * k, (s + 1) * k)) {
-            let t = Interval { start: x[a], end: x[b] };
-            let chord = |x: f64| values[a] + (x - t.start) / t.length() * (values[b] - values[a]); // I^h u_N
-            let integral: f64 = (a + 1..b).map(|i| -u.force()[i] * chord(x[i])).sum(); // 0 at the ends of t
-            found.push((t, cases(&u, t, theta), integral));
-        }
-        let in_case = |case| found.iter().filter(|found| found.1.0 == case).map(|found| found.0).collect();
-        let shown: [Vec<_>; 3] = [[true, false], [false, true], [true, true]].map(in_case);
-        let [first, second, both] = shown.each_ref().map(Vec::len);
-        let integral: f64 = found.iter().map(|found| found.2).sum();
-        let carry: Vec<_> = found.iter().filter(|found| found.2 > 1e-12 * integral).collect();
-        let d = Measured::from(carry.first().map(|(t, (_, d), _)| (d / t.length(), 1.0 / k as f64)));
-        out.row(cells! { n => theta, first, second, both, integral, carried_by: carry.len(), d });
-        out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments with ∫ σ_N I^h u_N ≠ 0").at_most(carry.len(), u.transitions(), "transitions");
-        out.edge_trace(&format!("figure_3_2_alternative_h_{n}"), &u, shown);
     }
-    out.column("d", "d/h", "d of the first segment that carries the integral; ±: a cell of u");
-    Ok(())
+}
+
+/// The counts of one mesh.
+pub struct Row {
+    /// Number of segments.
+    pub n: usize,
+    /// Segments in the first case only.
+    pub first: usize,
+    /// Segments in the second case only.
+    pub second: usize,
+    /// Segments with a part of the consistency term.
+    pub carried_by: usize,
+}
+
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
+    let finest = options.n.iter().copied().max().unwrap_or(2);
+    let u = fine_solution(&options.problem, finest, options.tau)?;
+    let (x, u_n) = (u.nodes(), u.displacement());
+    let cells = x.len() - 1;
+    let mut rows = Vec::new();
+    for &n in &options.n {
+        let k = cells / n; // cells of u in a segment
+        Error::unless(cells == k * n, "n", "divisors of the largest one")?;
+        let h = 1.0 / n as f64;
+        let theta = if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) };
+        let mut segments = Vec::new();
+        for s in 0..n {
+            let (a, b) = (s * k, (s + 1) * k); // nodes of u at the ends
+            let t = Interval { start: x[a], end: x[b] };
+            let slope = (u_n[b] - u_n[a]) / t.length();
+            let interpolant = |i: usize| u_n[a] + slope * (x[i] - t.start); // I^h u_N
+            // ∫ σ_N I^h u_N; at the ends of t the force times u_N is 0.
+            let integral = (a + 1..b).map(|i| -u.force()[i] * interpolant(i)).sum();
+            segments.push(Segment { t, cases: cases(&u, t, theta), integral });
+        }
+        let intervals = |first: bool, second: bool| -> Vec<Interval> {
+            let is_in = |cases: &Cases| cases.first == first && cases.second == second;
+            segments.iter().filter(|segment| is_in(&segment.cases)).map(|s| s.t).collect()
+        };
+        let shown = [intervals(true, false), intervals(false, true), intervals(true, true)];
+        let (first, second, both) = (shown[0].len(), shown[1].len(), shown[2].len());
+        let integral: f64 = segments.iter().map(|segment| segment.integral).sum();
+        let carriers: Vec<&Segment> =
+            segments.iter().filter(|segment| segment.integral > 1e-12 * integral).collect();
+        let carried_by = carriers.len();
+        let d = carriers.first().map(|segment| (segment.cases.distance / h, 1.0 / k as f64));
+        out.row(cells! { n => theta, first, second, both, integral, carried_by,
+        d: Measured::from(d) });
+
+        let neither = n - first - second - both;
+        out.check("segments in neither case").at_most(neither, 0.0, "σ_N u_N = 0");
+        let ends = u.transitions();
+        out.check("segments with ∫ σ_N I^h u_N ≠ 0").at_most(carried_by, ends, "transitions");
+        out.edge_trace(&format!("figure_3_2_alternative_h_{n}"), &u, shown);
+        rows.push(Row { n, first, second, carried_by });
+    }
+    out.column("first", "first", "segments in the first case only");
+    out.column("second", "second", "in the second only");
+    out.column("both", "both", "in both");
+    out.column("integral", "term", "∫ σ_N I^h u_N over the edge");
+    out.column("carried_by", "carried by", "segments with a term");
+    out.column("d", "d/h", "in the first of these, d: the larger distance of an end to a zero of u_N");
+    out.remark(format!(
+        "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
+         row for the same n differs."
+    ));
+    Ok(rows)
 }

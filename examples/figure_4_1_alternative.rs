@@ -1,13 +1,32 @@
-//! Figure 4.1: the two cases of the midpoint cone, on a computed contact set. θ = h^(2τ−3), at τ = 2 h²; h = 1/n; σ_N u_N = 0.
+//! Figure 4.1: the two cases of the midpoint cone, segment by segment, on a computed contact set.
 //!
-//! On a segment t of length h, π the mean over t, the term to bound is (4.9): ∫ (σ_N − π σ_N)(π u_N − u_N) = (1/h) ∫ σ_N ∫ u_N ≥ 0.
-//! t is in one case or both: (1) its contact set {u_N = 0} has diameter ≤ θh, and so has the set where σ_N ≠ 0; (2) its contact set
-//! has diameter ≥ θh. Refuted if a segment is in neither case, or if more carry the term (over 1e-12 of the sum) than the contact
-//! set has ends inside the edge. Contact set, pressed set: intervals between neighbouring nodes, and nodes, with u_N = 0, force λ > 0.
+//! Let t be a segment of the contact edge, of length h, π^h the mean over t, and 0 < θ < 1. The
+//! term to bound is
 //!
-//! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0, −cos πx)
-//! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
-//! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
+//! ```text
+//! ∫ (σ_N − π^h σ_N)(π^h u_N − u_N) = (1/h) ∫ σ_N ∫ u_N ≥ 0 over t,                        (4.9)
+//! ```
+//!
+//! the equality because σ_N u_N = 0 (2.5). The paper puts t in a case:
+//!
+//! ```text
+//! first case:    the contact set {u_N = 0} in t has a diameter ≤ θh, hence so has {σ_N ≠ 0};
+//! second case:   the contact set in t has a diameter ≥ θh.
+//! ```
+//!
+//! The proof takes θ = h^(2τ−3), and h² at τ = 2.
+//!
+//! This file computes u on a fine mesh, puts each of n equal segments of the edge in its case or
+//! cases, and adds up the term. `block` is the unit square in plane strain, Lamé constants 1 and 1,
+//! held at y = 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the nodes, under the load (0,
+//! −cos πx), linear between nodes. u is the P1 solution on 8n × 8n squares, n the largest of the
+//! list, each cut from bottom left to top right. At each node of the edge there is a force
+//! λ = l(φ) − a(u, φ) ≥ 0; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets of intervals
+//! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
+//!
+//! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
+//! than the contact set has ends inside the edge. For an exact solution both follow from σ_N
+//! u_N = 0; what is not trivial are the shares of both cases.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;
@@ -15,7 +34,8 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
 use signorini::strip::LateralCondition;
 
-example! { quick "Figure 4.1", "each segment: contact set and pressure no wider than θh, or contact set at least θh";
+example! { quick "Figure 4.1",
+    "each segment: contact set and pressure no wider than θh, or contact set at least θh";
     /// test problem: a body, or a prescribed contact set on an edge
     problem: NamedProblem = "block",
     /// numbers of segments
@@ -24,50 +44,113 @@ example! { quick "Figure 4.1", "each segment: contact set and pressure no wider 
     tau: f64 = "1.75" in "(1.5, 2]" slider "1.55 to 2",
 }
 
-/// Whether t is in the first and the second case.
-pub(crate) fn cases(u: &EdgeTrace, t: Interval, theta: f64) -> [bool; 2] {
-    let hull = |d: [f64; 2], p: &Interval| [d[0].min(p.start.max(t.start)), d[1].max(p.end.min(t.end))];
-    let (empty, contact, pressed) = ([t.end, t.start], u.contact().iter(), u.pressed().iter());
-    let zeros = contact.filter(|p| p.start <= t.end && t.start <= p.end).fold(empty, hull);
-    let forces = pressed.filter(|p| p.start < t.end && t.start < p.end).fold(empty, hull);
-    let [d, wide] = [zeros, forces].map(|[start, end]| (end - start).max(0.0)); // diameters, 0 of the empty set
-    [d.max(wide) <= theta * t.length(), d >= theta * t.length()]
+/// The cases of one segment.
+pub(crate) struct Cases {
+    pub first: bool,
+    pub second: bool,
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let finest = *options.n.iter().max().unwrap_or(&2);
-    let u = match &options.problem {
+/// The diameter of the part of a union of intervals that lies in t; 0 of the empty set.
+fn diameter<'a>(t: Interval, set: impl Iterator<Item = &'a Interval>) -> f64 {
+    let (mut start, mut end) = (t.end, t.start);
+    for p in set {
+        start = start.min(p.start.max(t.start));
+        end = end.max(p.end.min(t.end));
+    }
+    (end - start).max(0.0)
+}
+
+/// The cases of the segment t.
+pub(crate) fn cases(u: &EdgeTrace, t: Interval, theta: f64) -> Cases {
+    // A zero may be an end point of t; a pressure must be inside.
+    let zeros = u.contact().iter().filter(|p| p.start <= t.end && t.start <= p.end);
+    let pressures = u.pressed().iter().filter(|p| p.start < t.end && t.start < p.end);
+    let (contact, pressed) = (diameter(t, zeros), diameter(t, pressures));
+    let width = theta * t.length();
+    Cases { first: contact <= width && pressed <= width, second: contact >= width }
+}
+
+/// A segment with its cases and its part of the term (4.9).
+struct Segment {
+    t: Interval,
+    cases: Cases,
+    term: f64,
+}
+
+/// u on the edge: the solution on a mesh eight times finer than the finest one of the list, or a
+/// prescribed pair (u_N, σ_N).
+fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
+    match problem {
         NamedProblem::Mesh(body) => {
             let problem = body.problem(8 * finest)?;
-            EdgeTrace::of_solution(&problem, &problem.solve(Cone::Nodal, Solver::ActiveSet)?)?
+            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?; // exact up to rounding
+            Ok(EdgeTrace::of_solution(&problem, &u)?)
         }
         NamedProblem::Strip(set) => {
-            let cells = (64 * finest).max(1 << 16); // the pair (u_N, σ_N) is given at their ends
-            EdgeTrace::of_data(&set.data(options.tau, cells, LateralCondition::Natural)?)?
+            let cells = (64 * finest).max(1 << 16);
+            Ok(EdgeTrace::of_data(&set.data(tau, cells, LateralCondition::Natural)?)?)
         }
-    };
-    let (x, values) = (u.nodes(), u.displacement());
-    for &n in &options.n {
-        let (k, h) = ((x.len() - 1) / n, 1.0 / n as f64); // k cells of u in a segment
-        Error::unless(x.len() == k * n + 1, "n", "divisors of the largest one")?;
-        let theta = h.powf(if options.tau == 2.0 { 2.0 } else { 2.0 * options.tau - 3.0 });
-        let mut found = Vec::new();
-        for (a, b) in (0..n).map(|s| (s * k, (s + 1) * k)) {
-            let t = Interval { start: x[a], end: x[b] };
-            let shared = |i: usize| (i == a && a > 0) || (i == b && b < n * k); // half a force to either segment
-            let force: f64 = (a..=b).map(|i| u.force()[i] * if shared(i) { 0.5 } else { 1.0 }).sum();
-            let area: f64 = (a..b).map(|i| (x[i + 1] - x[i]) * (values[i] + values[i + 1]) / 2.0).sum();
-            found.push((t, cases(&u, t, theta), 0.0 - force * area / t.length()));
-        }
-        let in_case = |case| found.iter().filter(|found| found.1 == case).map(|found| found.0).collect();
-        let shown: [Vec<_>; 3] = [[true, false], [false, true], [true, true]].map(in_case);
-        let [first, second, both] = shown.each_ref().map(Vec::len);
-        let integral: f64 = found.iter().map(|found| found.2).sum();
-        let carried_by = found.iter().filter(|found| found.2 > 1e-12 * integral).count();
-        out.row(cells! { n => theta, first, second, both, integral, carried_by });
-        out.check("segments in neither case").at_most(n - first - second - both, 0.0, "σ_N u_N = 0");
-        out.check("segments with nonzero term (4.9)").at_most(carried_by, u.transitions(), "transitions");
-        out.edge_trace(&format!("figure_4_1_alternative_h_{n}"), &u, shown);
     }
-    Ok(())
+}
+
+/// The counts of one mesh.
+pub struct Row {
+    /// Number of segments.
+    pub n: usize,
+    /// Segments in the first case only.
+    pub first: usize,
+    /// Segments in the second case only.
+    pub second: usize,
+}
+
+pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
+    let finest = options.n.iter().copied().max().unwrap_or(2);
+    let u = fine_solution(&options.problem, finest, options.tau)?;
+    let (x, u_n) = (u.nodes(), u.displacement());
+    let cells = x.len() - 1;
+    let mut rows = Vec::new();
+    for &n in &options.n {
+        let k = cells / n; // cells of u in a segment
+        Error::unless(cells == k * n, "n", "divisors of the largest one")?;
+        let h = 1.0 / n as f64;
+        let theta = if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) };
+        let mut segments = Vec::new();
+        for s in 0..n {
+            let (a, b) = (s * k, (s + 1) * k); // nodes of u at the ends
+            let t = Interval { start: x[a], end: x[b] };
+            // The force at a node between two segments belongs to each of them by half.
+            let is_shared = |i: usize| (i == a && a > 0) || (i == b && b < cells);
+            let share = |i: usize| if is_shared(i) { 0.5 } else { 1.0 };
+            let force: f64 = (a..=b).map(|i| share(i) * u.force()[i]).sum(); // −∫ σ_N
+            let area: f64 = (a..b).map(|i| (x[i + 1] - x[i]) * (u_n[i] + u_n[i + 1]) / 2.0).sum();
+            let term = 0.0 - force * area / t.length();
+            segments.push(Segment { t, cases: cases(&u, t, theta), term });
+        }
+        let intervals = |first: bool, second: bool| -> Vec<Interval> {
+            let is_in = |cases: &Cases| cases.first == first && cases.second == second;
+            segments.iter().filter(|segment| is_in(&segment.cases)).map(|s| s.t).collect()
+        };
+        let shown = [intervals(true, false), intervals(false, true), intervals(true, true)];
+        let (first, second, both) = (shown[0].len(), shown[1].len(), shown[2].len());
+        let integral: f64 = segments.iter().map(|segment| segment.term).sum();
+        let carried_by = segments.iter().filter(|segment| segment.term > 1e-12 * integral).count();
+        out.row(cells! { n => theta, first, second, both, integral, carried_by });
+
+        let neither = n - first - second - both;
+        out.check("segments in neither case").at_most(neither, 0.0, "σ_N u_N = 0");
+        let ends = u.transitions();
+        out.check("segments with nonzero term (4.9)").at_most(carried_by, ends, "transitions");
+        out.edge_trace(&format!("figure_4_1_alternative_h_{n}"), &u, shown);
+        rows.push(Row { n, first, second });
+    }
+    out.column("first", "first", "segments in the first case only");
+    out.column("second", "second", "in the second only");
+    out.column("both", "both", "in both");
+    out.column("integral", "term", "(4.9) over the edge");
+    out.column("carried_by", "carried by", "segments with a term");
+    out.remark(format!(
+        "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
+         row for the same n differs."
+    ));
+    Ok(rows)
 }

@@ -1,26 +1,32 @@
-//! When is the contact set finite? The square of a stress and a slope is analytic across the contact edge.
+//! When is the contact set finite? The square of a stress and a slope is analytic across the
+//! contact edge.
 //!
-//! Homogeneous isotropic body (Lamé's λ, μ) above a straight contact edge on y = 0, no friction, body force and gap analytic
-//! near it. c = 2μ(λ + μ)/(λ + 2μ), u_N = −u_y, σ_N = σ_yy; for −Δu = f: c = 1, u_N = u, σ_N = ∂u/∂n. On the edge
+//! Homogeneous isotropic body (Lamé's λ, μ) above a straight contact edge on y = 0, no friction,
+//! body force and gap analytic near it. c = 2μ(λ + μ)/(λ + 2μ), u_N = −u_y, σ_N = σ_yy; for
+//! −Δu = f: c = 1, u_N = u, σ_N = ∂u/∂n. On the edge
 //!
 //! ```text
-//! F = σ_N − i c u_N' is the trace of a function holomorphic above the edge, and σ_N u_N' = 0 there. So F² is real, hence
-//! analytic across the edge:  F² = σ_N² in contact,  −(c u_N')² in gaps;  ends of contact are zeros of F², so isolated.
+//! F = σ_N − i c u_N'   is the trace of a function holomorphic above the edge, and σ_N u_N' = 0;
+//! F² = σ_N² in contact,  F² = −(c u_N')² in gaps.
 //! ```
 //!
-//! Linear elements on n × n squares cut by a diagonal, nodal cone. Samples: in contact (nodal force/h)² at the nodes, in gaps
-//! −c² ((uᵢ₊₁ − uᵢ)/h)² at the middle of segments, at distances 4h .. w = 0.15 from an end of contact. P/Q, degrees 4 and 2, is
-//! fitted to them: its zero predicts the end, √|slope| there is the stress intensity K (σ_N ≈ −K √r). Control: |F|² has a
-//! corner at the end; no such P/Q fits it.
+//! So F² is real on the edge, hence analytic across it; ends of contact are zeros of F², so
+//! isolated.
 //!
-//! Bodies on the unit square, top fixed, sides free, λ = μ = 1: block, f = (0, −cos πx); membrane (scalar), f = cos 2πx +
-//! 3/10, left end of its gap (where h resolves the gap); u in closed form, prescribed on the other three sides, contact on
-//! x < 3/10, F² = 9/4 (3/10 − x). The diagonals run from lower left to upper right. Refuted if the zero on the coarsest
-//! mesh is h/8 off that of the finest one (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than
-//! w/4 (closed form: any pole is rounding of its fit), or if for n ≥ 256 |F|² is fitted within ten times of F².
+//! Linear elements on n × n squares cut by a diagonal, nodal cone. Samples: in contact (nodal
+//! force/h)² at the nodes, in gaps −c² ((uᵢ₊₁ − uᵢ)/h)² at the middle of segments, at distances 4h
+//! .. w = 0.15 from an end of contact. P/Q, degrees 4 and 2, is fitted to them: its zero predicts
+//! the end, √|slope| there is the stress intensity K (σ_N ≈ −K √r). Control: |F|² has a corner at
+//! the end; no such P/Q fits it.
+//!
+//! Bodies on the unit square, top fixed, sides free, λ = μ = 1: block, f = (0, −cos πx); membrane
+//! (scalar), f = cos 2πx + 3/10, left end of its gap (where h resolves the gap); u in closed form,
+//! prescribed on the other three sides, contact on x < 3/10, F² = 9/4 (3/10 − x). The diagonals run
+//! from lower left to upper right. Refuted if the zero on the coarsest mesh is h/8 off that of the
+//! finest one (closed form: 3/10), if K is 3 % off, if a pole is nearer to the samples than w/4
+//! (closed form: any pole is rounding of its fit), or if for n ≥ 256 |F|² is fitted within ten
+//! times of F².
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;
@@ -28,7 +34,8 @@ use signorini::contact::{ContactSolution, Solver};
 use signorini::fem::Lame;
 use signorini::problems::{KnownSolution, TestProblem};
 
-example! { seconds "When the contact set is finite", "F² = (σ_N − i c u_N')² is analytic on the contact edge; ends of contact are its zeros";
+example! { seconds "When the contact set is finite",
+    "F² = (σ_N − i c u_N')² is analytic on the contact edge; ends of contact are its zeros";
     /// meshes of n × n squares, the coarsest first
     n: Vec<usize> = "64,128,256" in "[32, 2048]",
 }
@@ -37,10 +44,14 @@ example! { seconds "When the contact set is finite", "F² = (σ_N − i c u_N')�
 const WIDTH: f64 = 0.15;
 
 /// P/Q with P of degree 4 and Q of degree 2 in t = (x − x₀)/w; coefficients from low to high.
-pub(crate) struct Rational([f64; 5], [f64; 3]);
+pub(crate) struct Rational {
+    p: [f64; 5],
+    q: [f64; 3],
+}
 
 impl Rational {
-    /// min Σ ((P − F² Q)/Q_before)² over unit vectors of coefficients: a smallest singular vector, eight times.
+    /// min Σ ((P − F² Q)/Q_before)² over unit vectors of coefficients: a smallest singular vector,
+    /// eight times.
     pub(crate) fn fit(points: &[(f64, f64)]) -> Result<Self> {
         let mut q = vec![1.0; points.len()];
         let mut v = DVector::zeros(8);
@@ -56,18 +67,20 @@ impl Rational {
                 .transpose();
             q = points.iter().map(|(t, _)| (v[5] + t * (v[6] + t * v[7])).abs()).collect();
         }
-        Ok(Self([v[0], v[1], v[2], v[3], v[4]], [v[5], v[6], v[7]]))
+        Ok(Self { p: [v[0], v[1], v[2], v[3], v[4]], q: [v[5], v[6], v[7]] })
     }
 
     fn at(&self, t: f64) -> f64 {
         let horner = |c: &[f64]| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
-        horner(&self.0) / horner(&self.1)
+        horner(&self.p) / horner(&self.q)
     }
 
     /// The zero nearest to 0 by bisection on the first interval with a change of sign.
     pub(crate) fn zero(&self) -> f64 {
         let changes = |k: &i32| self.at(0.01 * f64::from(*k)) * self.at(0.01 * f64::from(*k + 1)) <= 0.0;
-        let Some(k) = (-50..50).filter(changes).min_by_key(|k| (2 * k + 1).abs()) else { return f64::NAN };
+        let Some(k) = (-50..50).filter(changes).min_by_key(|k| (2 * k + 1).abs()) else {
+            return f64::NAN;
+        };
         let (mut a, mut b) = (0.01 * f64::from(k), 0.01 * f64::from(k + 1));
         for _ in 0..60 {
             let middle = 0.5 * (a + b);
@@ -78,7 +91,7 @@ impl Rational {
 
     /// Distance of the nearest pole from [−1, 1].
     pub(crate) fn pole(&self) -> f64 {
-        let [c, b, a] = self.1;
+        let [c, b, a] = self.q;
         let (middle, root) = (-0.5 * b / a, 0.25 * (b / a).powi(2) - c / a);
         let outside = |x: f64| (x.abs() - 1.0).max(0.0);
         match root < 0.0 {
@@ -111,6 +124,17 @@ pub(crate) fn samples(u: &ContactSolution, c: f64) -> Vec<(f64, f64)> {
     points
 }
 
+/// An end of the contact set on one mesh.
+struct End {
+    h: f64,
+    /// Between the last node in contact and the next one.
+    mesh: f64,
+    /// Where F² vanishes.
+    zero: f64,
+    /// The stress intensity there.
+    k: f64,
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("mesh", "mesh", "its end of contact, the middle of a segment");
     out.column("zero", "zero", "of F², the predicted end of contact");
@@ -127,8 +151,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     ] {
         let mut found = Vec::new();
         for &n in &options.n {
-            let (problem, h) =
-                (test.map_or_else(|| closed.problem(n), |test| test.problem(n))?, 1.0 / n as f64);
+            let h = 1.0 / n as f64;
+            let problem = match test {
+                Some(test) => test.problem(n)?,
+                None => closed.problem(n)?,
+            };
             // Active set: exact to rounding. Multigrid: twelve digits.
             let solver = if n <= 256 { Solver::ActiveSet } else { Solver::Multigrid };
             let u = problem.solve(Cone::Nodal, solver)?;
@@ -142,7 +169,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             };
             let all = samples(&u, c);
             let points: Vec<(f64, f64)> =
-                all.iter().filter(|p| used(p.0)).map(|p| ((p.0 - end) / WIDTH, p.1)).collect();
+                all.iter().filter(|(x, _)| used(*x)).map(|(x, f)| ((x - end) / WIDTH, *f)).collect();
             if points.len() < 10 {
                 continue; // fewer than unknown coefficients, or hardly more
             }
@@ -150,19 +177,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (t, step) = (fit.zero(), 1e-4);
             let (zero, slope) =
                 (end + WIDTH * t, (fit.at(t + step) - fit.at(t - step)) / (2.0 * step * WIDTH));
-            let absolute: Vec<(f64, f64)> = points.iter().map(|p| (p.0, p.1.abs())).collect();
+            let absolute: Vec<(f64, f64)> = points.iter().map(|(t, f)| (*t, f.abs())).collect();
             let (misfit, corner) = (fit.misfit(&points), Rational::fit(&absolute)?.misfit(&absolute));
             let (pole, k) = (WIDTH * fit.pole(), slope.abs().sqrt());
             out.row(cells! { body, n => mesh: end, zero, pole, K: k, misfit, corner });
             if test.is_some() {
-                out.check("pole distance/window width").at_least(pole / WIDTH, 0.25, "F² is analytic");
+                let claim = out.check("pole distance/window width");
+                claim.at_least(pole / WIDTH, 0.25, "F² is analytic");
             }
             if n >= 256 {
-                out.check("n ≥ 256: misfit of |F|²/misfit of F²").at_least(
-                    corner / misfit,
-                    10.0,
-                    "|F|² has a corner",
-                );
+                let claim = out.check("n ≥ 256: misfit of |F|²/misfit of F²");
+                claim.at_least(corner / misfit, 10.0, "|F|² has a corner");
             }
             if out.draws() && test.is_some() {
                 let curve = (0..=200).map(|i| f64::from(i) / 100.0 - 1.0);
@@ -172,14 +197,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let plot = out.plot(&name, &title, Axes::Linear("x", "F²"));
                 plot.line("from u^h", all).dashed_line("P/Q", curve);
             }
-            found.push((h, end, zero, k));
+            found.push(End { h, mesh: end, zero, k });
         }
-        let [(h, mesh, zero, k), .., last] = found[..] else { continue };
-        let (exact, k_exact) = if test.is_some() { (last.2, last.3) } else { (0.3, 1.5) };
-        let off = |x: f64| (x - exact).abs() / h;
-        out.check("coarsest mesh: |zero of F² − end|/h").at_most(off(zero), 0.125, "finest mesh or 3/10");
-        out.observe("coarsest mesh: |discrete end − end|/h").at_most(off(mesh), 0.5, "half a segment");
-        out.check("coarsest mesh: K/reference value of K").near(k / k_exact, 1.0, 0.03, "finest mesh or 3/2");
+        let [coarsest, .., finest] = &found[..] else { continue };
+        let (exact, k_exact) = if test.is_some() { (finest.zero, finest.k) } else { (0.3, 1.5) };
+        let off = |x: f64| (x - exact).abs() / coarsest.h;
+        let claim = out.check("coarsest mesh: |zero of F² − end|/h");
+        claim.at_most(off(coarsest.zero), 0.125, "finest mesh or 3/10");
+        let claim = out.observe("coarsest mesh: |discrete end − end|/h");
+        claim.at_most(off(coarsest.mesh), 0.5, "half a segment");
+        let claim = out.check("coarsest mesh: K/reference value of K");
+        claim.near(coarsest.k / k_exact, 1.0, 0.03, "finest mesh or 3/2");
     }
     Ok(())
 }

@@ -83,22 +83,34 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                     seconds: start.elapsed().as_secs_f64(),
                 });
             })?;
-            let first = points.partition_point(|point| point.unknowns < 0.02 * options.unknowns as f64);
+            let first =
+                points.partition_point(|point| point.unknowns < 0.02 * options.unknowns as f64);
             let [begin, .., end] = &points[first..] else { continue };
             let order = (end.bound / begin.bound).ln() / (end.unknowns / begin.unknowns).ln();
-            let rise = points.windows(2).map(|pair| pair[1].bound / pair[0].bound).fold(0.0, f64::max);
+            let rise =
+                points.windows(2).map(|pair| pair[1].bound / pair[0].bound).fold(0.0, f64::max);
             out.check("bound on the finer mesh/bound").at_most(rise, 1.0, "nested meshes");
             if meshes == "adaptive" {
-                out.check("adaptive meshes: order of the bound in N").near(order, -0.5, 0.03, "N^(−1/2)");
+                out.check("adaptive meshes: order of the bound in N").near(
+                    order,
+                    -0.5,
+                    0.03,
+                    "N^(−1/2)",
+                );
             }
             out.row(cells! { body: body_name, meshes => unknowns: end.unknowns as usize,
             relative: last.relative_error(), order, seconds: (1e3 * end.seconds).ceil() / 1e3 });
             orders.push(order);
-            let line = points.iter().map(|point| (point.seconds, point.bound / last.norm.upper)).collect();
+            let line =
+                points.iter().map(|point| (point.seconds, point.bound / last.norm.upper)).collect();
             curves.push((format!("{body_name}, {meshes}"), line));
         }
         if let [uniform, adaptive] = orders[..] {
-            out.check("order, uniform less adaptive").at_least(uniform - adaptive, -0.03, "no better order");
+            out.check("order, uniform less adaptive").at_least(
+                uniform - adaptive,
+                -0.03,
+                "no better order",
+            );
         }
     }
     let axes = Axes::LogLog("seconds", "guaranteed error / |||u|||");

@@ -1,28 +1,29 @@
 //! Lemma 5.2 at ν = 1/2, exactly: γ² / ln(1/θ) tends to 3/(2π²).
 //!
-//! γ is the best constant in ‖u‖₀ ≤ γ |u| for u in H^(1/2)(0, 1) with mean zero on (0, θ), |u| the seminorm of order 1/2;
-//! γ₁ is that for θ = 1. The paper prints γ ≤ C ln(1/θ). With L = ln(1/θ), A = 3/(2π²) and t = −ln x, v(t) = u(x),
+//! γ is the best constant in ‖u‖₀ ≤ γ |u| for u in H^(1/2)(0, 1) with mean zero on (0, θ), |u| the
+//! seminorm of order 1/2; γ₁ is that for θ = 1. The paper prints γ ≤ C ln(1/θ). With L = ln(1/θ), A
+//! = 3/(2π²) and t = −ln x, v(t) = u(x),
 //!
 //! ```text
 //! |u|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr,    W(r) = ∫ (v(t + r) − v(t))² dt,    both over (0, ∞).
 //! ```
 //!
-//! *Below*: the quotient of the ramp v = 1 − t/L on (0, L), zero beyond. *Above*: γ² ≤ γ₁² + N², N the largest difference
-//! of the mean over (0, 1) and that over (0, θ) for |u| = 1. Cauchy-Schwarz along chains of steps r gives
+//! *Below*: the quotient of the ramp v = 1 − t/L on (0, L), zero beyond. *Above*: γ² ≤ γ₁² + N², N
+//! the largest difference of the mean over (0, 1) and that over (0, θ) for |u| = 1. Cauchy-Schwarz
+//! along chains of steps r gives
 //!
 //! ```text
 //! 1 ≥ ∫ (N − C(r))₊² / (L + r/2) · r² / (2 sinh²(r/2)) dr over (0, 2L),
 //! C(r) = γ₁ (2 ((e^r − 1)/r² − 1)^(1/2) + (e^(r/2) − 1)^(1/2)),
 //! ```
 //!
-//! which bounds N (page `lemma_5_2_exact_law`). Both bounds are A L to leading order. They are formulas of L alone, so
-//! that they reach zones without a number. Refuted if γ² is outside of them, or if they differ by more than 1e-4 at the
-//! largest L. Computed and not proved: γ² = A L + c + d/γ² + e/γ⁴ + ..; what A L + c leaves is of order 1/L.
+//! which bounds N (page `lemma_5_2_exact_law`). Both bounds are A L to leading order. They are
+//! formulas of L alone, so that they reach zones without a number. Refuted if γ² is outside of
+//! them, or if they differ by more than 1e-4 at the largest L. Computed and not proved: γ² = A L +
+//! c + d/γ² + e/γ⁴ + ..; what A L + c leaves is of order 1/L.
 //!
 //! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, gamma, law};
 use std::f64::consts::PI;
@@ -34,7 +35,8 @@ example! { seconds "(5.2), exact", "mean zero on (0, θ), ν = 1/2:  γ² / ln(1
     log: Vec<f64> = "1e4,1e6,1e9,1e12" in "[1, 1e15]",
 }
 
-/// ‖u‖₀² / |u|² of the ramp, from below: W = r²/L − 2r³/(3L²) for r ≤ L and L/3 beyond, ζ(3) = 1.2020569...
+/// ‖u‖₀² / |u|² of the ramp, from below: W = r²/L − 2r³/(3L²) for r ≤ L and L/3 beyond, ζ(3) =
+/// 1.2020569...
 fn ramp(log: f64) -> f64 {
     const ZETA_3: f64 = 1.202_056_903_159_594_3;
     let theta = (-log).exp();
@@ -43,7 +45,8 @@ fn ramp(log: f64) -> f64 {
     norm / (2.0 * PI * PI / (3.0 * log) - 8.0 * ZETA_3 / (log * log) + beyond)
 }
 
-/// γ₁² + N² with the N for which the inequality along chains is an equality: midpoint rule in ln r, bisection in N.
+/// γ₁² + N² with the N for which the inequality along chains is an equality: midpoint rule in ln r,
+/// bisection in N.
 fn chains(log: f64, whole: f64) -> f64 {
     const POINTS: usize = 4000;
     let (first, last) = (1e-14f64.ln(), (2.0 * log).min(120.0).ln());
@@ -51,11 +54,13 @@ fn chains(log: f64, whole: f64) -> f64 {
     let points: Vec<[f64; 2]> = (0..POINTS) // C(r), and the weight of (N − C)₊²
         .map(|k| {
             let r = (first + (k as f64 + 0.5) * width).exp();
-            let c = whole * (2.0 * (r.exp_m1() / (r * r) - 1.0).max(0.0).sqrt() + (0.5 * r).exp_m1().sqrt());
+            let c = whole
+                * (2.0 * (r.exp_m1() / (r * r) - 1.0).max(0.0).sqrt() + (0.5 * r).exp_m1().sqrt());
             [c, width * r / (log + 0.5 * r) * 0.5 * (r / (0.5 * r).sinh()).powi(2)]
         })
         .collect();
-    let right = |n: f64| points.iter().map(|[c, weight]| (n - c).max(0.0).powi(2) * weight).sum::<f64>();
+    let right =
+        |n: f64| points.iter().map(|[c, weight]| (n - c).max(0.0).powi(2) * weight).sum::<f64>();
     let (mut low, mut high) = (0.0, 10.0 * (1.0 + log.sqrt()));
     while high - low > 1e-12 * high {
         let middle = 0.5 * (low + high);
@@ -66,16 +71,19 @@ fn chains(log: f64, whole: f64) -> f64 {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let half = Order::HALF;
-    // c from the dual norm N of u ↦ mean on (0, 1) − mean on (0, θ), on a zone so short that N² = A L + c to all digits;
-    // d and e are squared norms of N's representer, once and twice through the operator of ‖·‖₀².
+    // c from the dual norm N of u ↦ mean on (0, 1) − mean on (0, θ), on a zone so short that N² = A
+    // L + c to all digits; d and e are squared norms of N's representer, once and twice through the
+    // operator of ‖·‖₀².
     let end = law(half, 0.0, 1e-10)?;
     let Some([a, c, d, e]) = end.expansion.map(|all| all.map(Measured::from)) else {
         return Err(Error::Option("the law has no expansion at nu = 1/2".to_owned()));
     };
-    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on functions with mean zero on the zone whose slopes are polynomials in ln r
-    // (degree up to 11), r the distance to the nearest of 0, θ, 1, on elements that grow geometrically away from there; hat
-    // functions on halved elements give 0.2 % less. Error: change to a space of fewer elements and lower degrees.
-    let best = |zone: Constraint| -> Result<Measured> { Ok(gamma(half, zone, 1e-10)?.constant.into()) };
+    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on functions with mean zero on the zone whose
+    // slopes are polynomials in ln r (degree up to 11), r the distance to the nearest of 0, θ, 1,
+    // on elements that grow geometrically away from there; hat functions on halved elements give
+    // 0.2 % less. Error: change to a space of fewer elements and lower degrees.
+    let best =
+        |zone: Constraint| -> Result<Measured> { Ok(gamma(half, zone, 1e-10)?.constant.into()) };
     let whole = best(Constraint::mean_zero())?.value;
     out.column("log", "L", "ln(1/θ)");
     out.column("square", "γ²", "");
@@ -103,16 +111,23 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if theta == options.theta.last().copied() && theta.is_some() {
             let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
             out.check("exponent of L in γ² − A L − c").near(power, -1.0, 0.05, "d/γ²");
-            out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)").near(explained, 1.0, 1e-3, "next term O(1/L²)");
+            let claim = out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)");
+            claim.near(explained, 1.0, 1e-3, "next term O(1/L²)");
         }
-        let [known_lower, known_upper] = end.bracket(log)?; // the same two bounds, their integral by Gauss rules
+        // the same two bounds, their integral by Gauss rules
+        let [known_lower, known_upper] = end.bracket(log)?;
         let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
-        out.check("bounds: relative difference from library").at_most(agreement, 1e-4, "Gauss quadrature");
+        let claim = out.check("bounds: relative difference from library");
+        claim.at_most(agreement, 1e-4, "Gauss quadrature");
         if theta.is_none() && log == options.log.iter().copied().fold(0.0, f64::max) {
-            out.check("largest L: upper/lower bound − 1").at_most(upper / lower - 1.0, 1e-4, "O(L^(−1/2))");
+            let claim = out.check("largest L: upper/lower bound − 1");
+            claim.at_most(upper / lower - 1.0, 1e-4, "O(L^(−1/2))");
         }
     }
-    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "|γ² / (A L) − 1|, distance from the law");
+    let axes = Axes::LogLog(
+        "L = ln(1/θ), logarithm of the zone",
+        "|γ² / (A L) − 1|, distance from the law",
+    );
     out.plot("lemma_5_2_exact_law", "The law at one half between its two bounds", axes)
         .curve("log", "above")
         .points("log", "off")

@@ -60,7 +60,14 @@ fn find(n: usize, k: usize) -> Result<Segment> {
     let (a, cell) = (place * k, 1.0 / (n * k) as f64);
     let share = |i: usize| force[i] / cell * if i == 0 || i == n * k { 1.0 } else { 0.5 };
     let pressure = (a..a + k).map(|i| share(i) + share(i + 1)).collect();
-    Ok(Segment { h: 1.0 / n as f64, u: u[a..=a + k].to_vec(), pressure, place, carry, term: largest })
+    Ok(Segment {
+        h: 1.0 / n as f64,
+        u: u[a..=a + k].to_vec(),
+        pressure,
+        place,
+        carry,
+        term: largest,
+    })
 }
 
 impl Segment {
@@ -91,16 +98,18 @@ impl Segment {
         };
         let norm = |v: &[f64]| (v.iter().map(|v| v * v).sum::<f64>() * cell).sqrt();
         let both = seminorm(&self.pressure)? * seminorm(&slope)?;
-        let full =
-            norm(&self.pressure).hypot(seminorm(&self.pressure)?) * norm(&slope).hypot(seminorm(&slope)?);
+        let full = norm(&self.pressure).hypot(seminorm(&self.pressure)?)
+            * norm(&slope).hypot(seminorm(&slope)?);
         // ‖I u_N − u_N‖₀: linear on each cell, e and f at its ends.
         let error = |i: usize| self.chord(i as f64 / k as f64) - self.u[i];
         let square = |e: f64, f: f64| (e * e + e * f + f * f) / 3.0;
-        let interpolation = ((0..k).map(|i| square(error(i), error(i + 1))).sum::<f64>() * cell).sqrt();
+        let interpolation =
+            ((0..k).map(|i| square(error(i), error(i + 1))).sum::<f64>() * cell).sqrt();
         let force: f64 = self.pressure.iter().sum::<f64>() * cell;
         let depth = self.u[0].abs().max(self.u[k].abs());
         let printed = h.powf(2.0 * tau - 3.0);
-        let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+        let c_i =
+            interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
         let first = |theta: f64| -> Result<f64> {
             Ok(embedding_bound(nu, q)? * h * theta.powf(1.0 - 1.0 / q) * full)
         };
@@ -132,7 +141,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for (key, ((bound, value), (_, other))) in
         keys.iter().zip(fine.bounds(tau)?.iter().zip(coarse.bounds(tau)?))
     {
-        let times = Measured::new(value / fine.term, (value / fine.term - other / coarse.term).abs());
+        let times =
+            Measured::new(value / fine.term, (value / fine.term - other / coarse.term).abs());
         out.row(cells! { bound: *bound => times });
         out.check("term/bound").at_most(times.recip(), 1.0, "the proofs of Sections 3 and 4");
         out.note(format!("times.{key}"), times.value);
@@ -197,7 +207,12 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     if page >= 6 {
         filled(
             &mut svg,
-            &[(x(end), top - 22.0), (x(1.0), top - 22.0), (x(1.0), low + 82.0), (x(end), low + 82.0)],
+            &[
+                (x(end), top - 22.0),
+                (x(1.0), top - 22.0),
+                (x(1.0), low + 82.0),
+                (x(end), low + 82.0),
+            ],
             RED,
             0.10,
         );
@@ -209,8 +224,10 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
             "no pressure: the zone, length rh",
         );
     }
-    let u: Vec<_> = (0..=k).map(|i| (x(i as f64 / k as f64), top + down(segment.u[i], depth))).collect();
-    let i_u: Vec<_> = (0..=k).map(|i| (x(i as f64 / k as f64), top + down(chord(i), depth))).collect();
+    let u: Vec<_> =
+        (0..=k).map(|i| (x(i as f64 / k as f64), top + down(segment.u[i], depth))).collect();
+    let i_u: Vec<_> =
+        (0..=k).map(|i| (x(i as f64 / k as f64), top + down(chord(i), depth))).collect();
     if page >= 4 {
         let between: Vec<_> = u.iter().copied().chain(i_u.iter().rev().copied()).collect();
         filled(&mut svg, &between, GREEN, 0.25);
@@ -227,7 +244,8 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
             "stroke=\"currentColor\" stroke-width=\"1.5\"",
         );
     }
-    let _ = writeln!(svg, "<circle cx=\"{:.1}\" cy=\"{top}\" r=\"4\" fill=\"currentColor\"/>", x(end));
+    let _ =
+        writeln!(svg, "<circle cx=\"{:.1}\" cy=\"{top}\" r=\"4\" fill=\"currentColor\"/>", x(end));
     text(&mut svg, (x(0.5 * end), top - 10.0), "middle", "currentColor", "contact");
     text(&mut svg, (x(0.5 + 0.5 * end), top - 10.0), "middle", "currentColor", "gap");
     text(
@@ -239,7 +257,9 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     );
     if page >= 2 {
         let stairs: Vec<_> = (0..k)
-            .flat_map(|i| [i, i + 1].map(|j| (x(j as f64 / k as f64), low + down(segment.pressure[i], most))))
+            .flat_map(|i| {
+                [i, i + 1].map(|j| (x(j as f64 / k as f64), low + down(segment.pressure[i], most)))
+            })
             .collect();
         line(&mut svg, &[(x(0.0), low), (x(1.0), low)], thin);
         line(&mut svg, &stairs, &format!("stroke=\"{RED}\" stroke-width=\"2.5\""));
@@ -247,10 +267,16 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
         text(&mut svg, (x(0.0) + 8.0, low + 28.0), "start", RED, &format!("σ{sub}"));
     }
     if page >= 3 {
-        line(&mut svg, &i_u, &format!("stroke=\"{BLUE}\" stroke-width=\"2\" stroke-dasharray=\"6 4\""));
+        line(
+            &mut svg,
+            &i_u,
+            &format!("stroke=\"{BLUE}\" stroke-width=\"2\" stroke-dasharray=\"6 4\""),
+        );
         text(&mut svg, (x(0.10), top + 34.0), "middle", BLUE, "Iu");
         let mut shape = vec![(x(0.0), area)];
-        shape.extend((0..k).map(|i| (x((i as f64 + 0.5) / k as f64), area - 45.0 * products[i] / peak)));
+        shape.extend(
+            (0..k).map(|i| (x((i as f64 + 0.5) / k as f64), area - 45.0 * products[i] / peak)),
+        );
         shape.push((x(1.0), area));
         filled(&mut svg, &shape, "currentColor", 0.45);
         line(&mut svg, &[(x(0.0), area), (x(1.0), area)], thin);
@@ -265,7 +291,11 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     if page >= 5 {
         for [from, to] in [[0.0, segment.r()], [1.0, end]] {
             let y = top + if from == 0.0 { 112.0 } else { 124.0 };
-            line(&mut svg, &[(x(from), y), (x(to), y)], &format!("stroke=\"{GREEN}\" stroke-width=\"3\""));
+            line(
+                &mut svg,
+                &[(x(from), y), (x(to), y)],
+                &format!("stroke=\"{GREEN}\" stroke-width=\"3\""),
+            );
         }
         text(&mut svg, (x(0.0) - 6.0, top + 122.0), "end", GREEN, "rh");
     }
@@ -297,7 +327,12 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
         text(&mut svg, (465.0, y), "start", colour, name);
         filled(
             &mut svg,
-            &[(465.0, y + 5.0), (465.0 + width, y + 5.0), (465.0 + width, y + 17.0), (465.0, y + 17.0)],
+            &[
+                (465.0, y + 5.0),
+                (465.0 + width, y + 5.0),
+                (465.0 + width, y + 17.0),
+                (465.0, y + 17.0),
+            ],
             colour,
             0.6,
         );

@@ -1,39 +1,49 @@
 //! Remark 5: (5.3) fails at ν = 1/2. Truncated powers of |ln x|.
 //!
-//! (5.3) bounds ‖u‖₀ by C |u|_ν with one C for all zones (0, θ), for ν > 1/2. At ν = 1/2 let u = |ln x|^α, 0 < α < 1/2,
-//! which is in H^(1/2)(0, 1) and unbounded; |u|² = ∬ (u(x) − u(y))² / (x − y)² dx dy and ‖u‖² = ‖u‖₀² + |u|². Then
+//! For ν > 1/2 (5.3) bounds ‖u‖₀ by C |u|_ν with one C for all zones (0, θ). At ν = 1/2 the remark
+//! takes u = |ln x|^α, 0 < α < 1/2, which is in H^(1/2)(0, 1) and unbounded, with
 //!
 //! ```text
-//! w = 1 − min(u, n)/n vanishes on (0, θ),  L = ln(1/θ) = n^(1/α),  ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,  |w| ≤ |u|/n → 0:
+//! |u|² = ∬ (u(x) − u(y))² / (x − y)² dx dy,        ‖u‖² = ‖u‖₀² + |u|²,
 //! ```
 //!
-//! so the quotient ‖w‖₀/|w| has no bound. Printed, for ‖u‖ = 1, is |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n, v = 1 − w. With full norms that
-//! is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right. For α ≥ 1/2 u is not in H^(1/2), but w is; α = 1 gives a
-//! ramp in ln x, whose quotient² grows like 3/(2π²) L, as that of the best constant γ of the zone does.
+//! and cuts it off at the height n:
 //!
-//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation), if a quotient q exceeds γ, the best constant of the
-//! zone, or is off `by_definition` by 0.3 %, if for one α q does not grow between the last two L, if γ grows there like
-//! another power of L than 1/2 ± 0.02, or if the slope of q² over L for α = 1 is off 3/(2π²) by more than 0.001.
+//! ```text
+//! w = 1 − min(u, n)/n vanishes on (0, θ),     L = ln(1/θ) = n^(1/α),
+//! ‖w‖₀ ≥ 1 − ‖u‖₀/n → 1,     |w| ≤ |u|/n → 0.
+//! ```
+//!
+//! So the quotient ‖w‖₀/|w| has no bound. The paper prints, for ‖u‖ = 1, |w| ≤ ‖w‖ = ‖v‖ ≤ 1/n with
+//! v = 1 − w. With full norms that is false, since ‖w‖ ≥ ‖w‖₀ → 1; with |w| = |v| it is right.
+//!
+//! This file computes the quotient q = ‖w‖₀/|w|, and γ, the best constant of the zone. It also
+//! takes α ≥ 1/2, for which u is not in H^(1/2), but w is: α = 1 gives a ramp in ln x, whose q²
+//! grows like 3/(2π²) L, as γ² does.
+//!
+//! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation); if q exceeds γ, or is
+//! off `by_definition` by 0.3 %; if for one α q does not grow between the last two L; if γ grows
+//! there like another power of L than 1/2 ± 0.02; or if the slope of q² over L for α = 1 is off
+//! 3/(2π²) by more than 0.001.
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the
-// statement is false as printed.
 use example_report::prelude::*;
 use fractional_sobolev::closed_forms::log_power_seminorm_squared;
 use fractional_sobolev::{Constraint, Function, Mesh, gamma};
 use std::f64::consts::PI;
 
-example! { quick "Remark 5", "ν = 1/2: no C in ‖w‖₀ ≤ C |w| for all w that vanish on an interval (0, θ)";
+example! { quick "Remark 5",
+    "ν = 1/2: no C in ‖w‖₀ ≤ C |w| for all w that vanish on an interval (0, θ)";
     /// exponents α; the paper has α < 1/2
     alpha: Vec<f64> = "0.25,0.4,0.45,0.75,1" in "[0.2, 1]" slider "0.2 to 1",
     /// values of L = ln(1/θ)
     log: Vec<f64> = "4,16,64,256" in "[1, 690]",
 }
 
-/// ‖w‖₀ / |w| from the definition, in t = −ln x: with ψ = min(t/L, 1)^α, ‖w‖₀² = ∫ e^(−t) (1 − ψ)² dt and
-/// |w|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr, W(r) = ∫ (ψ(t + r) − ψ(t))² dt, all by the midpoint rule in ln t and ln r.
+/// ‖w‖₀ / |w| from the definition, in t = −ln x: with ψ = min(t/L, 1)^α, ‖w‖₀² = ∫ e^(−t) (1 − ψ)²
+/// dt and |w|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr, W(r) = ∫ (ψ(t + r) − ψ(t))² dt, all by the midpoint
+/// rule in ln t and ln r.
 pub fn by_definition(alpha: f64, log: f64) -> f64 {
     let psi = |t: f64| (t / log).min(1.0).powf(alpha);
     let integral = |low: f64, high: f64, f: &dyn Fn(f64) -> f64| {
@@ -48,7 +58,8 @@ pub fn by_definition(alpha: f64, log: f64) -> f64 {
     (norm / seminorm).sqrt()
 }
 
-/// w, quadratic on elements of equal length in ln x, halved towards x = 1, where |ln x|^α is singular.
+/// w, quadratic on elements of equal length in ln x, halved towards x = 1, where |ln x|^α is
+/// singular.
 pub fn truncated(alpha: f64, log: f64) -> Result<Function<'static>> {
     let layers = (log / 0.35).ceil().max(8.0);
     let mut nodes = vec![0.0];
@@ -63,8 +74,9 @@ pub fn truncated(alpha: f64, log: f64) -> Result<Function<'static>> {
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mut logs = options.log.clone();
     logs.sort_by(f64::total_cmp);
-    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials that vanish on the zone, on elements that shrink
-    // geometrically to θ and 1; its error is the change to a space of another shape.
+    // γ² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials that vanish on the zone, on
+    // elements that shrink geometrically to θ and 1; its error is the change to a space of another
+    // shape.
     let best = |log: &f64| gamma(Order::HALF, Constraint::vanishing_on(0.0..(-log).exp()), 1e-8);
     let constants =
         logs.iter().map(|log| Ok(best(log)?.constant.into())).collect::<Result<Vec<Measured>>>()?;
@@ -76,12 +88,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("printed", "n‖w‖/‖u‖", "printed as at most 1");
     out.column("repaired", "n|w|/|u|", "at most 1");
     for &alpha in &options.alpha {
-        // In closed form: |u|² = 2 ζ(1 + 2α) (Γ(1 + α)²/cos(πα) − Γ(1 + 2α)), ‖u‖₀² = ∫ |ln x|^(2α) dx = Γ(1 + 2α).
+        // In closed form: |u|² = 2 ζ(1 + 2α) (Γ(1 + α)²/cos(πα) − Γ(1 + 2α)), ‖u‖₀² = ∫ |ln x|^(2α)
+        // dx = Γ(1 + 2α).
         let full = if alpha < 0.5 { Some(Measured::from(log_power_seminorm_squared(alpha)?)) } else { None };
         for (&log, &gamma) in logs.iter().zip(&constants) {
             let w = truncated(alpha, log)?;
             let norm = Measured::from(w.norm(0.0, 1e-12)?); // Gauss rules
-            let seminorm = Measured::from(w.seminorm(Order::HALF, 1e-8)?); // closed forms on pairs of elements
+            // closed forms on pairs of elements
+            let seminorm = Measured::from(w.seminorm(Order::HALF, 1e-8)?);
             let (quotient, n, definition) = (norm / seminorm, log.powf(alpha), by_definition(alpha, log));
             let whole = (norm.squared() + seminorm.squared()).sqrt();
             let printed = full.map(|u| whole * n / (u + libm::tgamma(1.0 + 2.0 * alpha)).sqrt());
@@ -89,7 +103,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { alpha, log => quotient: quotient.value, definition, gamma: gamma.value,
             share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
             printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
-            out.check("q/γ, γ best constant for (0, θ)").at_most(quotient / gamma, 1.0, "γ is the supremum");
+            let claim = out.check("q/γ, γ best constant for (0, θ)");
+            claim.at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
             out.check("q: by_definition/library").near(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
@@ -98,12 +113,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
         }
         if let [.., long, short] = logs.as_slice() {
-            // Exponent of L in q between the last two L, for this α; of all α the smallest is shown.
+            // Exponent of L in q between the last two L, for this α; of all α the smallest is
+            // shown.
             let growth = out.exponent("log", "quotient");
-            out.check("exponent of L in q, minimum over α").at_least(growth, 0.0, "0 if q were bounded");
+            let claim = out.check("exponent of L in q, minimum over α");
+            claim.at_least(growth, 0.0, "0 if q were bounded");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
-                out.check("α = 1: slope of q² against L").near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
+                let claim = out.check("α = 1: slope of q² against L");
+                claim.near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };

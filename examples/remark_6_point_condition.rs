@@ -1,36 +1,49 @@
 //! Remark 6: for ν > 1/2 it is enough that u vanishes at one point.
 //!
-//! For u in H^ν(0, 1), 1/2 < ν < 1, with u(a) = 0 let γ₀ be the best constant in ‖u‖₀ ≤ γ₀ |u|_ν, where
-//! |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: γ₀ is finite, since H^ν is compactly embedded in the
-//! continuous functions. It is the limit, from below, of the constant γ(θ) for mean zero on (0, θ) as θ → 0, with a
-//! difference of the order θ^(2ν−1).
+//! Let 1/2 < ν < 1, and for u in H^ν(0, 1) with u(a) = 0 let γ₀ be the best constant in
 //!
-//! As ν → 1/2 it cannot stay bounded, because a point then fixes nothing: (2ν − 1) γ₀² → A = 3/(2π²) for a = 0 (proof on the
-//! page `lemma_5_2`), the factor of Lemma 5.2 at ν = 1/2. The end of the interval is the worst place for the point.
+//! ```text
+//! ‖u‖₀ ≤ γ₀ |u|_ν,        |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy.
+//! ```
 //!
-//! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions, whose value is a lower
-//! bound, if the zone (0, 1e-12) has a larger constant or is off by more than its correction, if the point inside has a
-//! larger constant than the end, or if (2ν − 1) γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1. (4e-8: the tolerance 1e-8
-//! of both constants, twice.)
+//! The remark says that γ₀ is finite, because H^ν is compactly embedded in the continuous
+//! functions. It is the limit, from below, of the constant γ(θ) for mean zero on (0, θ) as θ → 0,
+//! with a difference of the order θ^(2ν−1). As ν → 1/2 it cannot stay bounded, because a point then
+//! fixes nothing: for a = 0
+//!
+//! ```text
+//! (2ν − 1) γ₀² → A = 3/(2π²),
+//! ```
+//!
+//! the factor of Lemma 5.2 at ν = 1/2 (proof on the page `lemma_5_2`). The end of the interval is
+//! the worst place for the point.
+//!
+//! This file computes γ₀ for the end and for a point inside, and γ(1e-12).
+//!
+//! Refuted if γ₀ differs by more than 1 % from its definition with piecewise linear functions,
+//! whose value is a lower bound; if the zone (0, 1e-12) has a larger constant or is off by more
+//! than its correction; if the point inside has a larger constant than the end; or if (2ν − 1)
+//! γ₀²/A, for ν ≤ 0.6, is off 1 by more than 2ν − 1. (4e-8 stands for the tolerance 1e-8 of two
+//! constants, twice.)
 //!
 //! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
 use std::f64::consts::PI;
 
-example! { quick "Remark 6", "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν with γ₀ finite;  γ₀² ≈ 3/(2π²) / (2ν − 1) as ν → 1/2";
+example! { quick "Remark 6",
+    "ν > 1/2, u(a) = 0:  ‖u‖₀ ≤ γ₀ |u|_ν with γ₀ finite;  γ₀² ≈ 3/(2π²) / (2ν − 1) as ν → 1/2";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.55,0.6,0.75,0.9,0.99" in "(0.5, 1)" slider "0.52 to 0.99",
     /// an interior point a, in addition to a = 0
     point: f64 = "0.5" in "(0, 1)" slider "0.01 to 0.99",
 }
 
-/// γ₀ for u(0) = 0 from its definition: √λ for the largest λ of M u = λ A u, where u runs through the continuous piecewise
-/// linear functions that vanish at 0, M holds ∫ φᵢ φⱼ and A the form of |·|²_ν for the hat functions φᵢ, in closed form.
-/// Elements are halved towards 0 and 1, down to lengths ℓ for which ℓ^(2ν−1) is 1e-3.
+/// γ₀ for u(0) = 0 from its definition: √λ for the largest λ of M u = λ A u, where u runs through
+/// the continuous piecewise linear functions that vanish at 0, M holds ∫ φᵢ φⱼ and A the form of
+/// |·|²_ν for the hat functions φᵢ, in closed form. Elements are halved towards 0 and 1, down to
+/// lengths ℓ for which ℓ^(2ν−1) is 1e-3.
 fn by_definition(nu: Order) -> Result<f64> {
     let layers = (10.0 / (2.0 * nu.offset())).clamp(20.0, 260.0) as usize;
     let mesh = Mesh::graded(&[0.0, 1.0], layers, 0.5)?;
@@ -48,10 +61,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("inside", "inside", "u = 0 at the point given");
     out.column("over_end", "/γ₀", "inside over the end");
     for &nu in &options.nu {
-        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions that satisfy the condition and whose slopes are polynomials
-        // in ln r (degree up to 11), r the distance to the nearest end of interval or zone or to the point, on elements that grow
-        // geometrically away from there; the error is the change to a space of fewer elements and lower degrees.
-        let best = |condition| gamma(nu, condition, 1e-8).map(|found| Measured::from(found.constant));
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions that satisfy the condition
+        // and whose slopes are polynomials in ln r (degree up to 11), r the distance to the nearest
+        // end of interval or zone or to the point, on elements that grow geometrically away from
+        // there; the error is the change to a space of fewer elements and lower degrees.
+        let best =
+            |condition| gamma(nu, condition, 1e-8).map(|found| Measured::from(found.constant));
         let end = best(Constraint::vanishing_at(0.0)?)?;
         let inside = best(Constraint::vanishing_at(options.point)?)?;
         let short = best(Constraint::mean_zero_on(0.0..SHORT)?)?;
@@ -59,11 +74,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let scaled = end.squared() * (delta * PI.powi(2) / 1.5);
         out.row(cells! { nu => end, definition, short: short.value, scaled: scaled.value,
         inside: inside.value, over_end: (inside / end).value });
-        out.check("γ₀: by_definition/library").near(end.recip() * definition, 1.0, 1e-2, "hat functions");
-        out.check("all ν, θ = 1e-12: γ(θ)/γ₀").at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
+        let claim = out.check("γ₀: by_definition/library");
+        claim.near(end.recip() * definition, 1.0, 1e-2, "hat functions");
+        let claim = out.check("all ν, θ = 1e-12: γ(θ)/γ₀");
+        claim.at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
         let correction = SHORT.powf(delta).max(4e-8);
-        out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀")).near(short / end, 1.0, correction, "θ^(2ν−1)");
-        out.check("interior point: best constant/γ₀").at_most(inside / end, 1.0 + 4e-8, "the end is worst");
+        let claim = out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀"));
+        claim.near(short / end, 1.0, correction, "θ^(2ν−1)");
+        let claim = out.check("interior point: best constant/γ₀");
+        claim.at_most(inside / end, 1.0 + 4e-8, "the end is worst");
         if delta <= 0.2 + 1e-12 {
             let claim = format!("ν = {nu}: (2ν − 1) γ₀²/(3/(2π²))");
             out.check(claim).near(scaled, 1.0, delta, "1 + O(2ν − 1) as ν → 1/2");

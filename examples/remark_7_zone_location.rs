@@ -1,35 +1,48 @@
-//! Remark 7: the constants of Lemma 5.2 are valid wherever the zone lies; of all sets of one measure the end is the worst.
+//! Remark 7: the constants of Lemma 5.2 are valid wherever the zone lies; of all sets of one
+//! measure the end is the worst.
 //!
-//! For a set E in (0, 1) of measure θ let γ(E) be the best constant in ‖u‖₀ ≤ γ |u|_ν for u in H^ν(0, 1), 0 < ν < 1, with mean
-//! zero on E, or for u that vanishes on E; |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark: for an interval
-//! E = (a, a + θ), γ(E) is at most a constant times γ((0, θ)), which Lemma 5.2 bounds. Theorem: γ(E) ≤ γ((0, θ)) for every E.
-//!
-//! Proof (page `remark_7_rearrangement`): v* is v with its values sorted. So ‖v*‖₀ = ‖v‖₀, the mean of v* over (0, θ) is the
-//! largest that v has over any set of measure θ, and |v*|_ν ≤ |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting
-//! lowers Σ (f_i − f_j)² over |i − j| ≤ k, for every k.
-//!
-//! The paper cuts (0, 1) inside E into I₁ and I₂ and uses Lemma 5.2 on both, as if the mean over each part of E were zero:
+//! For a set E in (0, 1) of measure θ let γ(E) be the best constant in ‖u‖₀ ≤ γ |u|_ν for those u
+//! in H^ν(0, 1), 0 < ν < 1, that have mean zero on E, or those that vanish on E, where |u|²_ν = ∬
+//! (u(x) − u(y))² / |x − y|^(1+2ν) dx dy. The remark says that for an interval E = (a, a + θ), γ(E)
+//! is at most a constant times γ((0, θ)), which Lemma 5.2 bounds. More is true:
 //!
 //! ```text
-//! ‖u‖₀² = ‖u‖₀² on I₁ + ‖u‖₀² on I₂ ≤ (C(θ) |I₁|^ν |u|_ν on I₁)² + (C(θ) |I₂|^ν |u|_ν on I₂)².
+//! γ(E) ≤ γ((0, θ))        for every E of measure θ.
 //! ```
 //!
-//! For u = sgn(x − 1/2), ν < 1/2, E about 1/2, this reads 1 ≤ 0. Repair without a cut: with m the mean of u over (0, 1),
-//! ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν, γ₁ = γ((0, 1)) and N the dual norm of u ↦ m − mean on E.
+//! Proof (page `remark_7_rearrangement`): let v* be v with its values sorted. Then ‖v*‖₀ = ‖v‖₀,
+//! the mean of v* over (0, θ) is the largest that v has over any set of measure θ, and
+//! |v*|_ν ≤ |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting them lowers Σ (f_i − f_j)²
+//! over |i − j| ≤ k, for every k.
 //!
-//! Refuted if γ(E) exceeds γ((0, θ)) for an interval or for a random union of one to five intervals, or √(γ₁² + N²) for an
-//! interval, by more than the tolerances 1e-7 and 1e-3 asked; if a random sequence, sorted, has a larger sum; or if a
-//! random function, sorted, has a larger seminorm.
+//! The paper's proof cuts (0, 1) inside E into I₁ and I₂ and uses Lemma 5.2 on both, as if the mean
+//! over each part of E were zero:
+//!
+//! ```text
+//! ‖u‖₀² = ‖u‖²_(0,I₁) + ‖u‖²_(0,I₂) ≤ (C(θ) |I₁|^ν |u|_(ν,I₁))² + (C(θ) |I₂|^ν |u|_(ν,I₂))².
+//! ```
+//!
+//! For u = sgn(x − 1/2), ν < 1/2 and E about 1/2 this reads 1 ≤ 0. A proof without a cut: with m
+//! the mean of u over (0, 1), γ₁ = γ((0, 1)), and N the dual norm of u ↦ m − mean on E,
+//!
+//! ```text
+//! ‖u‖₀² = ‖u − m‖₀² + m² ≤ (γ₁² + N²) |u|²_ν.
+//! ```
+//!
+//! This file computes γ(E) for intervals and for random unions of one to five intervals, and tests
+//! the lemma on random sequences and random functions.
+//!
+//! Refuted if γ(E) exceeds γ((0, θ)) for an interval or a union, or √(γ₁² + N²) for an interval, by
+//! more than the tolerances 1e-7 and 1e-3 requested; if a random sequence, sorted, has a larger
+//! sum; or if a random function, sorted, has a larger seminorm.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `as_printed` may fail: then the
-// statement is false as printed. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Function, Gram, Mesh, Zones, gamma};
 
-example! { seconds "Remark 7", "mean zero on a set E of measure θ:  ‖u‖₀ ≤ γ(E) |u|_ν,  γ(E) ≤ γ((0, θ))";
+example! { seconds "Remark 7",
+    "mean zero on a set E of measure θ:  ‖u‖₀ ≤ γ(E) |u|_ν,  γ(E) ≤ γ((0, θ))";
     /// orders ν of the seminorm
     nu: Vec<Order> = "0.25,1/2,0.75" in "(0, 1)" slider "0.02 to 0.98",
     /// length θ of the zone
@@ -42,8 +55,9 @@ example! { seconds "Remark 7", "mean zero on a set E of measure θ:  ‖u‖₀ 
     unions: usize = "60" in "[1, 100000]",
 }
 
-/// γ from its definition: √λ for the largest λ of M u = λ A u, u in the span of the hat functions φᵢ with mean zero on
-/// (a, b), M = ∫ φᵢ φⱼ and A the form of |·|²_ν, in closed form. Elements are halved towards 0, both sides of a and b, 1.
+/// γ from its definition: √λ for the largest λ of M u = λ A u, u in the span of the hat functions
+/// φᵢ with mean zero on (a, b), M = ∫ φᵢ φⱼ and A the form of |·|²_ν, in closed form. Elements are
+/// halved towards 0, both sides of a and b, 1.
 fn by_definition(nu: Order, a: f64, b: f64) -> Result<f64> {
     let mut points = vec![0.0, a, b, 1.0];
     points.dedup();
@@ -53,23 +67,11 @@ fn by_definition(nu: Order, a: f64, b: f64) -> Result<f64> {
     Ok(largest_eigenvalue(&(free.transpose() * mass_matrix(&mesh) * &free), &form)?.sqrt())
 }
 
-/// Uniform in [0, 1), the same on every machine: SplitMix64.
-struct Random(u64);
-
-impl Random {
-    fn uniform(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Positive numbers that differ by a factor of 30 at most, their sum given.
-    fn shares(&mut self, count: usize, sum: f64) -> Vec<f64> {
-        let raw: Vec<f64> = (0..count).map(|_| 30f64.powf(self.uniform())).collect();
-        raw.iter().map(|share| share / raw.iter().sum::<f64>() * sum).collect()
-    }
+/// Random positive numbers with the given sum, which differ by a factor of 30 at most.
+fn shares(random: &mut fastrand::Rng, count: usize, sum: f64) -> Vec<f64> {
+    let raw: Vec<f64> = (0..count).map(|_| 30f64.powf(random.f64())).collect();
+    let total: f64 = raw.iter().sum();
+    raw.iter().map(|share| share / total * sum).collect()
 }
 
 /// Σ (f_i − f_j)² over |i − j| ≤ k.
@@ -78,7 +80,8 @@ pub fn near_differences(f: &[f64], k: usize) -> f64 {
     (0..f.len()).map(row).sum()
 }
 
-/// v* of a continuous piecewise linear v: linear between its values y, each at the measure of the set where v > y.
+/// v* of a continuous piecewise linear v: linear between its values y, each at the measure of the
+/// set where v > y.
 fn rearranged(mesh: &Mesh, values: &[f64]) -> Result<Function<'static>> {
     let mut levels = values.to_vec();
     levels.sort_by(|a, b| b.total_cmp(a));
@@ -94,14 +97,15 @@ fn rearranged(mesh: &Mesh, values: &[f64]) -> Result<Function<'static>> {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let theta = options.theta;
-    out.column("at", "a/(1−θ)", "");
+    out.column("at", "a/(1−θ)", "place of the zone (a, a + θ)");
     out.column("definition", "hats", "γ by `by_definition`");
     out.column("over_end", "γ/end", "over γ of (0, θ)");
     out.column("repair", "repair", "√(γ₁² + N²)");
     for &nu in &options.nu {
-        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions with mean zero on the zone whose slopes are polynomials in
-        // ln r (degree up to 11), r the distance to the nearest end of zone or interval, on elements that grow geometrically
-        // away from there; its error is the change to a space of fewer elements and lower degrees.
+        // γ² is the largest eigenvalue of (‖·‖₀², |·|²_ν) on functions with mean zero on the zone
+        // whose slopes are polynomials in ln r (degree up to 11), r the distance to the nearest end
+        // of zone or interval, on elements that grow geometrically away from there; its error is
+        // the change to a space of fewer elements and lower degrees.
         let end = Measured::from(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant);
         for &at in &options.at {
             let a = at * (1.0 - theta);
@@ -112,77 +116,84 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (gamma, repair) = (Measured::from(found.constant), repair.sqrt());
             let definition = by_definition(nu, a, if at < 1.0 { a + theta } else { 1.0 })?;
             let over_end = gamma / end;
-            out.row(cells! { nu, at => gamma, definition, over_end: over_end.value, repair: repair.value });
+            out.row(cells! { nu, at =>
+                gamma, definition, over_end: over_end.value, repair: repair.value
+            });
             if at > 0.0 {
-                out.check("γ((a, a + θ))/γ((0, θ)), a > 0").at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
+                let claim = out.check("γ((a, a + θ))/γ((0, θ)), a > 0");
+                claim.at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
             }
             out.check("γ/√(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
             let hats = gamma.recip() * definition;
             out.check("γ: by_definition/library").near(hats, 1.0, 5e-3, "hat functions");
         }
-        // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on one half.
+        // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on
+        // one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
-        out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side").at_least(
-            needed,
-            1.0,
-            "counterexample",
-        );
+        let claim = out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side");
+        claim.at_least(needed, 1.0, "counterexample");
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
     let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
-    out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side").at_least(
-        over,
-        1e-12,
-        "without the cut",
-    );
+    let claim = out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side");
+    claim.at_least(over, 1e-12, "without the cut");
 
-    let mut random = Random(7);
+    let mut random = fastrand::Rng::with_seed(7);
     for _ in 0..options.functions {
-        // Whole numbers: the sums are exact.
-        let count = 2 + (39.0 * random.uniform()) as usize;
-        let f: Vec<f64> = (0..count).map(|_| (99.0 * random.uniform()).floor()).collect();
+        // Sequences of whole numbers: the sums are exact.
+        let count = random.usize(2..41);
+        let f: Vec<f64> = (0..count).map(|_| random.u32(0..99).into()).collect();
         let mut sorted = f.clone();
         sorted.sort_by(|a, b| b.total_cmp(a));
-        for k in 1..f.len() {
+        for k in 1..count {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
-            out.check("sequences: Σ (f_i − f_j)², sorted − given").at_most(rise, 0.0, "rearrangement lemma");
+            let claim = out.check("sequences: Σ (f_i − f_j)², sorted − given");
+            claim.at_most(rise, 0.0, "rearrangement lemma");
         }
-        // Linear between random values on a random mesh; seminorms are closed forms on pairs of elements.
-        let (nu, count) = (0.01 + 0.98 * random.uniform(), 2 + (10.0 * random.uniform()) as usize);
-        let values: Vec<f64> = (0..=count).map(|_| random.uniform()).collect();
-        let mesh = Mesh::from_lengths(&random.shares(count, 1.0))?;
-        let less = Measured::from(rearranged(&mesh, &values)?.seminorm(nu, 1e-8)?);
-        let share = less / Function::linears(&mesh, &values)?.seminorm(nu, 1e-8)?;
-        out.check("random v: |v*|_ν/|v|_ν").at_most(share, 1.0 + 1e-8, "rearrangement inequality");
+        // Functions that are linear between random values on a random mesh; their seminorms are
+        // closed forms on pairs of elements.
+        let nu = 0.01 + 0.98 * random.f64();
+        let count = random.usize(2..12);
+        let values: Vec<f64> = (0..=count).map(|_| random.f64()).collect();
+        let mesh = Mesh::from_lengths(&shares(&mut random, count, 1.0))?;
+        let given = Function::linears(&mesh, &values)?.seminorm(nu, 1e-8)?;
+        let sorted = Measured::from(rearranged(&mesh, &values)?.seminorm(nu, 1e-8)?);
+        let claim = out.check("random v: |v*|_ν/|v|_ν");
+        claim.at_most(sorted / given, 1.0 + 1e-8, "rearrangement inequality");
     }
+
+    // Unions of 1 to 5 intervals of total length θ: (θ, γ(E)/γ((0, θ))) by their number.
     let mut found = vec![Vec::new(); 5];
     for number in 0..options.unions {
-        let (nu, theta) = (0.001 + 0.998 * random.uniform(), 0.9 * 1e-12f64.powf(random.uniform()));
-        let count = 1 + (5.0 * random.uniform()) as usize;
-        let (intervals, mut gaps) = (random.shares(count, theta), random.shares(count + 1, 1.0 - theta));
+        let nu = 0.001 + 0.998 * random.f64();
+        let theta = 0.9 * 1e-12f64.powf(random.f64());
+        let count = random.usize(1..6);
+        let intervals = shares(&mut random, count, theta);
+        let mut gaps = shares(&mut random, count + 1, 1.0 - theta);
         if number % 4 == 0 && count > 1 {
-            gaps[count] += std::mem::take(&mut gaps[0]); // from the left end on
+            gaps[count] += gaps[0]; // from the left end on
+            gaps[0] = 0.0;
         }
+        // gap, interval, gap, interval, ..; the last gap is the rest of (0, 1)
         let lengths: Vec<f64> = gaps.iter().zip(&intervals).flat_map(|(&a, &b)| [a, b]).collect();
-        let (union, end) = (Zones::from_lengths(&lengths)?, Zones::from_start_and_length(0.0, theta)?);
-        let solved = |zones: Zones| {
-            let mean = number % 2 == 0;
-            let zone = if mean { Constraint::mean_zero_on(zones) } else { Constraint::vanishing_on(zones) };
+        let constant = |zones: Zones| {
+            let zone = if number % 2 == 0 {
+                Constraint::mean_zero_on(zones)
+            } else {
+                Constraint::vanishing_on(zones)
+            };
             gamma(nu, zone, 1e-3).map(|found| Measured::from(found.constant))
         };
-        let Ok(constant) = solved(union) else { continue }; // rounding forbids three digits
-        let over = constant / solved(end)?;
+        // An error where rounding forbids three digits; at most a tenth of the unions.
+        let Ok(of_union) = constant(Zones::from_lengths(&lengths)?) else { continue };
+        let over = of_union / constant(Zones::from_start_and_length(0.0, theta)?)?;
         out.check("unions: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
         found[count - 1].push((theta, over.value));
     }
-    let computed = found.iter().map(Vec::len).sum::<usize>() as f64;
-    out.check("unions accurate to 1e-3, fraction").at_least(
-        computed / options.unions as f64,
-        0.9,
-        "rounding",
-    );
+    let computed = found.iter().map(Vec::len).sum::<usize>() as f64 / options.unions as f64;
+    out.check("unions accurate to 1e-3, fraction").at_least(computed, 0.9, "rounding");
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
     let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
     out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");

@@ -1,28 +1,30 @@
 //! Section 1: are there infinitely many transitions where a clamped part meets the contact edge?
 //!
-//! Without contact the solution near such a point oscillates, r^(1/2) sin(ε ln r + c): the body would pass through the
-//! plane infinitely often. The paper leaves open whether the number of transitions between contact and gap is finite.
+//! Without contact the solution near such a point oscillates, r^(1/2) sin(ε ln r + c): the body
+//! would pass through the plane infinitely often. The paper leaves open whether the number of
+//! transitions between contact and gap is finite.
 //!
-//! Half disc of radius 1 above y = 0, plane strain, Poisson's ratio −1 < ν < 1/2: clamped for x < 0, contact without
-//! friction for x > 0, a constant traction (cos α, sin α) on the arc; r is the distance from 0, κ = 3 − 4ν, ε = ln κ/(2π).
+//! Half disc of radius 1 above y = 0, plane strain, Poisson's ratio −1 < ν < 1/2: clamped for
+//! x < 0, contact without friction for x > 0, a constant traction (cos α, sin α) on the arc; r is
+//! the distance from 0, κ = 3 − 4ν, ε = ln κ/(2π).
 //!
-//! Theorem (page `section_1_clamped_end`): contact on (0, ℓ) for some ℓ > 0, whatever the load. If the body is closed on
-//! (0, ℓ) and open beyond, on the half-plane, and up to a factor 1 + O(r) on the half disc,
+//! Theorem (page `section_1_clamped_end`): contact on (0, ℓ) for some ℓ > 0, whatever the load. If
+//! the body is closed on (0, ℓ) and open beyond, on the half-plane, and up to a factor 1 + O(r) on
+//! the half disc,
 //!
 //! ```text
 //! −σ_N = C r^(−1/2) sinh(2ε arccos √(r/ℓ)),      r < ℓ.
 //! ```
 //!
-//! Expected: contact at the end, at most two transitions (contact, gap, contact) in all decades; a scalar body (−Δu = 0,
-//! u in the place of u_N, no oscillation) has none. Refuted if an elastic body is open at the end over more than two
-//! periods π/ε of ln r, if more than two transitions are found, if a condition of contact, scaled by its own decade, is
-//! violated by 1e-10, if another start gives another contact set, if the pressure leaves the formula by more than the
-//! width of a ring, or if without contact u_N changes its sign more or less often than the phase ε ln r says.
+//! Expected: contact at the end, at most two transitions (contact, gap, contact) in all decades; a
+//! scalar body (−Δu = 0, u in the place of u_N, no oscillation) has none. Refuted if an elastic
+//! body is open at the end over more than two periods π/ε of ln r, if more than two transitions are
+//! found, if a condition of contact, scaled by its own decade, is violated by 1e-10, if another
+//! start gives another contact set, if the pressure leaves the formula by more than the width of a
+//! ring, or if without contact u_N changes its sign more or less often than the phase ε ln r says.
 //!
 //! `cargo run --release --example section_1_clamped_end -- --angles 12 --poisson 0.1`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use signorini::cone::{Cone, ContactSet};
 use signorini::contact::{ContactProblem, ContactSolution, Settings, Solver, Start};
@@ -31,7 +33,8 @@ use signorini::mesh::Outline;
 use signorini::problems::DirichletEnd;
 use std::f64::consts::{LN_10, PI};
 
-example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the clamped part, whatever the load";
+example! { seconds "Section 1, clamped end",
+    "contact on (0, ℓ) beside the clamped part, whatever the load";
     /// Poisson's ratios ν
     poisson: Vec<f64> = "-0.5,0.25" in "(-1, 0.5)" slider "-0.5 to 0.4",
     /// directions α of the traction in degrees: 90 pulls, -90 presses, 180 shears
@@ -42,8 +45,9 @@ example! { seconds "Section 1, clamped end", "contact on (0, ℓ) beside the cla
     smallest: f64 = "1e-20" in "[1e-120, 1e-6]",
 }
 
-/// Contact and gaps from the end outwards; a border lies at the geometric mean of the two nodes beside it. Radii below ten
-/// times the innermost ring are not read: the fan that closes the mesh is felt there.
+/// Contact and gaps from the end outwards; a border lies at the geometric mean of the two nodes
+/// beside it. Radii below ten times the innermost ring are not read: the fan that closes the mesh
+/// is felt there.
 fn intervals(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec<RadialInterval>> {
     let (set, place) = (&solution.contact_set, &solution.positions);
     let first = place.partition_point(|&r| r < 10.0 * problem.edge().arc()[1]);
@@ -51,10 +55,16 @@ fn intervals(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec
     Ok(radial_intervals(&place[first..], &ContactSet::new(&read))?)
 }
 
-/// The largest of (u_N)₊, (σ_N)₊, |u_N σ_N| and of the residual of the equations in a decade of r, each over the largest
-/// displacement, force, product and force of that decade; the largest of all decades.
-fn worst_decade(problem: &ContactProblem, solution: &ContactSolution, smallest: f64) -> Result<f64> {
-    let decades: Vec<f64> = (0..=-smallest.log10().floor() as i32).rev().map(|k| 10f64.powi(-k)).collect();
+/// The largest of (u_N)₊, (σ_N)₊, |u_N σ_N| and of the residual of the equations in a decade of r,
+/// each over the largest displacement, force, product and force of that decade; the largest of all
+/// decades.
+fn worst_decade(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+    smallest: f64,
+) -> Result<f64> {
+    let decades: Vec<f64> =
+        (0..=-smallest.log10().floor() as i32).rev().map(|k| 10f64.powi(-k)).collect();
     let residuals = problem.kkt_by_radius(solution, [0.0; 2], &decades)?;
     Ok(residuals.iter().map(|decade| decade.worst()).fold(0.0, f64::max))
 }
@@ -66,28 +76,34 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("outer", "gap to", "log10 of where a gap behind it ends");
     let bodies = options.poisson.iter().map(|&nu| Some(nu)).chain([None]);
     let all = bodies.flat_map(|body| options.alpha.iter().map(move |&alpha| (body, alpha)));
-    let loaded = |(body, alpha): &(Option<f64>, f64)| body.is_some() || alpha.to_radians().sin().abs() > 1e-9;
+    let loaded = |(body, alpha): &(Option<f64>, f64)| {
+        body.is_some() || alpha.to_radians().sin().abs() > 1e-9
+    };
     let mut drawn = Vec::new();
     for (poisson, alpha) in all.filter(loaded) {
         let epsilon = poisson.map(|nu| (3.0 - 4.0 * nu).ln() / (2.0 * PI));
-        // Rings of n sectors, radii e^(−kπ/n), cells cut by the diagonal from the outer node nearer to the vertical axis: on
-        // all rings linear elements have the same stiffness matrix, so the innermost is as exact as the outermost.
+        // Rings of n sectors, radii e^(−kπ/n), cells cut by the diagonal from the outer node nearer
+        // to the vertical axis: on all rings linear elements have the same stiffness matrix, so the
+        // innermost is as exact as the outermost.
         let (angles, step) = (options.angles, PI / options.angles as f64);
         let (outline, smallest, direction) = (Outline::HalfDisc, options.smallest, alpha);
-        let mut problem = DirichletEnd { outline, angles, step, smallest, poisson, direction }.problem()?;
+        let mut problem =
+            DirichletEnd { outline, angles, step, smallest, poisson, direction }.problem()?;
         let arc = problem.edge().arc().to_vec();
-        // The pressure is the force of a node over half of the two segments beside it; scalar body: ∂u/∂n = −sin α on the arc.
-        // Active set: guess which constraints are active, solve with these as equations, correct by the signs, node by
-        // node without a tolerance; from no contact, and from full contact.
+        // The pressure is the force of a node over half of the two segments beside it; scalar body:
+        // ∂u/∂n = −sin α on the arc. Active set: guess which constraints are active, solve with
+        // these as equations, correct by the signs, node by node without a tolerance; from no
+        // contact, and from full contact.
         let nodal = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
         let full = Start::Set(ContactSet::new(&vec![true; arc.len()]));
         let closed = problem.solve(Cone::Nodal, Settings { start: full, ..Settings::default() })?;
-        let differ =
-            (1..arc.len()).filter(|&i| nodal.contact_set.contains(i) != closed.contact_set.contains(i));
+        let differ = (1..arc.len())
+            .filter(|&i| nodal.contact_set.contains(i) != closed.contact_set.contains(i));
         out.check("nodes where contact sets differ").at_most(differ.count(), 0.0, "uniqueness");
         for solution in [&nodal, &closed] {
             let worst = worst_decade(&problem, solution, options.smallest)?;
-            out.check("largest KKT residual, scaled by decade").at_most(worst, 1e-10, "rounding errors");
+            let claim = out.check("largest KKT residual, scaled by decade");
+            claim.at_most(worst, 1e-10, "rounding errors");
         }
         let parts = intervals(&problem, &nodal)?;
         // The same body with the plane far away.
@@ -97,15 +113,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let name = poisson.map_or("scalar".to_owned(), |nu| nu.to_string());
         let end = if parts[0].in_contact { "contact" } else { "gap" };
         let border = |k: usize| parts.get(k).map(|part| part.from.log10());
-        out.row(cells! { nu: name.clone(), alpha => oscillates, end, zone: border(1), outer: border(2) });
+        out.row(cells! { nu: name.clone(), alpha =>
+            oscillates, end, zone: border(1), outer: border(2)
+        });
         drawn.push((format!("{name}, {alpha}°"), parts.clone()));
         let Some(epsilon) = epsilon else {
             out.check("scalar body: transitions").at_most(parts.len() - 1, 0.0, "real exponents");
             continue;
         };
         let off = oscillates as f64 + options.smallest.ln() * epsilon / PI;
-        out.check("without contact: sign changes − phase/π").near(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
-        out.check("elastic body: transitions").at_most(parts.len() - 1, 2.0, "contact, gap, contact");
+        let claim = out.check("without contact: sign changes − phase/π");
+        claim.near(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
+        let claim = out.check("elastic body: transitions");
+        claim.at_most(parts.len() - 1, 2.0, "contact, gap, contact");
         // A gap at the end is no answer where it is shorter than two periods.
         let periods = parts[0].decades() * LN_10 * epsilon / PI;
         let open = match (parts[0].in_contact, periods < 2.0) {
@@ -117,18 +137,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let [zone, _, ..] = parts.as_slice()
             && zone.in_contact
         {
-            // Over the last four decades before ℓ/4: largest change of the quotient beside its mean, in logarithms.
-            let near = |r: f64| 1e-4 * zone.to <= 4.0 * r && 4.0 * r <= zone.to && r >= 10.0 * zone.from;
+            // Over the last four decades before ℓ/4: largest change of the quotient beside its
+            // mean, in logarithms.
+            let near =
+                |r: f64| 1e-4 * zone.to <= 4.0 * r && 4.0 * r <= zone.to && r >= 10.0 * zone.from;
             let formula = |r: f64| (2.0 * epsilon * (r / zone.to).sqrt().acos()).sinh() / r.sqrt();
             let near = arc.iter().zip(&nodal.pressure).filter(|(r, _)| near(**r));
             let quotients: Vec<f64> = near.map(|(&r, p)| (p / formula(r)).ln()).collect();
             let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
             if let Some(off) = largest(quotients.iter().map(|q| (q - mean).abs())) {
-                out.check("|ln(pressure/formula)|/ring width in ln r").at_most(
-                    off / step,
-                    1.0,
-                    "mesh size at ℓ",
-                );
+                let claim = out.check("|ln(pressure/formula)|/ring width in ln r");
+                claim.at_most(off / step, 1.0, "mesh size at ℓ");
             }
         }
     }
@@ -153,6 +172,6 @@ fn plot(out: &mut Report, drawn: &[(String, Vec<RadialInterval>)]) {
     let title = "Contact and gap near a clamped end, by Poisson's ratio and direction of the load";
     let axes = Axes::Linear("log10 of the distance from the end", "");
     let plot = out.plot("section_1_clamped_end", title, axes);
-    plot.named_rows(drawn.iter().map(|d| d.0.clone()).collect());
+    plot.named_rows(drawn.iter().map(|(name, _)| name.clone()).collect());
     plot.given_points("contact", dots(true)).given_points("gap", dots(false));
 }

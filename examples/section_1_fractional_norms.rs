@@ -3,29 +3,32 @@
 //! For 0 < ν < 1 the norm of H^ν(0, 1) is ‖u‖²_ν = ‖u‖₀² + |u|²_ν with the seminorm of Slobodeckij,
 //!
 //! ```text
-//! |u|²_ν = ∫₀¹∫₀¹ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy = 2 ∫₀¹ t^(−1−2ν) ∫₀^(1−t) (u(x+t) − u(x))² dx dt.
+//! |u|²_ν = ∫₀¹∫₀¹ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy
+//!        = 2 ∫₀¹ t^(−1−2ν) ∫₀^(1−t) (u(x+t) − u(x))² dx dt.
 //! ```
 //!
-//! It is finite for x^a if ν < a + 1/2, for a step if ν < 1/2, for |ln x|^(1/4) if ν ≤ 1/2, for a hat always. Closed forms:
+//! It is finite for x^a if ν < a + 1/2, for a step if ν < 1/2, for |ln x|^(1/4) if ν ≤ 1/2, for a
+//! hat always. Closed forms:
 //!
 //! ```text
-//! x^a:  2/(2a+1−2ν) ∫₀¹ (1 − s^a)² (1 − s)^(−1−2ν) ds, by y = s x: Beta functions;     |ln x|^a, ν = 1/2: zeta functions
+//! x^a:  2/(2a+1−2ν) ∫₀¹ (1 − s^a)² (1 − s)^(−1−2ν) ds, by y = s x: Beta functions
+//! |ln x|^a, ν = 1/2:  2 ζ(1 + 2a) (Γ(1 + a)²/cos(πa) − Γ(1 + 2a))
 //! step between intervals of lengths p and q:  (p^(1−2ν) + q^(1−2ν) − (p+q)^(1−2ν)) / (ν (1 − 2ν))
 //! hat:  pairs of linear pieces, each a combination of powers |x − y|^(3−2ν) of the nodes
 //! ```
 //!
-//! Refuted if the library takes a finite norm for infinite or an infinite one for finite, if a finite one is further from
-//! its closed form than asked or than the error that it states, or, for ν at least 0.1 below the last finite order, if the
-//! second formula above, by a composite Gauss rule, is off by 0.5 %: what it leaves out decays slowly near that order.
+//! Refuted if the library takes a finite norm for infinite or an infinite one for finite, if a
+//! finite one is further from its closed form than asked or than the error that it states, or, for
+//! ν at least 0.1 below the last finite order, if the second formula above, by a composite Gauss
+//! rule, is off by 0.5 %: what it leaves out decays slowly near that order.
 //!
 //! `cargo run --release --example section_1_fractional_norms -- --power 0.3 --nu 0.7,0.79,0.8`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
-// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Error::InfiniteNorm, Function, closed_forms, gauss_legendre};
 
-example! { seconds "Section 1, (1.1)", "‖u‖²_ν = ‖u‖₀² + |u|²_ν: finite or infinite as it should be, and to the tolerance asked";
+example! { seconds "Section 1, (1.1)",
+    "‖u‖²_ν = ‖u‖₀² + |u|²_ν: finite or infinite as it should be, and to the tolerance asked";
     /// exponents a of the powers x^a
     power: Vec<f64> = "0.6,-0.2" in "(-0.5, 100]" slider "-0.45 to 1",
     /// orders ν
@@ -34,8 +37,8 @@ example! { seconds "Section 1, (1.1)", "‖u‖²_ν = ‖u‖₀² + |u|²_ν: 
     tolerance: Tolerance = "1e-9",
 }
 
-/// A function: its name, its values, its breakpoints, the order up to which (`true`: included) its norm is finite, and
-/// the square of its seminorm in closed form where one is known.
+/// A function: its name, its values, its breakpoints, the order up to which (`true`: included) its
+/// norm is finite, and the square of its seminorm in closed form where one is known.
 struct Example {
     name: String,
     u: Box<dyn Fn(f64) -> f64 + Sync>,
@@ -73,17 +76,23 @@ fn functions(powers: &[f64]) -> Vec<Example> {
         breaks: vec![0.0, 1.0],
         limit: (0.5, true),
         exact: Box::new(|nu| {
-            if nu == Order::HALF { closed_forms::log_power_seminorm_squared(0.25).ok() } else { None }
+            if nu == Order::HALF {
+                closed_forms::log_power_seminorm_squared(0.25).ok()
+            } else {
+                None
+            }
         }),
     });
     all
 }
 
-/// The second formula of the header. Both integrals by four Gauss points on pieces that halve towards every place where
-/// u(x) or u(x + t) is not smooth; what is below the last piece, t < 2^-60, is left out.
+/// The second formula of the header. Both integrals by four Gauss points on pieces that halve
+/// towards every place where u(x) or u(x + t) is not smooth; what is below the last piece, t <
+/// 2^-60, is left out.
 fn by_definition(example: &Example, nu: Order) -> Result<f64> {
     let gauss = gauss_legendre(4)?;
-    let on = |a: f64, b: f64, f: &dyn Fn(f64) -> f64| gauss.integrate(|s| f(a + s * (b - a))) * (b - a);
+    let on =
+        |a: f64, b: f64, f: &dyn Fn(f64) -> f64| gauss.integrate(|s| f(a + s * (b - a))) * (b - a);
     let mut total = 0.0;
     for halving in 0..60 {
         let t_end = 0.5f64.powi(halving);
@@ -112,14 +121,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     Error::unless(are_powers, "power", "nearer to 0 than 1e-100, where x^a is a constant")?;
     for example in functions(&options.power) {
         for &nu in &options.nu {
-            // Near a breakpoint b: ∫ ℓ(t) dt, t = −ln|x − b|, ℓ the integral over the quotient of both distances from b.
-            // Gauss rules on cells in t until the rest, bounded by the decay of ℓ, is below the tolerance; where the power of
-            // e^(−t), fitted to the last half of the cells, grows, or where it is zero and that of t is above −1, the norm
-            // is infinite. The error is the change with the order of the rules, and the rest.
+            // Near a breakpoint b: ∫ ℓ(t) dt, t = −ln|x − b|, ℓ the integral over the quotient of
+            // both distances from b. Gauss rules on cells in t until the rest, bounded by the decay
+            // of ℓ, is below the tolerance; where the power of e^(−t), fitted to the last half of
+            // the cells, grows, or where it is zero and that of t is above −1, the norm is
+            // infinite. The error is the change with the order of the rules, and the rest.
             let u = Function::from_fn(&example.breaks, &example.u)?;
             let found = u.seminorm(nu, options.tolerance);
-            let is_finite =
-                nu.value() < example.limit.0 || (nu.value() == example.limit.0 && example.limit.1);
+            let (last, is_included) = example.limit;
+            let is_finite = nu.value() < last || (nu.value() == last && is_included);
             let said = "finite norms called infinite or vice versa";
             let seminorm = match found {
                 Err(InfiniteNorm { .. }) => {
@@ -131,21 +141,24 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             };
             out.check(said).holds(is_finite, "known limits of ν");
             let exact = (example.exact)(nu).map(|squared| Measured::from(squared).sqrt());
-            let true_error = exact.map(|exact| (Measured::from(seminorm.value) / exact - 1.0).abs());
+            let true_error =
+                exact.map(|exact| (Measured::from(seminorm.value) / exact - 1.0).abs());
             let definition = by_definition(&example, nu)?;
             let norm = u.norm(nu, options.tolerance)?;
-            out.row(cells! { function: example.name.clone(), nu => seminorm, definition, norm: norm.value,
-            true_error: true_error.map(|error| error.value) });
+            out.row(cells! { function: example.name.clone(), nu => seminorm, definition,
+            norm: norm.value, true_error: true_error.map(|error| error.value) });
             if let (Some(error), Some(exact)) = (true_error, exact) {
                 let asked = options.tolerance.relative();
-                out.check("relative difference from the closed form").at_most(error, asked, "the tolerance");
+                let claim = out.check("relative difference from the closed form");
+                claim.at_most(error, asked, "the tolerance");
                 let share = (Measured::from(seminorm.value) - exact).abs() / seminorm.error;
                 out.check("true error/stated error").at_most(share, 1.0, "error estimate");
             }
             // Nearer to the last finite order what the definition leaves out decays too slowly.
-            if nu.value() <= example.limit.0 - 0.1 {
+            if nu.value() <= last - 0.1 {
                 let ratio = definition / seminorm.value;
-                out.check("|u|_ν: by_definition/library").near(ratio, 1.0, 5e-3, "composite Gauss rule");
+                let claim = out.check("|u|_ν: by_definition/library");
+                claim.near(ratio, 1.0, 5e-3, "composite Gauss rule");
             }
         }
     }

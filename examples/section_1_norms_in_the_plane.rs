@@ -1,32 +1,44 @@
-//! Section 1, the plane: norms of fractional order on triangulations, up to the limits where they cease to be finite.
+//! Section 1, the plane: norms of fractional order on triangulations, up to the limits where they
+//! cease to be finite.
+//!
+//! The regularity τ of the paper's u is that of the norm of order s = τ − 1 of ∇u in the plane. For
+//! a polygon Ω and 0 < s < 1
 //!
 //! ```text
-//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy,     0 < s < 1,   Ω a polygon.
+//! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy.
 //! ```
 //!
-//! For w = x₁ on the unit square the integral has a closed form, which no triangulation may change: here a grid whose inner nodes
-//! are moved. As s → 1, (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001). For the step that is 1 below
-//! the diagonal and 0 above, the norm is finite for s < 1/2 only, and (1 − 2s)|w|²_s tends to four times the length of the
-//! jump, 4√2. At a corner of angle ω solutions behave like w = r^a sin(πφ/ω), r and φ polar coordinates: finite for
-//! a + 1 − s > 0 only; on a sector of radius R the seminorm is proportional to R^(a+1−s), so that the norm on a polygon lies
-//! between those of the largest sector inside and the smallest outside, and all three agree as a + 1 − s → 0.
+//! This file computes it for three functions.
 //!
-//! |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over (0, 1)². The ± of a norm is the change between two orders of its rules,
-//! 1e-8 and less at the corners where 1e-6 is asked. Where a finite norm is not reached the program ends with an error.
+//! - w = x₁ on the unit square: |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over
+//!   (0, 1)², which no triangulation may change: here a grid whose inner nodes are moved. As s → 1,
+//!   (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001).
+//! - The step that is 1 below the diagonal and 0 above: the norm is finite for s < 1/2 only, and
+//!   (1 − 2s)|w|²_s tends to four times the length of the jump, 4√2.
+//! - w = r^a sin(πφ/ω) at a corner of angle ω, as solutions behave there (r, φ polar coordinates):
+//!   finite for a + 1 − s > 0 only. On a sector of radius R the seminorm is proportional to
+//!   R^(a+1−s), so that the norm on a polygon lies between those of the largest sector inside and
+//!   the smallest outside, and all three agree as a + 1 − s → 0.
 //!
-//! Refuted if |x₁|_s is further from its closed form than asked, or from 1 over a limit by 1e-6 at s = 1 − 1e-8 and s = 1/2
-//! − 1e-8; if a polygon and its triangulation cut near the corner give different norms, a norm is outside its two sectors,
-//! or polygon and inner sector differ by more than a + 1 − s relatively; or if an infinite norm is given.
+//! The ± of a norm is the change between two orders of its rules, 1e-8 and less at the corners
+//! where 1e-6 is requested. Where a finite norm is not reached the program ends with an error.
 //!
-//! `cargo run --release --example section_1_norms_in_the_plane -- --squares 9 --s 0.1,0.9 --gap 0.3,1e-4 --corner 0.8`
+//! Refuted if |x₁|_s is further from its closed form than requested, or a norm over its limit from
+//! 1 by 1e-6 at s = 1 − 1e-8 and s = 1/2 − 1e-8; if a polygon and its triangulation cut near the
+//! corner give different norms, a norm is outside its two sectors, or polygon and inner sector
+//! differ by more than a + 1 − s relatively; or if an infinite norm is given.
+//!
+//! ```text
+//! cargo run --release --example section_1_norms_in_the_plane -- \
+//!     --squares 9 --s 0.1,0.9 --gap 0.3,1e-4
+//! ```
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t, `holds(yes)` if yes; otherwise it
-// fails, or is undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Error as Refusal, Function, PlanePosition, Triangles, closed_forms};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
-example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, up to the limits of finiteness";
+example! { seconds "Section 1, the plane",
+    "|w|_s on triangles has its digits, up to the limits of finiteness";
     /// squares per side of the perturbed grid, each cut into triangles
     squares: usize = "4" in "[1, 40]" slider "1 to 10",
     /// orders s for the linear function and the step
@@ -41,8 +53,9 @@ example! { seconds "Section 1, the plane", "|w|_s on triangles has its digits, u
 
 const AT_CORNERS: f64 = 1e-6;
 
-/// |r^a sin(πφ/ω)|_s from the values of the function alone, on triangles with a node at the corner, or (`cut`) on these cut
-/// near the corner. Rings of triangles that halve towards the corner, in ln r, until the sum over rings is below the tolerance.
+/// |r^a sin(πφ/ω)|_s from the values of the function alone, on triangles with a node at the corner,
+/// or (`cut`) on these cut near the corner. Rings of triangles that halve towards the corner, in ln
+/// r, until the sum over rings is below the tolerance.
 fn on_polygon(
     s: Order,
     points: &[[f64; 2]],
@@ -72,11 +85,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mesh = Triangles::grid([options.squares; 2], 1.0 / options.squares as f64)?.mapped(moved)?;
     let x: Vec<f64> = mesh.nodes().iter().map(|node| node[0]).collect();
     let coordinate = Function::on_triangles(&mesh, 1, &x)?; // continuous, linear on each triangle
-    let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?; // constant on two triangles
+    // constant on two triangles
+    let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?;
     let mut lines = [Vec::new(), Vec::new()];
     for &s in &options.s {
-        // Pairs of triangles: one, two or no common nodes by regularizing transformations, each integral over the
-        // singular variable exact, Gauss rules for the rest; error: change from one degree to the next.
+        // Pairs of triangles: one, two or no common nodes by regularizing transformations, each
+        // integral over the singular variable exact, Gauss rules for the rest; error: change from
+        // one degree to the next.
         let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
         let (error, asked) = ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
@@ -94,7 +109,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
-            out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)").near(over, 1.0, 1e-6, "4 × length of the jump");
+            let claim = out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)");
+            claim.near(over, 1.0, 1e-6, "4 × length of the jump");
         }
         lines[1].push((s.value(), over.value));
         out.row(cells! { w: "step", s, room => norm, over: over.value });
@@ -109,7 +125,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     .line("step, s → 1/2", to_half)
     .dashed_line("1", vec![(0.0, 1.0), (1.0, 1.0)]);
     let s = options.corner;
-    // Name, nodes P₁, .., P_m of a polygon 0, P₁, .., P_m, its angle ω at 0, radii of the inner and the outer sector.
+    // Name, nodes P₁, .., P_m of a polygon 0, P₁, .., P_m, its angle ω at 0, radii of the inner and
+    // the outer sector.
     let height = 0.75f64.sqrt();
     let polygons = [
         ("triangle", &[[1.0, 0.0], [0.5, height]][..], PI / 3.0, [height, 1.0]),
@@ -127,8 +144,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let on_polygon = |cut| on_polygon(s, points, a, b, cut);
             let (norm, again) = (Measured::from(on_polygon(false)?), on_polygon(true)?.value);
             let apart = (norm.value / again - 1.0).abs();
-            out.check("two triangulations: relative difference").at_most(apart, AT_CORNERS, "tolerance");
-            // The same on a sector, where polar coordinates leave one integral over the quotient of the radii.
+            let claim = out.check("two triangulations: relative difference");
+            claim.at_most(apart, AT_CORNERS, "tolerance");
+            // The same on a sector, where polar coordinates leave one integral over the quotient of
+            // the radii.
             let on_sector = |radius: f64| -> Result<Measured> {
                 Ok(Function::sector_power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
             };
@@ -136,7 +155,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
             out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
-            out.check("(1 − inner sector/polygon)/(a + 1 − s)").at_most(share, 1.0, "norm ~ R^(a+1−s)");
+            let claim = out.check("(1 − inner sector/polygon)/(a + 1 − s)");
+            claim.at_most(share, 1.0, "norm ~ R^(a+1−s)");
             out.row(cells! { w: name, s, room: gap => norm, over: over.value });
             curve.push((gap, norm.value));
         }

@@ -1,25 +1,30 @@
-//! Section 1, boundaries: norms of order ν and −ν on the boundary Γ of a polygon, with the distance in the plane.
+//! Section 1, boundaries: norms of order ν and −ν on the boundary Γ of a polygon, with the distance
+//! in the plane.
+//!
+//! The paper measures σ_N in a space dual to traces. On the boundary of a polygon, 0 < ν < 1,
 //!
 //! ```text
-//! |v|²_ν = ∫_Γ∫_Γ (v(x) − v(y))² / |x − y|^(1+2ν) ds ds,   ‖v‖²_ν = ∫_Γ v² ds + |v|²_ν,   ‖g‖_−ν = sup ∫_Γ g v ds / ‖v‖_ν.
+//! |v|²_ν = ∫_Γ∫_Γ (v(x) − v(y))² / |x − y|^(1+2ν) ds ds,
+//! ‖v‖²_ν = ∫_Γ v² ds + |v|²_ν,        ‖g‖_−ν = sup ∫_Γ g v ds / ‖v‖_ν.
 //! ```
 //!
-//! Three facts decide. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up to one, so by symmetry of square and L-shape
-//! |x₁|² = L²/2, L the length of Γ. The hat function φ of a right angle tends to |φ|² = 4 + 2 ln 2 + 4G − π (G Catalan's
-//! constant) as its elements shrink. The normal n₁ satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν.
+//! This file computes norms of x₁, of a hat function and of the normal n₁ on a square and an
+//! L-shape, and compares them with three facts. At ν = 1/2 the integrands of |x₁|² and |x₂|² add up
+//! to one, so by symmetry of square and L-shape |x₁|² = L²/2, L the length of Γ. The hat function φ
+//! of a right angle tends to |φ|² = 4 + 2 ln 2 + 4G − π (G Catalan's constant) as its elements
+//! shrink. The normal n₁ satisfies ∫ n₁ x₁ ds = area, hence area ≤ ‖n₁‖_−ν ‖x₁‖_ν.
 //!
-//! Refuted if 2|x₁|²/L² is off 1 by 1e-6, if |φ|², extrapolated by c/n from the last two n, is off its limit by 0.2 %, or if
-//! area/(‖n₁‖ ‖x₁‖) exceeds 1 by more than the error of ‖n₁‖.
+//! Refuted if 2|x₁|²/L² is off 1 by 1e-6; if |φ|², extrapolated by c/n from the last two n, is off
+//! its limit by 0.2 %; or if area/(‖n₁‖ ‖x₁‖) exceeds 1 by more than the error of ‖n₁‖.
 //!
 //! `cargo run --release --example section_1_polygon_norms -- --nu 0.3`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{Curve, Function, Mesh};
 use std::f64::consts::{LN_2, PI};
 
-example! { seconds "Section 1, boundaries", "norms of order ν and −ν on polygons agree with closed forms";
+example! { seconds "Section 1, boundaries",
+    "norms of order ν and −ν on polygons agree with closed forms";
     /// order ν; closed forms on polygons are known for ν = 1/2
     nu: Order = "1/2" in "(0, 1)" slider "0.1 to 0.9",
     /// numbers of elements per unit length, increasing
@@ -54,22 +59,26 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let on_side = |k: usize| Mesh::uniform(n * side(k).0.round() as usize, 1.0);
             let meshes = (0..sides).map(on_side).collect::<fractional_sobolev::Result<Vec<_>>>()?;
             let curve = Curve::closed(&vertices, &meshes)?;
-            // Continuous, linear on each element. All pairs of elements: closed forms for neighbours, Gauss rules else.
+            // Continuous, linear on each element. All pairs of elements: closed forms for
+            // neighbours, Gauss rules else.
             let x: Vec<f64> = curve.nodes().iter().map(|node| node[0]).collect();
             let x = Function::on_curve(&curve, 1, &x)?;
             let twice = Measured::from(x.seminorm(nu, 1e-6)?).squared() * 2.0 / curve.length().powi(2);
-            let hat: Vec<f64> = (0..curve.len()).map(|k| f64::from(u8::from(k == 0))).collect();
+            let hat: Vec<f64> = (0..curve.len()).map(|k| if k == 0 { 1.0 } else { 0.0 }).collect();
             let hat = Measured::from(Function::on_curve(&curve, 1, &hat)?.seminorm(nu, 1e-6)?).squared();
             corners.push((n as f64, hat));
-            // n₁ is constant on each side, (rise of y)/length. Supremum over continuous linear v on n elements a side, nodes at
-            // distances (2k/n)³/2 times the side from its corners: (bᵀ G⁻¹ b)^(1/2), G the Gram matrix of ‖·‖_ν, b = ∫ n₁ φᵢ; its
-            // error is the change from n/2 to n. A supremum over fewer v is smaller: the check asks more than the theorem.
+            // n₁ is constant on each side, (rise of y)/length. Supremum over continuous linear v on
+            // n elements a side, nodes at distances (2k/n)³/2 times the side from its corners: (bᵀ
+            // G⁻¹ b)^(1/2), G the Gram matrix of ‖·‖_ν, b = ∫ n₁ φᵢ; its error is the change from
+            // n/2 to n. A supremum over fewer v is smaller: the check asks more than the theorem.
             let graded = Curve::algebraic(&vertices, n, 3.0)?;
             let normal: Vec<f64> =
                 (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
             let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-nu, 1e-3))?;
             let duality = Measured::from(area) / (Measured::from(dual) * x.norm(nu, 1e-6)?);
-            out.row(cells! { polygon, n => twice: twice.value, hat: hat.value, dual: dual.value, duality: duality.value });
+            out.row(cells! { polygon, n =>
+                twice: twice.value, hat: hat.value, dual: dual.value, duality: duality.value
+            });
             if nu == Order::HALF {
                 out.check("2|x₁|²/L²").near(twice, 1.0, 1e-6, "|x₁|² + |x₂|² = L²");
             }
@@ -78,7 +87,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if nu == Order::HALF {
             let exact = 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI;
             let ratio = limit(&corners, 1) / exact;
-            out.check("extrapolated |φ|²/exact limit").near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
+            let claim = out.check("extrapolated |φ|²/exact limit");
+            claim.near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
         }
     }
     out.column("n", "n", "elements on the length 1");

@@ -1,42 +1,48 @@
-//! Section 2: where τ comes from. Singular exponents of corners and transitions, and what solutions show of them.
+//! Section 2: where τ comes from. Singular exponents of corners and transitions, and what solutions
+//! show of them.
 //!
-//! On a polygon τ is no free parameter. Near a corner of opening ω the solution of a problem of plane strain is a sum of
-//! r^λ U(angle) and smoother functions; such a term, unless it is a polynomial, lies in H^τ exactly for τ < 1 + Re λ. With
-//! κ = 3 − 4ν, ν Poisson's ratio, and the sides D clamped, N free (or O, contact open), C contact closed (u_N = 0, σ_T = 0),
-//! either side first, λ is a zero with Re λ > 0 of
-//!
-//! ```text
-//! N-N:  sin²λω − λ² sin²ω               D-D:  κ² sin²λω − λ² sin²ω          C-N:  sin 2λω + λ sin 2ω
-//! D-N:  4κ sin²λω − (κ+1)² + 4λ² sin²ω  C-C:  sin (λ−1)ω sin (λ+1)ω         C-D:  κ sin 2λω − λ sin 2ω
-//! ```
-//!
-//! The list of the library has all zeros with 0 < Re λ < 3: their number in a rectangle is the number of turns of the
-//! argument along its boundary, rectangles are cut until each holds one or two, and these are found in double-double. It is
-//! compared with Newton's method in this file, for ω = 45°, 90°, .., 360°, six pairs of sides and ν = 0.3. A term is excluded
-//! if both signs of r^λ U break u_N ≤ 0 on an open or σ_N ≤ 0 on a closed side. τ = 1 + the smallest Re λ of all corners,
-//! changes of conditions and ends of contact that is neither excluded nor of a polynomial. Which conditions meet at an end
-//! of the contact edge is taken from the contact set on a mesh cut toward it.
-//!
-//! Bodies: `block`, the unit square fixed on top, free sides, contact below, λ = μ = 1, f = (0, −cos πx); `leaning`, its left
-//! side fixed in place of the top and turned to the angle ω, (x, y) → (x + y (1 − x) cot ω, y), f = (0, −cos πx − 1/2);
-//! `raised`, that with f = (0, cos πx); `taper`, fixed on top, both sides turned outwards to ω, f that of `leaning`;
-//! `bracket`, unit squares at (0, 0), (0, 1), (−1, 1), contact below, fixed at x = −1, f the same.
-//!
-//! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is nearer to it than 2^(−k)/4
-//! are cut, for k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has the same mesh but for scale, 4 (then 8) elements
-//! along its radius, and
+//! On a polygon τ is no free parameter. Near a corner of opening ω the solution of a problem of
+//! plane strain is a sum of r^λ U(angle) and smoother functions; such a term, unless it is a
+//! polynomial, lies in H^τ exactly for τ < 1 + Re λ. With κ = 3 − 4ν, ν Poisson's ratio, and the
+//! sides D clamped, N free (or O, contact open), C contact closed (u_N = 0, σ_T = 0), either side
+//! first, λ is a zero with Re λ > 0 of
 //!
 //! ```text
-//! W_k = ∫ |σ(u^h)|² over shell k  ≈  c 4^(−λ_h k),      λ_h = log₂(W_k/W_(k+2))/4 → λ,   |λ_h − λ| = O(elements^(−2)).
+//! N-N:  sin²λω − λ² sin²ω                     D-D:  κ² sin²λω − λ² sin²ω
+//! D-N:  4κ sin²λω − (κ+1)² + 4λ² sin²ω        C-C:  sin (λ−1)ω sin (λ+1)ω
+//! C-N:  sin 2λω + λ sin 2ω                    C-D:  κ sin 2λω − λ sin 2ω
 //! ```
 //!
-//! Refuted if a zero is missing, if list and Newton differ by more than 1e-6 (double zeros); if D-N on one line has another
-//! imaginary part than ln κ/(2π), or the signs of contact leave another supremum than τ = 5/2 at a transition; if what is
-//! read, extrapolated from both meshes, is off λ by more than its uncertainty (±: twice the distance of the meshes, and what
-//! the last shells change), or if ± is above 0.05.
+//! The list of the library has all zeros with 0 < Re λ < 3: their number in a rectangle is the
+//! number of turns of the argument along its boundary, rectangles are cut until each holds one or
+//! two, and these are found in double-double. It is compared with Newton's method in this file, for
+//! ω = 45°, 90°, .., 360°, six pairs of sides and ν = 0.3. A term is excluded if both signs of r^λ
+//! U break u_N ≤ 0 on an open or σ_N ≤ 0 on a closed side. τ = 1 + the smallest Re λ of all
+//! corners, changes of conditions and ends of contact that is neither excluded nor of a polynomial.
+//! Which conditions meet at an end of the contact edge is taken from the contact set on a mesh cut
+//! toward it.
+//!
+//! Bodies: `block`, the unit square fixed on top, free sides, contact below, λ = μ = 1, f = (0,
+//! −cos πx); `leaning`, its left side fixed in place of the top and turned to the angle ω, (x,
+//! y) → (x + y (1 − x) cot ω, y), f = (0, −cos πx − 1/2); `raised`, that with f = (0, cos πx);
+//! `taper`, fixed on top, both sides turned outwards to ω, f that of `leaning`; `bracket`, unit
+//! squares at (0, 0), (0, 1), (−1, 1), contact below, fixed at x = −1, f the same.
+//!
+//! Near the corner u = r^λ U(angle) and terms of higher exponent. The triangles whose middle is
+//! nearer to it than 2^(−k)/4 are cut, for k = 0, .., 39; so every shell 2^(−k−1) ≤ 4r < 2^(−k) has
+//! the same mesh but for scale, 4 (then 8) elements along its radius, and
+//!
+//! ```text
+//! W_k = ∫ |σ(u^h)|² over shell k  ≈  c 4^(−λ_h k),
+//! λ_h = log₂(W_k/W_(k+2))/4 → λ,        |λ_h − λ| = O(elements^(−2)).
+//! ```
+//!
+//! Refuted if a zero is missing, if list and Newton differ by more than 1e-6 (double zeros); if D-N
+//! on one line has another imaginary part than ln κ/(2π), or the signs of contact leave another
+//! supremum than τ = 5/2 at a transition; if what is read, extrapolated from both meshes, is off λ
+//! by more than its uncertainty (±: twice the distance of the meshes, and what the last shells
+//! change), or if ± is above 0.05.
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `near(x, b, t)` if |x − b| + its ± ≤ t; otherwise it fails, or is
-// undecided within ±. Of several calls the worst counts.
 use example_report::prelude::*;
 use nalgebra::Complex;
 use signorini::cone::Cone;
@@ -47,15 +53,18 @@ use signorini::problems::{Parameters, TestProblem, solution_regularity};
 use signorini::singular::{Exponent, LARGEST, Medium, SideConditions, Wedge};
 use std::f64::consts::PI;
 
-example! { seconds "Section 2, exponents", "u in H^τ for τ < 1 + Re λ of the corner responsible; λ is what the solution shows at the corner";
+example! { seconds "Section 2, exponents",
+    "u in H^τ for τ < 1 + Re λ of the corner responsible; λ is what the solution shows at the \
+    corner";
     /// test problems
     problem: Vec<TestProblem> = "block,leaning,raised,taper,bracket",
     /// opening angle in degrees at the left end of the contact edge, for leaning, raised, taper
     angle: f64 = "120" in "[20, 160]" slider "70 to 160",
 }
 
-/// Zeros of the equation of a wedge with 0.02 < Re λ < 3 and Im λ ≥ 0: Newton's method from a grid of starts, with a
-/// difference quotient; limits nearer than 1e-4 are one. None for a scalar problem.
+/// Zeros of the equation of a wedge with 0.02 < Re λ < 3 and Im λ ≥ 0: Newton's method from a grid
+/// of starts, with a difference quotient; limits nearer than 1e-4 are one. None for a scalar
+/// problem.
 fn by_definition(wedge: &Wedge) -> Vec<Complex<f64>> {
     let Medium::PlaneStrain(poisson) = wedge.medium() else { return Vec::new() };
     let (omega, kappa) = (wedge.angle(), 3.0 - 4.0 * poisson);
@@ -89,15 +98,18 @@ fn by_definition(wedge: &Wedge) -> Vec<Complex<f64>> {
 /// The one nearest to an exponent, and its distance.
 fn nearest(zeros: &[Complex<f64>], exponent: &Exponent) -> Option<(f64, f64)> {
     let place = Complex::new(exponent.re.value, exponent.im.value);
-    zeros.iter().map(|z| (z.re, (z - place).norm())).min_by(|a, b| a.1.total_cmp(&b.1))
+    let apart = |z: &Complex<f64>| (z - place).norm();
+    let nearest = zeros.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+    nearest.map(|z| (z.re, apart(z)))
 }
 
 /// Shells, and the one that is read: 2^(−30) from the corner.
 const SHELLS: usize = 40;
 const READ: usize = 28;
 
-/// λ_h with so many elements along the radius of a shell, what the last shells change in it, and the distance from the
-/// corner to the end of the interval of contact or gap there, where it is an end of the contact edge.
+/// λ_h with so many elements along the radius of a shell, what the last shells change in it, and
+/// the distance from the corner to the end of the interval of contact or gap there, where it is an
+/// end of the contact edge.
 pub fn read(
     problem: TestProblem,
     setting: &Parameters,
@@ -131,7 +143,9 @@ pub fn read(
             energies[shell as usize] += area * density;
         }
     }
-    let lambda = |k: usize| (energies[k] / energies[k + 2]).log2() / 4.0;
+    // W ~ r^(2λ) between the shells k and k + 2
+    let shell = |k: usize| (0.5f64.powi(k as i32), energies[k]);
+    let lambda = |k: usize| 0.5 * exponent_between(shell(k), shell(k + 2)).value;
     // The next exponent leaves a geometric series in k: extrapolated (Aitken) from three shells.
     let [a, b, c] = [READ - 8, READ - 4, READ].map(lambda);
     let step = if ((c - b) / (b - a)).abs() < 1.0 { (c - b).powi(2) / (2.0 * b - a - c) } else { c - b };
@@ -154,23 +168,27 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (listed, newton) = (wedge.exponents()?.exponents, by_definition(&wedge));
         for exponent in &listed {
             let apart = nearest(&newton, exponent).map_or(f64::INFINITY, |(_, distance)| distance);
-            out.check("|λ (library) − λ (Newton)|").at_most(apart, 1e-6, "characteristic equations");
+            let claim = out.check("|λ (library) − λ (Newton)|");
+            claim.at_most(apart, 1e-6, "characteristic equations");
         }
-        // Every λ of the list has one of Newton's beside it: if there are as many, none of those is missing.
+        // Every λ of the list has one of Newton's beside it: if there are as many, none of those is
+        // missing.
         let missing = (newton.len() as f64 - listed.len() as f64).abs();
-        out.check("|number of zeros (Newton) − number (library)|").at_most(missing, 0.0, "no zero missing");
+        let claim = out.check("|number of zeros (Newton) − number (library)|");
+        claim.at_most(missing, 0.0, "no zero missing");
     }
     let flat = |sides: &str| Wedge::new(PI, sides.parse()?, Medium::PlaneStrain(0.25));
     let oscillation = flat("D-N")?.exponents()?.exponents.first().map(|exponent| Measured::from(exponent.im));
     let exact = 2f64.ln() / (2.0 * PI); // κ = 2
-    out.check("D-N, ω = π: Im λ of the first exponent").near(oscillation, exact, 1e-12, "ln κ/(2π)");
+    let claim = out.check("D-N, ω = π: Im λ of the first exponent");
+    claim.near(oscillation, exact, 1e-12, "ln κ/(2π)");
     let transition = flat("C-O")?.regularity()?.tau;
     out.check("contact transition: supremum of τ").near(transition, 2.5, 1e-12, "r^(3/2)");
 
     let setting = Parameters { angle: options.angle, ..Parameters::default() };
     for &problem in &options.problem {
-        // τ = 1 + the smallest Re λ of all corners and transitions, the contact set from a mesh cut towards both ends of the
-        // edge. Scalar, one side fixed: λ = π/(2 angle).
+        // τ = 1 + the smallest Re λ of all corners and transitions, the contact set from a mesh cut
+        // towards both ends of the edge. Scalar, one side fixed: λ = π/(2 angle).
         let found = problem.regularity(&setting)?;
         let body = problem.problem_with(96, &setting)?;
         let squares = solution_regularity(&body, &body.solve(Cone::Nodal, Solver::ActiveSet)?)?.tau;
@@ -180,23 +198,27 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let newton =
             corner.zip(exponent).and_then(|(c, exponent)| nearest(&by_definition(&c.wedge), exponent));
         if let Some((_, apart)) = newton {
-            out.check("|λ (library) − λ (Newton)|").at_most(apart, 1e-6, "characteristic equations");
+            let claim = out.check("|λ (library) − λ (Newton)|");
+            claim.at_most(apart, 1e-6, "characteristic equations");
         }
-        // Not read, and not tested: transitions on a straight edge, whose place is no node, and complex exponents.
+        // Not read, and not tested: transitions on a straight edge, whose place is no node, and
+        // complex exponents.
         let is_read =
             corner.is_some_and(|c| c.wedge.angle() != PI) && exponent.is_some_and(|e| !e.is_complex());
-        let mut cells = (None, None);
+        let (mut shown, mut shown_border) = (None, None);
         if let Some(corner) = corner.filter(|_| is_read) {
             let [(coarse, ..), (fine, drift, border)] =
                 [read(problem, &setting, corner.place, 4)?, read(problem, &setting, corner.place, 8)?];
             let read = Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
-            cells = (Some(read), border);
+            (shown, shown_border) = (Some(read), border);
             let off = (read.value - (found.tau - 1.0)).abs();
             out.check("|measured λ − λ|/error").at_most(off / read.error, 1.0, "error estimate");
-            out.check("error of the measured λ").at_most(read.error, 0.05, "|λ_open − λ_closed| = 0.18");
+            let claim = out.check("error of the measured λ");
+            claim.at_most(read.error, 0.05, "|λ_open − λ_closed| = 0.18");
         }
-        out.row(cells! { problem: problem.to_string() => corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
-            newton: newton.map(|(re, _)| re), read: cells.0, border: cells.1 });
+        out.row(cells! { problem: problem.to_string() =>
+        corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
+        newton: newton.map(|(re, _)| re), read: shown, border: shown_border });
     }
     out.column("corner", "corner", "sides and opening: D clamped, N free, C contact closed, O contact open");
     out.column("tau", "τ", "supremum");
@@ -218,7 +240,8 @@ fn plot(out: &mut Report) -> Result<()> {
     plot.ranges((0.0, 360.0), (0.0, 3.0));
     for sides in SideConditions::ALL {
         let mut points = Vec::new();
-        // Off the round angles, at some of which the first exponent belongs to a polynomial by accident (D-N at 60°).
+        // Off the round angles, at some of which the first exponent belongs to a polynomial by
+        // accident (D-N at 60°).
         for degrees in (0..170).map(|k| 20.5 + 2.0 * f64::from(k)) {
             let first =
                 Wedge::new(degrees.to_radians(), sides, Medium::PlaneStrain(0.25))?.first_singular()?;

@@ -1,38 +1,49 @@
-//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0, 1) ⊂ L^q(0, 1) and C(α) of H^(3/2)(0, 1) ⊂ C^(0,α).
+//! (3.6), (3.10), (4.12), (E3): the constants C(q) of H^ν(0, 1) ⊂ L^q(0, 1) and C(α) of
+//! H^(3/2)(0, 1) ⊂ C^(0,α).
 //!
-//! C(q) is the largest ‖u‖_Lq / ‖u‖_ν, ‖u‖²_ν = ‖u‖₀² + ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy: finite for q ≤ 2/(1 − 2ν)
-//! if ν < 1/2, for every q < ∞ if ν = 1/2. The proof of Theorem 3.1 uses it at τ = 2, where ν = 1/2; how fast C(q) grows decides
-//! what a good q can give. C(α) is the largest |u(x) − u(y)| / (|x − y|^α ‖u‖_(3/2)); Hölder: C(α) ≤ C(q), q = 1/(1 − α).
+//! With ‖u‖²_ν = ‖u‖₀² + ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy, let C(q) be the largest
+//! ‖u‖_Lq / ‖u‖_ν. It is finite for q ≤ 2/(1 − 2ν) if ν < 1/2, and for every q < ∞ if ν = 1/2. The
+//! proof of Theorem 3.1 uses it at τ = 2, where ν = 1/2: how fast C(q) grows decides what a good q
+//! can give. C(α) is the largest |u(x) − u(y)| / (|x − y|^α ‖u‖_(3/2)); by Hölder C(α) ≤ C(q) with
+//! q = 1/(1 − α).
+//!
+//! This file computes bounds of C(q) from below, by functions, and from above, and shows
 //!
 //! ```text
 //! ν = 1/2:   0.167 √q ≤ C(q) ≤ 0.708 √q,      0.167 (1 − α)^(−1/2) ≤ C(α).
 //! ```
 //!
-//! From below, functions: the limit of their C(q)/√q is (3/(4π²e))^(1/2) = 0.1672, that of logarithms cut off at x = e^(−q/2).
-//! From above, the even reflection of u on the circle, with c_k its Fourier coefficients: ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's
-//! inequality ‖u‖²_Lq ≤ Σ m_k c_k², so C(q)² ≤ max m_k / w_k; at ν = 1/2 w_0 = m_0 = 1, w_k = π² k + 3 − π²/2 and
-//! m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q) for k ≥ 1 (`circle`).
+//! From below: the limit of C(q)/√q of the functions found is (3/(4π²e))^(1/2) = 0.1672, that of
+//! logarithms cut off at x = e^(−q/2). From above: let c_k be the Fourier coefficients of the even
+//! reflection of u on the circle. Then ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's inequality ‖u‖²_Lq ≤ Σ
+//! m_k c_k², so C(q)² ≤ max m_k / w_k. At ν = 1/2 (`circle`)
 //!
-//! Refuted if a function passes an upper bound, if these quotients leave their interval for one q, if the constant function
-//! does not attain a bound of 1, or if `ascent` and `circle` are off the library's bounds by 1e-3.
+//! ```text
+//! w_0 = m_0 = 1,     w_k = π² k + 3 − π²/2,     m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q),     k ≥ 1.
+//! ```
+//!
+//! Refuted if a function exceeds an upper bound; if these quotients leave their interval for one q;
+//! if the constant function does not attain a bound of 1; or if `ascent` and `circle` are off the
+//! library's bounds by 1e-3.
 //!
 //! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b, `near(x, b, t)` if |x − b| + its ± ≤ t;
-// otherwise it fails, or is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, Target, embedding_constant, gauss_legendre};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 use std::f64::consts::PI;
 
-example! { seconds "(3.6), (3.10)", "H^ν(0, 1) ⊂ L^q(0, 1) for q ≤ 2/(1 − 2ν);  ν = 1/2: C(q) grows like √q";
+example! { seconds "(3.6), (3.10)",
+    "H^ν(0, 1) ⊂ L^q(0, 1) for q ≤ 2/(1 − 2ν);  ν = 1/2: C(q) grows like √q";
     /// exponents q for ν = 1/2, and α = 1 − 1/q
-    q: Vec<f64> = "2,3,4,6,8,12,16,24,36,50,75,100,150,200" in "[2, 500]" slider "2 to 200 by factors",
+    q: Vec<f64> = "2,3,4,6,8,12,16,24,36,50,75,100,150,200"
+        in "[2, 500]" slider "2 to 200 by factors",
     /// orders ν below 1/2, at q = 2/(1 − 2ν)
     nu: Vec<Order> = "0.1,0.3,0.4,0.45,0.49" in "(0, 0.495]" slider "0.05 to 0.49",
 }
 
-/// A mesh with elements shorter by 0.6 towards 0, down to 0.6^n, and the matrix B of ‖u‖²_(1/2) for its hat functions.
+/// A mesh with elements shorter by 0.6 towards 0, down to 0.6^n, and the matrix B of ‖u‖²_(1/2) for
+/// its hat functions.
 fn space(n: usize) -> Result<(Mesh, DMatrix<f64>)> {
     let mesh = Mesh::geometric(n, 0.6, 1.0)?;
     let mut form = Gram::new(&mesh, Order::HALF, 1e-10)?.to_dense()?; // closed forms
@@ -43,8 +54,9 @@ fn space(n: usize) -> Result<(Mesh, DMatrix<f64>)> {
     Ok((mesh, form))
 }
 
-/// C(q) from below at ν = 1/2: u ← B⁻¹ b, bᵢ = ∫ |u|^(q−2) u φᵢ, until ‖u‖_Lq / ‖u‖_(1/2), which rises, has ten digits.
-/// From two functions with a peak at 0 and from u = 1; twelve Gauss points on each element.
+/// C(q) from below at ν = 1/2: u ← B⁻¹ b, bᵢ = ∫ |u|^(q−2) u φᵢ, until ‖u‖_Lq / ‖u‖_(1/2), which
+/// rises, has ten digits. From two functions with a peak at 0 and from u = 1; twelve Gauss points
+/// on each element.
 fn ascent(mesh: &Mesh, form: &DMatrix<f64>, factor: &Cholesky<f64, Dyn>, q: f64) -> Result<f64> {
     let (x, rule) = (mesh.from_left(), gauss_legendre(12)?);
     let mut best = 1.0f64; // of u = 1
@@ -94,45 +106,55 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let factor = Cholesky::new(form.clone()).ok_or_else(broken)?;
     for (nu, exponents) in orders {
         for q in exponents {
-            // As `ascent` and `circle`, with more starts and for every ν; error of the integrals, and rounding.
+            // As `ascent` and `circle`, with more starts and for every ν; error of the integrals,
+            // and rounding.
             let found = embedding_constant(nu, q, 1e-8)?;
-            let (lower, upper) = (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
-            out.check("lower bound/upper bound of C(q)").at_most(lower / upper, 1.0 + 1e-12, "Beckner");
+            let (lower, upper) =
+                (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
+            let claim = out.check("lower bound/upper bound of C(q)");
+            claim.at_most(lower / upper, 1.0 + 1e-12, "Beckner");
             if upper.value == 1.0 {
-                out.check("lower bound of C(q) where upper bound = 1").near(lower, 1.0, 1e-7, "attained");
+                out.check("lower bound of C(q) where upper bound = 1")
+                    .near(lower, 1.0, 1e-7, "attained");
             }
             let (mut hoelder, mut trial) = (None, None);
             if nu == Order::HALF {
-                // C(α) from below: the largest |u(θ) − u(0)| / (θ^α ‖u‖_(3/2)) is (bᵀ B⁻¹ b)^(1/2)/θ^α, u' piecewise linear, B the
-                // matrix of ‖u‖²_(3/2) and b that of ∫ u' over (0, θ); the largest over the nodes θ.
-                let found =
-                    Measured::from(embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower);
+                // C(α) from below: the largest |u(θ) − u(0)| / (θ^α ‖u‖_(3/2)) is (bᵀ B⁻¹
+                // b)^(1/2)/θ^α, u' piecewise linear, B the matrix of ‖u‖²_(3/2) and b that of ∫ u'
+                // over (0, θ); the largest over the nodes θ.
+                let found = Measured::from(
+                    embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower,
+                );
                 let value = ascent(&mesh, &form, &factor, q)?;
                 let ratio = lower.recip() * value;
-                out.check("lower bound of C(q): ascent/library").near(ratio, 1.0, 1e-3, "trial functions");
+                let claim = out.check("lower bound of C(q): ascent/library");
+                claim.near(ratio, 1.0, 1e-3, "trial functions");
                 let ratio = upper.recip() * circle(q);
                 out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "Beckner");
-                out.check("ν = 1/2: lower bound/√q").at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
-                out.check("ν = 1/2: upper bound/√q").at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
-                out.check("lower bound of C(α)/upper bound of C(q)").at_most(found / upper, 1.0, "Hölder");
-                out.check("lower bound of C(α) √(1 − α)").at_least(found / q.sqrt(), 0.167, "limit 0.1672");
+                let claim = out.check("ν = 1/2: lower bound/√q");
+                claim.at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
+                let claim = out.check("ν = 1/2: upper bound/√q");
+                claim.at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
+                let claim = out.check("lower bound of C(α)/upper bound of C(q)");
+                claim.at_most(found / upper, 1.0, "Hölder");
+                let claim = out.check("lower bound of C(α) √(1 − α)");
+                claim.at_least(found / q.sqrt(), 0.167, "limit 0.1672");
                 (hoelder, trial) = (Some(found.value), Some(value));
             }
-            out.observe("upper bound/lower bound of C(q)").at_most(upper / lower, 2.2, "limit 2.115");
-            out.row(cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
-            upper_growth: upper.value / q.sqrt(), hoelder });
+            let claim = out.observe("upper bound/lower bound of C(q)");
+            claim.at_most(upper / lower, 2.2, "limit 2.115");
+            out.row(
+                cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
+                upper_growth: upper.value / q.sqrt(), hoelder },
+            );
         }
     }
-    for (name, title, meaning) in [
-        ("lower", "C(q) ≥", "quotient of a function"),
-        ("trial", "ascent", "the same by `ascent`"),
-        ("upper", "C(q) ≤", "for all functions"),
-        ("growth", "≥ /√q", ""),
-        ("upper_growth", "≤ /√q", ""),
-        ("hoelder", "C(α) ≥", "α = 1 − 1/q"),
-    ] {
-        out.column(name, title, meaning);
-    }
+    out.column("lower", "C(q) ≥", "quotient of a function");
+    out.column("trial", "ascent", "the same by `ascent`");
+    out.column("upper", "C(q) ≤", "for all functions");
+    out.column("growth", "≥ /√q", "first bound over √q");
+    out.column("upper_growth", "≤ /√q", "second bound over √q");
+    out.column("hoelder", "C(α) ≥", "α = 1 − 1/q");
     let law = options.q.iter().map(|q| (*q, (0.75 / (PI * PI * 1f64.exp()) * q).sqrt())).collect();
     let axes = Axes::LogLog("q, exponent", "C(q)");
     out.plot("section_3_embedding_constants", "C(q) of H^ν(0, 1) in L^q(0, 1)", axes)

@@ -83,8 +83,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let fine = block(meshes.finest().clone())?.problem()?;
     let exact = fine.solve(options.cone, Solver::ActiveSet)?.displacement;
     for (level, found) in uniform.iter().enumerate() {
-        let error =
-            fine.nested_energy_error(&meshes, (level, &found.solution.displacement), (finest, &exact))?;
+        let error = fine.nested_energy_error(
+            &meshes,
+            (level, &found.solution.displacement),
+            (finest, &exact),
+        )?;
         let (lower, upper) = (found.energy.lower, found.energy.upper);
         out.row(cells! { unknowns: found.problem.free_unknowns() => lower, upper, error, bound: found.error,
         ratio: found.error / error });
@@ -100,8 +103,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     // Bisect the triangles that carry half of the bound, solve both problems again.
     let mut adaptive: Vec<(f64, f64)> = Vec::new();
-    let refinement =
-        Refinement { tolerance: 1e-9, unknowns: options.unknowns, growth: 1.0, ..Refinement::default() };
+    let refinement = Refinement {
+        tolerance: 1e-9,
+        unknowns: options.unknowns,
+        growth: 1.0,
+        ..Refinement::default()
+    };
     refinement.run(&block(unit_square(4, SideParts::HANGING)?)?, |found| {
         adaptive.push((found.problem.free_unknowns() as f64, found.error));
     })?;
@@ -112,15 +119,24 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("adaptive meshes: order of the bound in N").near(order, -0.5, 0.03, "N^(−1/2)");
     }
     let counts = |found: &Enclosure| found.problem.free_unknowns() as f64;
-    let plot =
-        out.plot("two_sided_energies", "Two energies close on J(u)", Axes::LogLinear("unknowns", "energy"));
+    let plot = out.plot(
+        "two_sided_energies",
+        "Two energies close on J(u)",
+        Axes::LogLinear("unknowns", "energy"),
+    );
     plot.line(
         "J(u^h), from above",
         uniform.iter().map(|found| (counts(found), found.energy.upper)).collect(),
     );
-    plot.line("J*(q), from below", uniform.iter().map(|found| (counts(found), found.energy.lower)).collect());
-    let plot =
-        out.plot("two_sided_bound", "Guaranteed error", Axes::LogLog("unknowns", "bound of |||u − u^h|||"));
+    plot.line(
+        "J*(q), from below",
+        uniform.iter().map(|found| (counts(found), found.energy.lower)).collect(),
+    );
+    let plot = out.plot(
+        "two_sided_bound",
+        "Guaranteed error",
+        Axes::LogLog("unknowns", "bound of |||u − u^h|||"),
+    );
     plot.line("uniform meshes", uniform.iter().map(|found| (counts(found), found.error)).collect());
     plot.line("adaptive meshes", adaptive);
     Ok(())

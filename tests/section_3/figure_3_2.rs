@@ -15,10 +15,16 @@ const FIRST: [bool; 2] = [true, false];
 const SECOND: [bool; 2] = [false, true];
 const BOTH: [bool; 2] = [true, true];
 
+/// Whether a segment is in the first and in the second case.
+fn cases(trace: &EdgeTrace, segment: Interval, theta: f64) -> [bool; 2] {
+    let found = figure_3_2_alternative::cases(trace, segment, theta);
+    [found.first, found.second]
+}
+
 /// The cases of n equal segments.
 fn classified(trace: &EdgeTrace, n: usize, theta: f64) -> Vec<[bool; 2]> {
     let segment = |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
-    (0..n).map(|i| figure_3_2_alternative::cases(trace, segment(i), theta).0).collect()
+    (0..n).map(|i| cases(trace, segment(i), theta)).collect()
 }
 
 #[test]
@@ -67,8 +73,7 @@ fn classification_agrees_with_the_definition_point_by_point() {
         let trace = trace(|i| contact[i]);
         // no grid point within rounding of a limit: theta is not a multiple of the grid
         let theta = 0.013 + 0.9 * random();
-        let ([first, second], _) =
-            figure_3_2_alternative::cases(&trace, Interval { start: 0.0, end: 1.0 }, theta);
+        let [first, second] = cases(&trace, Interval { start: 0.0, end: 1.0 }, theta);
         // u_N is linear between the nodes i/64.
         let values = trace.displacement();
         let zero_at = |x: f64| [64.0 * x, (64.0 * x).ceil()].iter().all(|&node| values[node as usize] == 0.0);
@@ -114,7 +119,7 @@ type Expected<'a> = (&'a str, &'a [[usize; 2]], [bool; 2]);
 fn degenerate_segments_have_the_expected_class() {
     // the segment [1/4, 3/4], theta = 1/4: pieces of length 1/8 at the vertices
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [Expected; 10] = [
+    let expected: [Expected; 10] = [
         ("full contact", &[[0, 64]], FIRST),
         ("no contact", &[], SECOND),
         ("contact elsewhere only", &[[0, 12], [52, 64]], SECOND),
@@ -126,8 +131,8 @@ fn degenerate_segments_have_the_expected_class() {
         ("contact begins exactly at distance h theta", &[[24, 48]], SECOND),
         ("contact begins one cell before that", &[[23, 48]], FIRST),
     ];
-    for (name, contact, expected) in cases {
+    for (name, contact, expected) in expected {
         let trace = trace(|i| contact.iter().any(|&[a, b]| (a..=b).contains(&i)));
-        assert_eq!(figure_3_2_alternative::cases(&trace, segment, 0.25).0, expected, "{name}");
+        assert_eq!(cases(&trace, segment, 0.25), expected, "{name}");
     }
 }

@@ -7,6 +7,7 @@ use signorini::strip::{EdgeData, EdgeSolution, Reference, StripKind, StripProble
 #[allow(dead_code)]
 #[path = "../../examples/falk_terms.rs"]
 mod falk_terms;
+use falk_terms::Terms;
 
 /// Squared errors carry the rounding of the contact iteration, 1e-13 of the energy.
 const ROUNDING: f64 = 1e-9;
@@ -20,7 +21,7 @@ fn solved(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
 }
 
 /// As in the example; there edges have ends, here the elastic strip is periodic.
-fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> [f64; 6] {
+fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> Terms {
     let (g, force, cells) = (data.values(), data.forces(), data.cells() / n);
     let nodal: Vec<f64> = g.iter().copied().step_by(cells).collect();
     let at = |v: &[f64], j: usize| {
@@ -38,7 +39,14 @@ fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> [f64; 
     }
     let square = |v: &[f64]| problem.distance(n, v).unwrap().value.powi(2);
     let second = work(u);
-    [square(u), square(&nodal), -work(&nodal), second, second - means[0] + means[1], -means[1]]
+    Terms {
+        error: square(u),
+        interpolation: square(&nodal),
+        consistency: -work(&nodal),
+        second,
+        part_one: second - means[0] + means[1],
+        part_two: -means[1],
+    }
 }
 
 #[test]
@@ -56,8 +64,8 @@ fn the_lemma_holds_with_constant_two_in_the_energy_norm() {
                 StripKind::Scalar => falk_terms::terms(&data, &problem, &u).unwrap(),
                 StripKind::Elastic => terms(&data, &problem, n, &u.values),
             };
-            let [error, interpolation, consistency, second, part_one, part_two] = found;
             let name = format!("{kind} {scene} tau {tau} {cone} n {n}: {found:?}");
+            let Terms { error, interpolation, consistency, second, part_one, part_two } = found;
             let size = ROUNDING * (error + interpolation);
             let added = if cone == Cone::Midpoint { second } else { 0.0 };
             assert!(error <= interpolation + 2.0 * (consistency + added) + size, "{name}");
@@ -78,7 +86,7 @@ fn the_discrete_solution_attains_the_first_infimum() {
     let problem = StripProblem::new(StripKind::Scalar, &data, Reference::Nested, 4).unwrap();
     for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [16, 64].map(|n| (cone, n))) {
         let solution = solved(&problem, n, cone);
-        let [error, _, _, second, ..] = falk_terms::terms(&data, &problem, &solution).unwrap();
+        let Terms { error, second, .. } = falk_terms::terms(&data, &problem, &solution).unwrap();
         let along = |t: f64| {
             let v: Vec<f64> = solution.values.iter().map(|u| (1.0 + t) * u).collect();
             problem.distance(n, &v).unwrap().value.powi(2) - 2.0 * (1.0 + t) * second

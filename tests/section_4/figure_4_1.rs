@@ -11,10 +11,16 @@ use signorini::strip::{LateralCondition, Reference, StripKind, StripProblem};
 #[path = "../../examples/figure_4_1_alternative.rs"]
 mod figure_4_1_alternative;
 
+/// Whether a segment is in the first and in the second case.
+fn cases(trace: &EdgeTrace, segment: Interval, theta: f64) -> [bool; 2] {
+    let found = figure_4_1_alternative::cases(trace, segment, theta);
+    [found.first, found.second]
+}
+
 /// The cases of n equal segments.
 fn classified(trace: &EdgeTrace, n: usize, theta: f64) -> Vec<[bool; 2]> {
     let segment = |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
-    (0..n).map(|i| figure_4_1_alternative::cases(trace, segment(i), theta)).collect()
+    (0..n).map(|i| cases(trace, segment(i), theta)).collect()
 }
 
 #[test]
@@ -67,7 +73,7 @@ fn degenerate_segments_have_the_expected_class() {
     let nodes: Vec<f64> = (0..=64).map(|i| f64::from(i) / 64.0).collect();
     // the segment [1/4, 3/4], theta = 1/4: h_e theta = 1/8
     let segment = Interval { start: 0.25, end: 0.75 };
-    let cases: [Expected; 9] = [
+    let expected: [Expected; 9] = [
         ("full contact", &[[0.0, 1.0]], SECOND),
         ("no contact", &[], FIRST),
         ("one contact point", &[[0.5, 0.5]], FIRST),
@@ -78,11 +84,11 @@ fn degenerate_segments_have_the_expected_class() {
         ("one cell less", &[[0.0, 0.359375]], FIRST),
         ("two pieces further apart", &[[0.25, 0.25], [0.5, 0.5]], SECOND),
     ];
-    for (name, contact, expected) in cases {
+    for (name, contact, expected) in expected {
         let touching = |x: f64| contact.iter().any(|&[a, b]| x >= a && x <= b);
         let displacement: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
         let force: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
         let trace = EdgeTrace::new(&nodes, &displacement, &force, 0.0).unwrap();
-        assert_eq!(figure_4_1_alternative::cases(&trace, segment, 0.25), expected, "{name}");
+        assert_eq!(cases(&trace, segment, 0.25), expected, "{name}");
     }
 }

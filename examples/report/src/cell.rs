@@ -4,18 +4,20 @@ use crate::Measured;
 use fractional_sobolev::{Estimate, Order, Tolerance};
 use serde_json::{Value, json};
 
-/// Significant digits of a number with an error, of one without, and of columns of errors, all below 1e-3.
+/// Significant digits of a number with an error, of one without, and of columns of errors, all
+/// below 1e-3.
 const TEN: usize = 10;
 const FIVE: usize = 5;
 const TWO: usize = 2;
-/// Largest number of characters of a number printed in full: a column of chosen parameters is not rounded if
-/// all its numbers are at most this long.
+/// Largest number of characters of a number printed in full: a column of chosen parameters is not
+/// rounded if all its numbers are at most this long.
 const SHORT: usize = 7;
 
 /// An entry of a row.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cell {
-    /// A number without an error: a parameter, or one whose error is negligible at the digits shown.
+    /// A number without an error: a parameter, or one whose error is negligible at the digits
+    /// shown.
     Number(f64),
     /// A number with its error; takes two columns.
     Measured(Measured),
@@ -56,7 +58,9 @@ impl Cell {
     pub(crate) fn short(&self) -> String {
         match self {
             // A hyphen stands for every sign: the minus of an exponent is spelled out.
-            Cell::Text(words) | Cell::Named(words, _) => crate::words::slug(&words.replace("^-", "^minus")),
+            Cell::Text(words) | Cell::Named(words, _) => {
+                crate::words::slug(&words.replace("^-", "^minus"))
+            }
             other => shortest(other.number().value),
         }
     }
@@ -90,7 +94,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// The cells with the parameters `about` and the results `found`, as built by [`crate::cells!`].
+    /// The cells with the parameters `about` and the results `found`, as built by
+    /// [`crate::cells!`].
     pub fn new(about: Vec<(&'static str, Cell)>, found: Vec<(&'static str, Cell)>) -> Self {
         Self { about, found }
     }
@@ -152,7 +157,8 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     }
 }
 
-/// The number of significant digits of a value justified by its error, two of them uncertain; at most `most`.
+/// The number of significant digits of a value justified by its error, two of them uncertain; at
+/// most `most`.
 fn digits(measured: Measured, most: usize) -> usize {
     let left = (measured.value.abs() / measured.error).log10();
     if left.is_finite() { (left.floor() as i64 + 2).clamp(1, most as i64) as usize } else { most }
@@ -176,7 +182,8 @@ pub(crate) fn bound_text(value: f64) -> String {
     if value.is_nan() || short.chars().count() > SHORT {
         let text = significant(value, FIVE);
         let (mantissa, exponent) = text.split_at(text.find('e').unwrap_or(text.len()));
-        let trimmed = if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
+        let trimmed =
+            if mantissa.contains('.') { mantissa.trim_end_matches('0') } else { mantissa };
         return trimmed.trim_end_matches('.').to_owned() + exponent;
     }
     short
@@ -185,7 +192,8 @@ pub(crate) fn bound_text(value: f64) -> String {
 /// The texts of one column; of numbers with errors two columns.
 pub(crate) fn column(cells: &[&Cell]) -> Vec<Vec<String>> {
     let is_measured = cells.iter().any(|cell| matches!(cell, Cell::Measured(m) if m.error != 0.0));
-    let numbers = || cells.iter().filter_map(|cell| if let Cell::Number(v) = cell { Some(*v) } else { None });
+    let numbers =
+        || cells.iter().filter_map(|cell| if let Cell::Number(v) = cell { Some(*v) } else { None });
     let digits_of_numbers = if numbers().all(|value| value.abs() < 1e-3) { TWO } else { FIVE };
     let is_short = numbers().all(|value| shortest(value).chars().count() <= SHORT);
     let text = |cell: &&Cell| match cell {

@@ -195,7 +195,8 @@ impl Checked {
             }
         };
         object["relation"] = relation.into();
-        let number = |value: f64| if value.is_finite() { value.into() } else { value.to_string().into() };
+        let number =
+            |value: f64| if value.is_finite() { value.into() } else { value.to_string().into() };
         object["value"] = number(self.value.value);
         object["uncertainty"] = number(self.value.error);
         object["bound"] = number(self.bound.value);
@@ -259,7 +260,8 @@ impl<'a> Claim<'a> {
 
     fn record(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
         let Self { checks, claim, role } = self;
-        let mut check = Checked { claim, role, value, relation, bound, source: source.to_owned(), cases: 1 };
+        let mut check =
+            Checked { claim, role, value, relation, bound, source: source.to_owned(), cases: 1 };
         match checks.iter_mut().find(|known| known.claim == check.claim) {
             Some(known) => {
                 check.cases = known.cases + 1;

@@ -12,7 +12,7 @@ use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
 /// Parses the command line, runs the example, prints its outcome and returns the exit code.
-pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode {
+pub fn main<P: Declarations, T>(run: fn(&P, &mut Report) -> Result<T>) -> ExitCode {
     let matches = match command::<P>().try_get_matches() {
         Ok(matches) => matches,
         Err(error) => return usage(&error),
@@ -30,7 +30,10 @@ pub fn main<P: Declarations>(run: fn(&P, &mut Report) -> Result<()>) -> ExitCode
     }
 }
 
-fn answer<P: Declarations>(matches: &ArgMatches, run: fn(&P, &mut Report) -> Result<()>) -> Result<Outcome> {
+fn answer<P: Declarations, T>(
+    matches: &ArgMatches,
+    run: fn(&P, &mut Report) -> Result<T>,
+) -> Result<Outcome> {
     let given = |name: &str| matches.get_one::<String>(name);
     let options = P::read(&|name, _| match matches.try_get_one::<bool>(name) {
         Ok(flag) => flag.map_or(String::new(), ToString::to_string),

@@ -1,8 +1,8 @@
 //! Functions of x and y from the command line: `"-cos(pi*x) - 0.5"`.
 //!
-//! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in parentheses;
-//! angles in radians, `log` and `ln` natural. An exponent may have a sign: `10^-2`, `e^-x`. Ambiguous expressions are
-//! rejected: `2*-x`, `2^3^2`, `e^-x^2`, `sin x`, `2x`, `x y`.
+//! Numbers, `x`, `y`, `pi`, `e`, `+ - * / ^`, parentheses, and functions with their arguments in
+//! parentheses; angles in radians, `log` and `ln` natural. An exponent may have a sign: `10^-2`,
+//! `e^-x`. Ambiguous expressions are rejected: `2*-x`, `2^3^2`, `e^-x^2`, `sin x`, `2x`, `x y`.
 
 use crate::{Error, Result};
 use std::sync::Arc;
@@ -18,8 +18,8 @@ macro_rules! by_name {
     };
 }
 const ONE: [(&str, Of1); 21] = by_name![
-    abs, signum, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor, exp, sqrt,
-    cbrt, log10, ln
+    abs, signum, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor,
+    exp, sqrt, cbrt, log10, ln
 ];
 const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
 /// Largest length of a text and largest depth of parentheses.
@@ -33,12 +33,13 @@ pub struct Expression(Arc<dyn Fn([f64; 2]) -> f64 + Send + Sync>);
 impl Expression {
     /// The function given by an expression.
     ///
-    /// # Errors
-    /// [`Error::Option`] with the reason, for an expression that cannot be parsed or has more than 2000
-    /// bytes.
+    /// # Errors [`Error::Option`] with the reason, for an expression that cannot be parsed or has
+    /// more than 2000 bytes.
     pub fn parse(text: &str) -> Result<Self> {
         if text.len() > LONGEST {
-            return Err(Error::Option(format!("the expression has more than {LONGEST} characters")));
+            return Err(Error::Option(format!(
+                "the expression has more than {LONGEST} characters"
+            )));
         }
         let mut reader = Reader { rest: text.trim(), depth: 0 };
         let whole = reader.sum().and_then(|whole| match reader.peek() {
@@ -50,8 +51,8 @@ impl Expression {
         whole.map_err(|why| Error::Option(format!("expression '{}': {why}", text.trim())))
     }
 
-    /// The functions given by a comma-separated list of expressions; commas inside parentheses separate
-    /// arguments.
+    /// The functions given by a comma-separated list of expressions; commas inside parentheses
+    /// separate arguments.
     ///
     /// # Errors
     /// As for [`Expression::parse`].
@@ -165,7 +166,8 @@ impl Reader<'_> {
             Some('0'..='9' | '.') => self.number(),
             Some(c) if c.is_alphabetic() || c == '_' => self.named(),
             Some('+' | '-') => {
-                Err("two signs in a row: a signed factor needs parentheses, as in 2*(-x)".to_owned())
+                Err("two signs in a row: a signed factor needs parentheses, as in 2*(-x)"
+                    .to_owned())
             }
             Some('*') => Err("'*' has nothing before it; a power is x^2".to_owned()),
             Some(c @ ('/' | '^' | ')' | ',')) => Err(format!("'{c}' has nothing before it")),
@@ -181,7 +183,8 @@ impl Reader<'_> {
     }
 
     fn number(&mut self) -> Checked<Expression> {
-        let digits = |text: &str| text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
+        let digits =
+            |text: &str| text.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(text.len());
         let mut length = digits(self.rest);
         if let Some(power) = self.rest[length..].strip_prefix(['e', 'E']) {
             let sign = usize::from(power.starts_with(['+', '-']));
@@ -193,7 +196,8 @@ impl Reader<'_> {
     }
 
     fn named(&mut self) -> Checked<Expression> {
-        let end = self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
+        let end =
+            self.rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(self.rest.len());
         let word = self.word(end).to_owned();
         match word.as_str() {
             "x" => return Ok(Expression(Arc::new(|[x, _]| x))),
@@ -225,9 +229,14 @@ impl Reader<'_> {
         }
         if !self.takes(')') {
             let is_open = self.rest.is_empty();
-            return Err(if is_open { "a parenthesis is not closed".to_owned() } else { self.two_in_a_row() });
+            return Err(if is_open {
+                "a parenthesis is not closed".to_owned()
+            } else {
+                self.two_in_a_row()
+            });
         }
-        let wrong = |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
+        let wrong =
+            |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
         arguments.try_into().map_err(wrong)
     }
 }
@@ -267,7 +276,10 @@ mod tests {
         ];
         for (text, value) in cases {
             let found = Expression::parse(text).unwrap().at([x, y]);
-            assert!((found - value).abs() <= 4.0 * f64::EPSILON * value.abs().max(1.0), "{text}: {found}");
+            assert!(
+                (found - value).abs() <= 4.0 * f64::EPSILON * value.abs().max(1.0),
+                "{text}: {found}"
+            );
         }
         assert!(Expression::parse("sqrt(-1 - x^2)").unwrap().at([0.0, 0.0]).is_nan());
         let list = Expression::parse_list("max(x, 1), -y").unwrap();

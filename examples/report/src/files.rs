@@ -1,5 +1,5 @@
-//! Atomic writing of files: under another name in the same directory, then renamed; devices and pipes
-//! directly.
+//! Atomic writing of files: under another name in the same directory, then renamed; devices and
+//! pipes directly.
 
 use crate::{Error, Result};
 use std::path::{Path, PathBuf};

@@ -1,31 +1,34 @@
 //! Reports of the examples (rows, checks, pictures) and their options.
 //!
-//! An example is one file. [`example!`] declares label, statement and options; `run(&Options, &mut Report)` is
-//! the loop. Table, checks, status, JSON, charts and the numbers that the book quotes follow from what the loop
-//! reports, so that example, test, tour and book cannot disagree.
+//! An example is one file. [`example!`] declares label, statement and options; `run(&Options, &mut
+//! Report)` is the loop. Table, checks, status, JSON, charts and the numbers that the book quotes
+//! follow from what the loop reports, so that example, test, tour and book cannot disagree.
 //!
-//! | verb | meaning |
-//! | --- | --- |
-//! | `out.row(cells! { nu, theta => gamma, over_law: gamma / law })` | one row: parameters `=>` results |
-//! | `out.check("no gamma exceeds its bound").at_most(value, bound, "where the bound comes from")` | must hold; also `at_least`, `near(value, expected, tolerance, ..)`, `holds(bool, ..)` |
-//! | `out.as_printed("(5.2) as theta -> 1")` | the paper's own form, which may fail: then the statement is false as printed |
-//! | `out.stronger("order tau - 1")` | a stronger statement: if it holds, the paper's is loose |
-//! | `out.not_sharp("growth is a square root less")` | a different rate of growth: if it holds, the paper's is not sharp |
-//! | `out.observe("pre-asymptotic order")` | compared and shown; no effect on the status |
-//! | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on that page of the book |
-//! | `out.note("sharpness", value)` | a number to be quoted |
-//! | `out.exponent("h", "error")` | slope of logarithms between the last two rows that differ only in `h` |
-//! | `out.plot(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
+//! | verb | meaning | | --- | --- | | `out.row(cells! { nu, theta => gamma, over_law: gamma / law
+//! })` | one row: parameters `=>` results | | `out.check("no gamma exceeds its
+//! bound").at_most(value, bound, "where the bound comes from")` | must hold; also `at_least`,
+//! `near(value, expected, tolerance, ..)`, `holds(bool, ..)` | | `out.as_printed("(5.2) as theta ->
+//! 1")` | the paper's own form, which may fail: then the statement is false as printed | |
+//! `out.stronger("order tau - 1")` | a stronger statement: if it holds, the paper's is loose | |
+//! `out.not_sharp("growth is a square root less")` | a different rate of growth: if it holds, the
+//! paper's is not sharp | | `out.observe("pre-asymptotic order")` | compared and shown; no effect
+//! on the status | | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on
+//! that page of the book | | `out.note("sharpness", value)` | a number to be quoted | |
+//! `out.exponent("h", "error")` | slope of logarithms between the last two rows that differ only in
+//! `h` | | `out.plot(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
 //!
-//! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w: *at most* holds
-//! if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at least* likewise; *near* holds if
-//! |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check that is reported several times keeps its worst
-//! case: failed before undecided before satisfied, and among equals the one that violates its bound most or
-//! satisfies it with the smallest margin, errors included.
+//! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w:
+//! *at most* holds if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at
+//! least* likewise; *near* holds if |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check
+//! that is reported several times keeps its worst case: failed before undecided before satisfied,
+//! and among equals the one that violates its bound most or satisfies it with the smallest margin,
+//! errors included.
 //!
-//! **Verdict** of a statement, from its checks alone: *fails* or *undecided* if a check that must hold is,
-//! *open* if there is none with a number (exit code 1); else *false as printed*, *not sharp*, *loose*,
-//! *true*.
+//! `--help` of every example ends with this legend; the files of the examples do not repeat it.
+//!
+//! **Verdict** of a statement, from its checks alone: *fails* or *undecided* if a check that must
+//! hold is, *open* if there is none with a number (exit code 1); else *false as printed*, *not
+//! sharp*, *loose*, *true*.
 
 /// Implements `From` for a type, by a function of each of these types.
 macro_rules! conversions {
@@ -59,8 +62,13 @@ pub use command::main;
 pub use error::{Error, Result};
 pub use expression::Expression;
 pub use figures::{Axes, Plot};
-pub use hats::{constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis};
-pub use measured::{Measured, largest, order_of_squares, smallest};
+pub use hats::{
+    constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis,
+};
+pub use measured::{
+    Measured, exponent_between, exponent_of, largest, order_of_increments, order_of_squares,
+    smallest,
+};
 pub use options::{Declarations, Declared, OptionValue, read_option};
 pub use outcome::{Outcome, Verdict};
 pub use report::Report;
@@ -68,16 +76,18 @@ pub use report::Report;
 /// The items that examples use.
 pub mod prelude {
     pub use crate::{
-        Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example, harmonic_energy,
-        largest, largest_eigenvalue, mass_matrix, mean_zero_basis, order_of_squares, smallest,
+        Axes, Error, Measured, Report, Result, cells, constrained_minimiser, example,
+        exponent_between, exponent_of, harmonic_energy, largest, largest_eigenvalue, mass_matrix,
+        mean_zero_basis, order_of_increments, order_of_squares, smallest,
     };
     pub use fractional_sobolev::{Estimate, Order, Tolerance};
 }
 
-/// Declares an example: how long it takes (`quick`: below a second, `seconds`, `long`), label, statement, options.
-/// Each option has one line of help, a type, a default, and where a number is bounded its interval and the ends of
-/// the slider of the book's page. Makes `Options`, `outcome(&Options)` and `main`, which call
-/// `run(&Options, &mut Report) -> Result<()>` of the file.
+/// Declares an example: how long it takes (`quick`: below a second, `seconds`, `long`), label,
+/// statement, options. Each option has one line of help, a type, a default, and where a number is
+/// bounded its interval and the ends of the slider of the book's page. Makes `Options`,
+/// `outcome(&Options)` and `main`, which call `run(&Options, &mut Report) -> Result<T>` of the
+/// file; T is `()`, or the few numbers for which another program runs the example.
 ///
 /// ```
 /// use example_report::prelude::*;
@@ -139,7 +149,7 @@ macro_rules! example {
         }
 
         fn main() -> std::process::ExitCode {
-            $crate::main::<Options>(run)
+            $crate::main::<Options, _>(run)
         }
     };
     ($cost:ident $label:literal, $statement:literal) => {

@@ -44,7 +44,8 @@ impl Measured {
     #[must_use]
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
-        let error = if self.error == 0.0 { 0.0 } else { (self.error / root).min(self.error.sqrt()) };
+        let error =
+            if self.error == 0.0 { 0.0 } else { (self.error / root).min(self.error.sqrt()) };
         Self { value: root, error }
     }
 
@@ -114,15 +115,19 @@ impl<T: Into<Measured>> Div<T> for Measured {
         let (a, b) = (self, other.into());
         let value = a.value / b.value;
         let room = b.value.abs() - b.error;
-        let error =
-            if a.error == 0.0 && b.error == 0.0 { 0.0 } else { (a.error + value.abs() * b.error) / room };
+        let error = if a.error == 0.0 && b.error == 0.0 {
+            0.0
+        } else {
+            (a.error + value.abs() * b.error) / room
+        };
         Self { value, error: if room > 0.0 || error == 0.0 { error } else { f64::INFINITY } }
     }
 }
 
 /// The number with the largest upper bound, value plus error; `None` if there are no numbers.
 pub fn largest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Option<Measured> {
-    let larger = |a: Measured, b: Measured| if b.value + b.error > a.value + a.error { b } else { a };
+    let larger =
+        |a: Measured, b: Measured| if b.value + b.error > a.value + a.error { b } else { a };
     numbers.into_iter().map(Into::into).reduce(larger)
 }
 
@@ -131,15 +136,38 @@ pub fn smallest<T: Into<Measured>>(numbers: impl IntoIterator<Item = T>) -> Opti
     largest(numbers.into_iter().map(|number| -number.into())).map(|found| -found)
 }
 
-/// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their squares:
+/// The exponent p of y ~ x^p between two points (x, y).
+pub fn exponent_between<T: Into<Measured>>(a: (f64, T), b: (f64, T)) -> Measured {
+    let ((x, y), (x_b, y_b)) = (a, b);
+    (y_b.into() / y.into()).ln() / (x_b / x).ln()
+}
+
+/// The exponent p of y ~ x^p from the first to the last of at least three points (x, y); ± is the
+/// difference of the exponents of both halves, and the effect of the errors of y. No number with
+/// fewer points.
+pub fn exponent_of<T: Copy + Into<Measured>>(points: &[(f64, T)]) -> Measured {
+    let [first, _, .., last] = points else { return Measured::NONE };
+    let middle = points[points.len() / 2];
+    let whole = exponent_between(*first, *last);
+    let halves = exponent_between(*first, middle) - exponent_between(middle, *last);
+    Measured::new(whole.value, halves.value.abs() + whole.error)
+}
+
+/// The exponent p of y = A h^p + B from its values for h, h/2 and h/4: the increments fall by 2^p.
+pub fn order_of_increments(y: [f64; 3]) -> f64 {
+    ((y[0] - y[1]) / (y[1] - y[2])).log2()
+}
+
+/// The order p of errors e on meshes h, h/2, h/4, .. with e² ≈ A h^(2p) + B h² + const, from their
+/// squares:
 ///
 /// ```text
 /// p = ½ log₂ |t(h)/t(h/2^k)|/k,    t(h) = 4 d(h/2) − d(h) ~ h^(2p),    d(h) = e(h)² − e(h/2)²,    k = halvings,
 /// ```
 ///
-/// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as there are (a drift,
-/// about as large as p is off its limit), and what the errors of the last squares do to p. No number with fewer than k + 4
-/// squares, where nothing is known of a change.
+/// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as
+/// there are (a drift, about as large as p is off its limit), and what the errors of the last
+/// squares do to p. No number with fewer than k + 4 squares, where nothing is known of a change.
 pub fn order_of_squares<T: Copy + Into<Measured>>(squares: &[T], halvings: usize) -> Measured {
     let squares: Vec<Measured> = squares.iter().map(|&square| square.into()).collect();
     // t = 4 (b − c) − (a − b), every square once: errors of the same square do not add up twice.
@@ -184,6 +212,20 @@ mod tests {
     }
 
     #[test]
+    fn exponents_of_powers() {
+        let power = |x: f64| (x, 3.0 * x.powf(-0.7));
+        let points = [1.0, 2.0, 5.0, 7.0].map(power);
+        assert!((exponent_between(points[0], points[2]).value + 0.7).abs() < 1e-14);
+        let found = exponent_of(&points);
+        assert!((found.value + 0.7).abs() < 1e-14 && found.error < 1e-14, "{found:?}");
+        let with_error = points.map(|(x, y)| (x, Measured::new(y, 1e-3 * y)));
+        assert!(exponent_of(&with_error).error > 1e-3);
+        assert!(exponent_of(&points[..2]).value.is_nan());
+        let y = [1.0, 0.5, 0.25].map(|h: f64| 5.0 * h.powf(1.3) - 2.0);
+        assert!((order_of_increments(y) - 1.3).abs() < 1e-14);
+    }
+
+    #[test]
     fn an_order_is_read_beside_a_square_and_a_constant() {
         let squares: Vec<f64> = (0..8)
             .map(|k| 0.5f64.powi(k))
@@ -192,7 +234,8 @@ mod tests {
         for halvings in [1, 2] {
             let p = order_of_squares(&squares, halvings);
             assert!((p.value - 0.7).abs() < p.error && p.error < 0.02, "{p:?}");
-            // Errors of the squares widen ±; one that covers a difference of squares leaves no order.
+            // Errors of the squares widen ±; one that covers a difference of squares leaves no
+            // order.
             let wide = |share: f64| -> Vec<Measured> {
                 squares.iter().map(|s| Measured::new(*s, share * s)).collect()
             };
@@ -200,14 +243,17 @@ mod tests {
             assert!(q.value == p.value && q.error > p.error + 1e-6 && q.error < 0.1, "{q:?}");
             assert!(!none.error.is_finite(), "{none:?}");
         }
-        let exact: Vec<f64> = (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();
+        let exact: Vec<f64> =
+            (0..8).map(|k| 7.0 * 0.25f64.powi(k) - 2.0 * 0.5f64.powi(k)).collect();
         assert!((order_of_squares(&exact, 2) - 0.5).abs().value < 1e-12);
         assert!(order_of_squares(&squares[..5], 2).value.is_nan());
     }
 
     #[test]
     fn a_minimum_keeps_what_lies_below() {
-        let ends = |v: f64, u: f64| (Measured::new(v, u).min(1.0).value, Measured::new(v, u).min(1.0).error);
+        let ends = |v: f64, u: f64| {
+            (Measured::new(v, u).min(1.0).value, Measured::new(v, u).min(1.0).error)
+        };
         assert_eq!(
             [ends(0.75, 0.5), ends(1.25, 0.5), ends(2.0, 0.5)],
             [(0.75, 0.5), (1.0, 0.25), (1.0, 0.0)]

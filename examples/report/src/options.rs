@@ -43,11 +43,20 @@ pub struct Declared {
 }
 
 impl Declared {
-    /// An option of type `T`; `range` such as "(0, 1]", `slider` such as "0.1 to 10" or "0.1 to 10 by
-    /// factors"; each may be empty.
+    /// An option of type `T`; `range` such as "(0, 1]", `slider` such as "0.1 to 10" or "0.1 to 10
+    /// by factors"; each may be empty.
     pub fn of<T: OptionValue>([name, help, default, range, slider]: [&'static str; 5]) -> Self {
         let help = help.trim();
-        Self { name, help, default, range, slider, kind: T::KIND, list: T::LIST, choices: T::choices() }
+        Self {
+            name,
+            help,
+            default,
+            range,
+            slider,
+            kind: T::KIND,
+            list: T::LIST,
+            choices: T::choices(),
+        }
     }
 
     fn argument(&self) -> Arg {
@@ -62,7 +71,8 @@ impl Declared {
         if self.kind == "flag" {
             return argument.action(ArgAction::SetTrue);
         }
-        // A value may be a negative number, so that `--nu -0.1` is answered by what it means; `-0.5,0` is no number.
+        // A value may be a negative number, so that `--nu -0.1` is answered by what it means;
+        // `-0.5,0` is no number.
         let argument = match (self.kind, self.list) {
             ("text", _) | ("number", true) => argument.allow_hyphen_values(true),
             _ => argument.allow_negative_numbers(true),
@@ -105,12 +115,28 @@ pub(crate) fn describe<P: Declarations>() -> Value {
     json!({"about": format!("{}: {}", P::LABEL, P::STATEMENT), "cost": P::COST, "options": options})
 }
 
+/// How to read a report; the end of `--help`.
+const LEGEND: &str = "\
+How to read the report:
+  Each line below the table is a check: mark, claim, number, bound, source of the bound.
+  ✓ holds   ✗ fails   ? undecided within the errors   ∎ proved on that page of the book
+  A number x with an error ± counts with it:
+    x ≤ b  holds if x + ± ≤ b      x ≥ b  holds if x − ± ≥ b      x = b ± t  if |x − b| + ± ≤ t
+  Of several cases of one check the worst is shown, with their number.
+  The last line is the status of the statement, from its checks:
+    true               every claim holds
+    loose              true, and a stronger statement is true too
+    not sharp          true, and the true rate of growth is another
+    false as printed   the paper's own form fails; a corrected one is true
+    fails, undecided   a claim does or is: exit code 1 (an error: 2)";
+
 /// The command line of an example.
 pub(crate) fn command<P: Declarations>() -> Command {
     let path = std::env::args().next().unwrap_or_default();
     let name = Path::new(&path).file_stem().map_or("example".into(), |stem| stem.to_string_lossy());
     Command::new(name.into_owned())
         .about(format!("{}: {}", P::LABEL, P::STATEMENT))
+        .after_help(LEGEND)
         .args(P::declared().iter().map(Declared::argument))
         .arg(arg!(--json "one JSON object per row and check, with all digits"))
         .arg(arg!(--out <PATH> "directory for pictures (SVG)"))
@@ -129,7 +155,12 @@ pub(crate) fn command<P: Declarations>() -> Command {
 ///
 /// # Errors
 /// [`Error::Option`] with the reason.
-pub fn read_option<T: OptionValue>(name: &str, text: &str, default: &str, range: &str) -> Result<T> {
+pub fn read_option<T: OptionValue>(
+    name: &str,
+    text: &str,
+    default: &str,
+    range: &str,
+) -> Result<T> {
     if T::LIST && text.trim().is_empty() && !default.is_empty() {
         return Err(Error::option(name, "a value is missing"));
     }
@@ -171,7 +202,8 @@ pub trait OptionValue: Sized {
     }
 }
 
-/// Types that are read by their own `FromStr`: the kind for the page, the number, and the admissible names.
+/// Types that are read by their own `FromStr`: the kind for the page, the number, and the
+/// admissible names.
 macro_rules! option_value {
     ($($kind:ty, $word:literal $(, at $place:expr)? $(, of $words:expr)?;)*) => {
         $(impl OptionValue for $kind {

@@ -70,24 +70,38 @@ pub struct Outcome {
 impl Outcome {
     /// The status that follows from the checks.
     pub fn status(&self) -> Verdict {
-        let has = |role: Role, decision: Decision| {
-            self.checks.iter().any(|c| c.role == role && c.decision() == decision)
-        };
-        if has(Role::Claim, Decision::Fails) {
+        if self.has(Role::Claim, Decision::Fails) {
             Verdict::Fails
-        } else if has(Role::Claim, Decision::Undecided) {
+        } else if self.has(Role::Claim, Decision::Undecided) {
             Verdict::Undecided
-        } else if !has(Role::Claim, Decision::Holds) {
+        } else if !self.has(Role::Claim, Decision::Holds) {
             Verdict::Open
-        } else if has(Role::AsPrinted, Decision::Fails) {
+        } else if self.has(Role::AsPrinted, Decision::Fails) {
             Verdict::FalseAsPrinted
-        } else if has(Role::NotSharp, Decision::Holds) {
+        } else if self.has(Role::NotSharp, Decision::Holds) {
             Verdict::NotSharp
-        } else if has(Role::Stronger, Decision::Holds) {
+        } else if self.has(Role::Stronger, Decision::Holds) {
             Verdict::Loose
         } else {
             Verdict::True
         }
+    }
+
+    /// True if a check of this role has this decision.
+    pub fn has(&self, role: Role, decision: Decision) -> bool {
+        self.checks.iter().any(|check| check.role == role && check.decision() == decision)
+    }
+
+    /// The ranges in which forms that fail as printed are true, such as "for θ ≤ 1/2".
+    pub fn corrections(&self) -> Vec<&str> {
+        let mut ranges: Vec<&str> = Vec::new();
+        for check in &self.checks {
+            let fails = check.role == Role::AsPrinted && check.decision() == Decision::Fails;
+            if fails && !ranges.contains(&check.source.as_str()) {
+                ranges.push(&check.source);
+            }
+        }
+        ranges
     }
 
     /// All checks, in the order in which they were first reported.
@@ -100,14 +114,14 @@ impl Outcome {
         self.checks.iter().find(|check| check.key() == key)
     }
 
-    /// Fault injection: moves the number of each check across its bound and back, and verifies that its mark,
-    /// the status and the exit code change accordingly.
+    /// Fault injection: moves the number of each check across its bound and back, and verifies that
+    /// its mark, the status and the exit code change accordingly.
     ///
-    /// # Errors
-    /// [`Error::Option`] with the first check for which they do not change, or which has no source or no
-    /// unique key.
+    /// # Errors [`Error::Option`] with the first check for which they do not change, or which has
+    /// no source or no unique key.
     pub(crate) fn turns(&self) -> Result<()> {
-        let fault = |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
+        let fault =
+            |label: &str, what: &str| Err(Error::option("fault", &format!("{label}: {what}")));
         let keys: BTreeSet<String> = self.checks.iter().map(Checked::key).collect();
         if keys.len() < self.checks.len() {
             return fault(self.label, "two checks have the same key");
@@ -135,7 +149,8 @@ impl Outcome {
         Ok(())
     }
 
-    /// True if the status is one that follows from a check of this role and decision when all others hold.
+    /// True if the status is one that follows from a check of this role and decision when all
+    /// others hold.
     fn follows(&self, role: Role, decision: Decision) -> bool {
         use Verdict::{Fails, FalseAsPrinted, Loose, NotSharp, True, Undecided};
         let expected: &[Verdict] = match (role, decision) {
@@ -146,7 +161,8 @@ impl Outcome {
             (Role::Stronger, Decision::Holds) => &[Loose, NotSharp, FalseAsPrinted],
             _ => &[True, Loose, NotSharp, FalseAsPrinted],
         };
-        let fails = role == Role::Claim && matches!(decision, Decision::Fails | Decision::Undecided);
+        let fails =
+            role == Role::Claim && matches!(decision, Decision::Fails | Decision::Undecided);
         expected.contains(&self.status()) && self.exit_code() == u8::from(fails)
     }
 
@@ -165,8 +181,8 @@ impl Outcome {
         u8::from(!self.status().is_confirmed())
     }
 
-    /// The number under this key: `column.row`, `column.row.error`, the key of a note or of a check; `None`
-    /// if there is none or it is not finite.
+    /// The number under this key: `column.row`, `column.row.error`, the key of a note or of a
+    /// check; `None` if there is none or it is not finite.
     pub fn value(&self, key: &str) -> Option<f64> {
         self.values().into_iter().find(|(known, _)| known == key).map(|(_, value)| value)
     }
@@ -203,9 +219,15 @@ impl Outcome {
             return (*title).to_owned();
         }
         let name = name.replace("_over_", "_/_");
-        let letter = |word| greek().find(|(_, known)| *known == word).map_or(word, |(letter, _)| letter);
+        let letter =
+            |word| greek().find(|(_, known)| *known == word).map_or(word, |(letter, _)| letter);
         let words: Vec<&str> = name.split('_').map(letter).collect();
-        words.join(" ").replace(" / ", "/").replace("over ", "/ ").replace(" 0", "₀").replace(" 1", "₁")
+        words
+            .join(" ")
+            .replace(" / ", "/")
+            .replace("over ", "/ ")
+            .replace(" 0", "₀")
+            .replace(" 1", "₁")
     }
 
     /// Titles with meanings and names, and the cells of every row as texts.
@@ -221,8 +243,11 @@ impl Outcome {
         for name in names {
             let cells: Vec<&Cell> =
                 self.rows.iter().map(|row| row.get(name).unwrap_or(&Cell::Missing)).collect();
-            let meaning =
-                self.columns.iter().find(|(known, ..)| *known == name).map_or("", |(.., meaning)| meaning);
+            let meaning = self
+                .columns
+                .iter()
+                .find(|(known, ..)| *known == name)
+                .map_or("", |(.., meaning)| meaning);
             for (k, texts) in column(&cells).into_iter().enumerate() {
                 titles.push(if k == 0 {
                     [self.title(name), meaning.to_owned(), name.to_owned()]
@@ -235,7 +260,8 @@ impl Outcome {
         (titles, rows)
     }
 
-    /// Draws every picture and writes it to the directory, a plot with its points as comma-separated values.
+    /// Draws every picture and writes it to the directory, a plot with its points as
+    /// comma-separated values.
     ///
     /// # Errors
     /// [`Error::File`] if a file cannot be written.
@@ -271,16 +297,17 @@ impl Outcome {
         lines.map(|line| format!("{line}\n")).collect()
     }
 
-    /// The outcome without its pictures as one JSON object: `label`, `claim`, `measured`, `verdict`,
-    /// `confirmed`, `findings`, `values` by key, and the table as it is printed (`columns`, `rows`).
+    /// The outcome without its pictures as one JSON object: `label`, `claim`, `measured`,
+    /// `verdict`, `confirmed`, `findings`, `values` by key, and the table as it is printed
+    /// (`columns`, `rows`).
     pub(crate) fn json(&self) -> String {
         let values: Map<String, Value> =
             self.values().into_iter().map(|(key, value)| (key, json!(value))).collect();
         let (titles, rows) = self.table();
-        let column =
-            |[title, meaning, key]: &[String; 3]| json!({"key": key, "title": title, "meaning": meaning});
-        let is_told =
-            |check: &&Checked| check.decision() != Decision::ByProof && check.role != Role::Observed;
+        let column = |[title, meaning, key]: &[String; 3]| json!({"key": key, "title": title, "meaning": meaning});
+        let is_told = |check: &&Checked| {
+            check.decision() != Decision::ByProof && check.role != Role::Observed
+        };
         let told: Vec<String> = self.checks.iter().filter(is_told).map(Checked::words).collect();
         json!({
             "label": self.label,

@@ -25,9 +25,9 @@ impl Report {
         Self { found, draws: false, started: Instant::now() }
     }
 
-    /// Sets the title and the meaning of the column of that name; without it the title is the name, with
-    /// Greek letters in place of their names and a slash in place of `_over_`. The meaning is printed below
-    /// the table.
+    /// Sets the title and the meaning of the column of that name; without it the title is the name,
+    /// with Greek letters in place of their names and a slash in place of `_over_`. The meaning is
+    /// printed below the table.
     pub fn column(&mut self, name: &'static str, title: &'static str, meaning: &'static str) {
         if !self.found.columns.iter().any(|(known, ..)| *known == name) {
             self.found.columns.push((name, title, meaning));
@@ -45,8 +45,8 @@ impl Report {
         Claim::new(&mut self.found.checks, claim.into(), Role::Claim)
     }
 
-    /// A claim in the paper's own form, which may fail; the source of its comparison is the range in which it
-    /// is true, such as "for θ ≤ 1/2".
+    /// A claim in the paper's own form, which may fail; the source of its comparison is the range
+    /// in which it is true, such as "for θ ≤ 1/2".
     pub fn as_printed(&mut self, claim: impl Into<String>) -> Claim<'_> {
         Claim::new(&mut self.found.checks, claim.into(), Role::AsPrinted)
     }
@@ -66,8 +66,8 @@ impl Report {
         Claim::new(&mut self.found.checks, claim.into(), Role::Observed)
     }
 
-    /// Records a claim that is true by the proof on a page of the book, given by its file name without
-    /// extension.
+    /// Records a claim that is true by the proof on a page of the book, given by its file name
+    /// without extension.
     pub fn proof(&mut self, claim: impl Into<String>, page: &'static str) {
         Claim::new(&mut self.found.checks, claim.into(), Role::Claim).by_proof(page);
     }
@@ -82,28 +82,37 @@ impl Report {
         self.found.remark = words.into();
     }
 
-    /// The numbers of these two columns in the last consecutive rows whose parameters differ only in `x`.
+    /// The numbers of these two columns in the last consecutive rows whose parameters differ only
+    /// in `x`.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
         let Some(last) = self.found.rows.last() else { return Vec::new() };
         let same = |row: &&Cells| {
             row.about.iter().zip(&last.about).all(|(a, b)| a.0 == b.0 && (a.0 == x || a.1 == b.1))
         };
         let rows = self.found.rows.iter().rev().take_while(same);
-        let number = |row: &Cells, name: &str| row.get(name).map_or(f64::NAN, |cell| cell.number().value);
-        let mut points: Vec<(f64, f64)> = rows.map(|row| (number(row, x), number(row, y))).collect();
+        let number =
+            |row: &Cells, name: &str| row.get(name).map_or(f64::NAN, |cell| cell.number().value);
+        let mut points: Vec<(f64, f64)> =
+            rows.map(|row| (number(row, x), number(row, y))).collect();
         points.reverse();
         points
     }
 
-    /// Slope of ln y against ln x between the last two rows of [`Report::series`]; [`Measured::NONE`] for
-    /// fewer than two rows.
+    /// Slope of ln y against ln x between the last two rows of [`Report::series`];
+    /// [`Measured::NONE`] for fewer than two rows.
     pub fn exponent(&self, x: &str, y: &str) -> Measured {
         self.slope(x, y, f64::ln, f64::ln)
     }
 
-    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`]; [`Measured::NONE`] for
-    /// fewer than two rows.
-    pub fn slope(&self, x: &str, y: &str, f: impl Fn(f64) -> f64, g: impl Fn(f64) -> f64) -> Measured {
+    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`];
+    /// [`Measured::NONE`] for fewer than two rows.
+    pub fn slope(
+        &self,
+        x: &str,
+        y: &str,
+        f: impl Fn(f64) -> f64,
+        g: impl Fn(f64) -> f64,
+    ) -> Measured {
         match self.series(x, y).as_slice() {
             [.., a, b] => ((g(b.1) - g(a.1)) / (f(b.0) - f(a.0))).into(),
             _ => Measured::NONE,
@@ -126,8 +135,8 @@ impl Report {
         self.draws
     }
 
-    /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the colour scale
-    /// of the last one.
+    /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the
+    /// colour scale of the last one.
     ///
     /// # Errors
     /// As for [`signorini::fem::stresses`].
@@ -151,8 +160,8 @@ impl Report {
         self.found.bodies.push((name.to_owned(), svg.into()));
     }
 
-    /// Adds a plot of u_N and −σ_N of a contact solution along its contact edges, each divided by the
-    /// maximum of its absolute value.
+    /// Adds a plot of u_N and −σ_N of a contact solution along its contact edges, each divided by
+    /// the maximum of its absolute value.
     pub fn contact_edge(
         &mut self,
         name: &str,
@@ -163,8 +172,9 @@ impl Report {
         self.found.plots.push(edge_plot(name, title, problem, solution));
     }
 
-    /// Adds a plot of u_N and −σ_N along an edge, each divided by the maximum of its absolute value; the
-    /// segments in the first case of Figure 3.2 or 4.1, in the second case, and in both are shaded.
+    /// Adds a plot of u_N and −σ_N along an edge, each divided by the maximum of its absolute
+    /// value; the segments in the first case of Figure 3.2 or 4.1, in the second case, and in both
+    /// are shaded.
     pub fn edge_trace(&mut self, name: &str, edge: &EdgeTrace, cases: [Vec<Interval>; 3]) {
         self.found.plots.push(trace_plot(name, edge, cases));
     }

@@ -35,10 +35,13 @@ impl Outcome {
         let status = self.status();
         let colour = if status.is_confirmed() { GREEN } else { RED };
         let mut last = format!("  status: {}", painted(&status.to_string(), colour, in_colour));
-        let failing =
-            self.checks.iter().find(|c| c.role == Role::AsPrinted && c.decision() == Decision::Fails);
-        if let Some(check) = failing.filter(|_| status == Verdict::FalseAsPrinted) {
-            let _ = write!(last, ", true {}", check.source);
+        match status {
+            Verdict::FalseAsPrinted => {
+                let _ = write!(last, ", true {}", self.corrections().join(" and "));
+            }
+            Verdict::Loose => last.push_str(": a stronger statement is true too"),
+            Verdict::NotSharp => last.push_str(": the true rate of growth is another"),
+            _ => {}
         }
         if let [.., path] = self.saved.as_slice() {
             let others = self.saved.len() - 1;
@@ -59,7 +62,8 @@ impl Outcome {
         table.set_header(titles.iter().map(|[title, ..]| title));
         let is_number = |text: &str| {
             text.is_empty()
-                || text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c)) && !text.contains(' ')
+                || text.starts_with(|c: char| c.is_ascii_digit() || "-−–∞".contains(c))
+                    && !text.contains(' ')
         };
         let all = rows.len() <= ROWS;
         for (k, row) in rows.iter().enumerate() {
@@ -82,7 +86,8 @@ impl Outcome {
         let explained = titles.iter().filter(|[_, meaning, _]| !meaning.is_empty());
         let explained: Vec<String> =
             explained.map(|[title, meaning, _]| format!("{title}: {meaning}")).collect();
-        for line in wrapped(&explained.join("; "), width - 2).iter().filter(|line| !line.is_empty()) {
+        for line in wrapped(&explained.join("; "), width - 2).iter().filter(|line| !line.is_empty())
+        {
             let _ = writeln!(text, "  {line}");
         }
         text
@@ -97,30 +102,37 @@ impl Outcome {
             self.checks.iter().enumerate().filter(is_shown).map(|(_, check)| check).collect();
         let hidden = self.checks.len() - checks.len();
         let widest = |k: usize, proved: bool| {
-            let of_kind = checks.iter().filter(|check| (check.decision() == Decision::ByProof) == proved);
+            let of_kind =
+                checks.iter().filter(|check| (check.decision() == Decision::ByProof) == proved);
             of_kind.map(|check| check.parts()[k].chars().count()).max().unwrap_or(0)
         };
         // A proof has a page in place of bound and source.
-        let (value, bound, page) = (widest(0, false).max(widest(0, true)), widest(1, false), widest(1, true));
+        let (value, bound, page) =
+            (widest(0, false).max(widest(0, true)), widest(1, false), widest(1, true));
         let longest = checks.iter().map(|check| claim(check).chars().count()).max().unwrap_or(0);
         let room = width.saturating_sub(value + bound.max(page) + 7).max(CLAIM);
         let is_beside = |check: &Checked, words: usize| {
             source(check).chars().count() <= width.saturating_sub(words + value + bound + 9)
         };
-        // The width with the fewest lines, and of those the largest: a claim is broken, or its source is on the next line.
+        // The width with the fewest lines, and of those the largest: a claim is broken, or its
+        // source is on the next line.
         let lines = |words: &usize| -> usize {
             let of = |check: &&Checked| {
                 wrapped(&claim(check), *words).len() + usize::from(!is_beside(check, *words))
             };
             checks.iter().map(of).sum()
         };
-        let words = (CLAIM.min(longest)..=longest.min(room)).rev().min_by_key(lines).unwrap_or(longest);
+        let words =
+            (CLAIM.min(longest)..=longest.min(room)).rev().min_by_key(lines).unwrap_or(longest);
         let mut text = String::new();
         for check in checks {
             let [number, relation] = check.parts();
             let mut claim = wrapped(&claim(check), words).into_iter();
-            let mark =
-                painted(&check.decision().mark_and_word().0.to_string(), mark_colour(check), in_colour);
+            let mark = painted(
+                &check.decision().mark_and_word().0.to_string(),
+                mark_colour(check),
+                in_colour,
+            );
             let first = claim.next().unwrap_or_default();
             let mut line = format!("  {mark} {first:<words$}  {number:>value$} {relation:<bound$}");
             let source = source(check);
@@ -152,7 +164,11 @@ fn claim(check: &Checked) -> String {
 
 /// The source of the bound, and the number of cases of which the worst is shown.
 fn source(check: &Checked) -> String {
-    if check.cases > 1 { format!("{}, worst of {}", check.source, check.cases) } else { check.source.clone() }
+    if check.cases > 1 {
+        format!("{}, worst of {}", check.source, check.cases)
+    } else {
+        check.source.clone()
+    }
 }
 
 const GREEN: u8 = 32;

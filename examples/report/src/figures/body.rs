@@ -1,8 +1,9 @@
-//! The deformed body of a contact solution: an elastic body on its floors, coloured by its largest shear stress, or a
-//! membrane seen from the side, coloured by its displacement; arrows are the contact pressure. Plots of the
-//! contact edge.
+//! The deformed body of a contact solution: an elastic body on its floors, coloured by its largest
+//! shear stress, or a membrane seen from the side, coloured by its displacement; arrows are the
+//! contact pressure. Plots of the contact edge.
 //!
-//! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen elements.
+//! Triangles of one colour share one SVG path, so a mesh of 10⁵ triangles is a file of a few dozen
+//! elements.
 
 use super::PALETTE;
 use super::plot::{Axes, Bands, Mark, Plot};
@@ -15,7 +16,8 @@ use signorini::edge::{EdgeTrace, Interval};
 use signorini::fem::stresses;
 use std::fmt::Write as _;
 
-/// Sizes in user units: the picture, its margins, the tallest body, the colour bar with its labels below.
+/// Sizes in user units: the picture, its margins, the tallest body, the colour bar with its labels
+/// below.
 const WIDTH: f64 = 640.0;
 const MARGIN: f64 = 30.0;
 const TOP: f64 = 40.0;
@@ -23,13 +25,14 @@ const TALLEST: f64 = 420.0;
 const BELOW: f64 = 70.0;
 const BAR: f64 = 190.0;
 const FONT_SIZE: f64 = 15.0;
-/// Hatching of a floor: its room, the distance of its strokes, and how far these reach along the line and off it.
+/// Hatching of a floor: its room, the distance of its strokes, and how far these reach along the
+/// line and off it.
 const HATCH: f64 = 12.0;
 const STEP: f64 = 9.0;
 const STROKE: [f64; 2] = [6.0, 8.0];
 const SHADES: usize = 16;
-/// Relative to the extent of the body: the largest displacement drawn, the largest arrow, and how far a floor reaches
-/// beyond its edge.
+/// Relative to the extent of the body: the largest displacement drawn, the largest arrow, and how
+/// far a floor reaches beyond its edge.
 const DRAWN: f64 = 0.25;
 const ARROW: f64 = 0.15;
 const FLOOR: f64 = 0.08;
@@ -39,15 +42,22 @@ const ASIDE: [f64; 2] = [0.4, 0.45];
 type Point = Vector2<f64>;
 
 /// One value per triangle: what colours the body.
-pub(crate) fn body_values(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec<f64>> {
+pub(crate) fn body_values(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+) -> Result<Vec<f64>> {
     let (mesh, u) = (problem.mesh(), &solution.displacement);
     if problem.form().components() == 2 {
-        return Ok(stresses(mesh, problem.form(), u)?.iter().map(|stress| stress.max_shear()).collect());
+        return Ok(stresses(mesh, problem.form(), u)?
+            .iter()
+            .map(|stress| stress.max_shear())
+            .collect());
     }
     Ok(mesh.triangles().iter().map(|t| t.map(|node| u[node]).iter().sum::<f64>() / 3.0).collect())
 }
 
-/// The body in its deformed place, displacements magnified by 1, 2 or 5 times a power of ten, on this scale of colour.
+/// The body in its deformed place, displacements magnified by 1, 2 or 5 times a power of ten, on
+/// this scale of colour.
 pub(crate) fn body_svg(
     problem: &ContactProblem,
     solution: &ContactSolution,
@@ -56,7 +66,8 @@ pub(crate) fn body_svg(
 ) -> Result<String> {
     let (mesh, u, edge) = (problem.mesh(), &solution.displacement, problem.edge());
     let is_elastic = problem.form().components() == 2;
-    let [width, height] = spans(mesh.nodes().iter().map(|&p| Point::from(p))).map(|(low, high)| high - low);
+    let [width, height] =
+        spans(mesh.nodes().iter().map(|&p| Point::from(p))).map(|(low, high)| high - low);
     let extent = width.max(height).max(f64::MIN_POSITIVE);
     let largest = u.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
     let magnification = if largest > 0.0 { one_two_five(DRAWN * extent / largest) } else { 1.0 };
@@ -76,7 +87,8 @@ pub(crate) fn body_svg(
         }
         if is_elastic {
             // The line through the edge, under all of its nodes and beyond.
-            let (point, along) = (Point::from(edge.points()[piece.start]), Point::new(-normal.y, normal.x));
+            let (point, along) =
+                (Point::from(edge.points()[piece.start]), Point::new(-normal.y, normal.x));
             let places = edge.nodes()[piece].iter().map(|&node| (nodes[node] - point).dot(&along));
             let (start, end) = places.fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
             let ends = [start - FLOOR * extent, end + FLOOR * extent].map(|s| point + along * s);
@@ -87,18 +99,21 @@ pub(crate) fn body_svg(
         true => ("largest shear stress, in the unit of λ and μ", " in that unit"),
         false => ("displacement u", ""),
     };
-    let drawn = nodes.iter().chain(arrows.iter().flatten()).chain(floors.iter().flat_map(|floor| &floor.0));
+    let drawn =
+        nodes.iter().chain(arrows.iter().flatten()).chain(floors.iter().flat_map(|floor| &floor.0));
     let [x, y] = spans(drawn.copied());
     let (width, inner) = (x.1 - x.0, WIDTH - 2.0 * MARGIN);
     let scale = (inner / width).min(TALLEST / (y.1 - y.0));
     let scale = if scale.is_finite() && scale > 0.0 { scale } else { 1.0 };
     let corner = Point::new(x.0 - 0.5 * (inner / scale - width), y.1);
-    let view = |p: Point| Point::new(MARGIN + (p.x - corner.x) * scale, TOP + (corner.y - p.y) * scale);
+    let view =
+        |p: Point| Point::new(MARGIN + (p.x - corner.x) * scale, TOP + (corner.y - p.y) * scale);
     let height = (TOP + (y.1 - y.0) * scale + HATCH + BELOW).round();
     let title = format!("{title}, displacement × {}, {} cone", short(magnification), solution.cone);
     let mut canvas = Canvas::new([WIDTH, height], &title, FONT_SIZE);
     canvas.text(&title, (WIDTH / 2.0, 20.0), "middle", " font-size=\"16\"");
-    let path: String = floors.into_iter().map(|(ends, normal)| floor(ends.map(view), normal)).collect();
+    let path: String =
+        floors.into_iter().map(|(ends, normal)| floor(ends.map(view), normal)).collect();
     canvas.path(&path, &format!("fill=\"none\" stroke=\"{INK}\" stroke-opacity=\"0.7\""));
     let share = |value: f64| if high > low { (value - low) / (high - low) } else { 0.0 };
     let mut paths = vec![String::new(); SHADES];
@@ -117,11 +132,15 @@ pub(crate) fn body_svg(
         canvas.path(path, &format!("fill=\"{}\" {edges}", shade(k)));
     }
     let path: String = arrows.into_iter().map(|ends| arrow(ends.map(view))).collect();
-    canvas.path(&path, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", css(PALETTE[1])));
+    canvas
+        .path(&path, &format!("fill=\"none\" stroke=\"{}\" stroke-width=\"1.3\"", css(PALETTE[1])));
     let (top, step) = (height - 40.0, BAR / SHADES as f64);
     for k in 0..SHADES {
         let x = MARGIN + k as f64 * step;
-        canvas.path(&format!("M{x:.2} {top}h{step:.2}v12h-{step:.2}Z"), &format!("fill=\"{}\"", shade(k)));
+        canvas.path(
+            &format!("M{x:.2} {top}h{step:.2}v12h-{step:.2}Z"),
+            &format!("fill=\"{}\"", shade(k)),
+        );
     }
     let (above, below, right) = (top + 3.0, top + 25.0, MARGIN + BAR);
     canvas.text(&short(low), (MARGIN, below), "start", "");
@@ -148,8 +167,8 @@ fn step(letter: char, to: Point) -> String {
 fn floor([from, to]: [Point; 2], normal: Point) -> String {
     let (length, along) = ((to - from).norm(), (to - from).normalize());
     let stroke = step('l', Point::new(normal.x, -normal.y) * STROKE[1] - along * STROKE[0]);
-    let strokes =
-        (0..=(length / STEP) as usize).map(|k| step('M', from + along * (k as f64 * STEP)) + &stroke);
+    let strokes = (0..=(length / STEP) as usize)
+        .map(|k| step('M', from + along * (k as f64 * STEP)) + &stroke);
     step('M', from) + &step('L', to) + &strokes.collect::<String>()
 }
 
@@ -173,7 +192,8 @@ pub(crate) fn edge_plot(
     solution: &ContactSolution,
 ) -> Plot {
     let edge = problem.edge();
-    let title = format!("{title}: displacement and pressure on the contact edge, {} cone", solution.cone);
+    let title =
+        format!("{title}: displacement and pressure on the contact edge, {} cone", solution.cone);
     let axes = Axes::Linear("distance along the contact edge", "share of the largest value");
     let mut plot = Plot::new(name, &title, axes);
     let pieces = edge.pieces();
@@ -191,7 +211,8 @@ pub(crate) fn edge_plot(
     plot
 }
 
-/// u_N and −σ_N along an edge, each divided by its maximum; the segments of the three cases are shaded.
+/// u_N and −σ_N along an edge, each divided by its maximum; the segments of the three cases are
+/// shaded.
 pub(crate) fn trace_plot(name: &str, edge: &EdgeTrace, cases: [Vec<Interval>; 3]) -> Plot {
     let title = format!("{} segments of a contact edge", cases.iter().map(Vec::len).sum::<usize>());
     let mut plot = Plot::new(name, &title, Axes::Linear("x", "share of the largest value"));
@@ -214,7 +235,8 @@ fn one_two_five(value: f64) -> f64 {
     [5.0, 2.0, 1.0].into_iter().map(|m| m * decade).find(|&m| m <= value).unwrap_or(decade)
 }
 
-/// Colour k of the scale: from dark blue through green to yellow, of rising lightness (stops of the viridis map).
+/// Colour k of the scale: from dark blue through green to yellow, of rising lightness (stops of the
+/// viridis map).
 fn shade(k: usize) -> String {
     const STOPS: [Vector3<f64>; 5] = [
         Vector3::new(68.0, 1.0, 84.0),
@@ -245,7 +267,8 @@ mod tests {
     fn first_stroke(picture: &str, attribute: &str) -> [f64; 2] {
         let at = picture.find(attribute).unwrap();
         let start = picture[..at].rfind("d=\"M").unwrap() + 4;
-        let words = picture[start..at].split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
+        let words =
+            picture[start..at].split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'));
         let numbers: Vec<f64> = words.filter_map(|word| word.parse().ok()).take(4).collect();
         let (dx, dy) = (numbers[2] - numbers[0], numbers[3] - numbers[1]);
         [dx / dx.hypot(dy), dy / dx.hypot(dy)]
@@ -254,12 +277,14 @@ mod tests {
     #[test]
     fn floor_and_arrows_follow_the_normal_of_a_slanted_edge() {
         let mesh = parse_msh(include_str!("../../../data/l_shape.msh")).unwrap();
-        let load: Vec<f64> = mesh.nodes().iter().flat_map(|p| [0.015, 0.02 - 0.03 * p[0]]).collect();
+        let load: Vec<f64> =
+            mesh.nodes().iter().flat_map(|p| [0.015, 0.02 - 0.03 * p[0]]).collect();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
         let problem = ContactProblem::new(mesh, form, &load).unwrap();
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         let picture = body_svg(&problem, &solution, "L", (0.0, 1.0)).unwrap();
-        // The floor rises by 20 degrees and presses upwards to the left; y of a picture points down. One decimal is written.
+        // The floor rises by 20 degrees and presses upwards to the left; y of a picture points
+        // down. One decimal is written.
         let (sin, cos) = 20_f64.to_radians().sin_cos();
         let [dx, dy] = first_stroke(&picture, "stroke=\"#D55E00\"");
         assert!((dx + sin).abs() < 0.02 && (dy + cos).abs() < 0.02);

@@ -1,5 +1,5 @@
-//! The layout of a plot on linear or logarithmic axes, with a legend below it, so that it never covers data. Lines and
-//! markers are plotters' elements on its SVG backend.
+//! The layout of a plot on linear or logarithmic axes, with a legend below it, so that it never
+//! covers data. Lines and markers are plotters' elements on its SVG backend.
 
 use super::PALETTE;
 use super::plot::{Mark, Plot, Series};
@@ -124,7 +124,12 @@ impl<'a> Surface<'a> {
         Self(SVGBackend::with_string(text, (width, height)).into_drawing_area())
     }
 
-    fn line(&self, points: &[Place], (colour, opacity): (RGBColor, f64), width: f64) -> Result<(), Failure> {
+    fn line(
+        &self,
+        points: &[Place],
+        (colour, opacity): (RGBColor, f64),
+        width: f64,
+    ) -> Result<(), Failure> {
         let style = colour.mix(opacity).stroke_width(units(width) as u32);
         self.0.draw(&PathElement::new(pixels(points), style))
     }
@@ -133,18 +138,30 @@ impl<'a> Surface<'a> {
         self.0.draw(&Polygon::new(pixels(corners), colour.mix(opacity).filled()))
     }
 
-    fn rectangle(&self, (left, top): Place, (right, bottom): Place, colour: RGBColor) -> Result<(), Failure> {
+    fn rectangle(
+        &self,
+        (left, top): Place,
+        (right, bottom): Place,
+        colour: RGBColor,
+    ) -> Result<(), Failure> {
         self.polygon(&[(left, bottom), (right, bottom), (right, top), (left, top)], colour, 0.25)
     }
 
-    /// Part of a series in its colour: the line, and at the places its marker: discs, squares, diamonds, triangles in
-    /// turn.
-    fn run(&self, mark: Mark, index: usize, line: &[Place], places: &[Place]) -> Result<(), Failure> {
+    /// Part of a series in its colour: the line, and at the places its marker: discs, squares,
+    /// diamonds, triangles in turn.
+    fn run(
+        &self,
+        mark: Mark,
+        index: usize,
+        line: &[Place],
+        places: &[Place],
+    ) -> Result<(), Failure> {
         let colour = PALETTE[index % PALETTE.len()];
         match mark {
             Mark::Line => return self.line(line, (colour, 1.0), 1.8),
             Mark::Dashed => {
-                let (dash, gap, style) = (units(7.0), units(4.0), colour.stroke_width(units(1.6) as u32));
+                let (dash, gap, style) =
+                    (units(7.0), units(4.0), colour.stroke_width(units(1.6) as u32));
                 return self.0.draw(&DashedPathElement::new(pixels(line), dash, gap, style));
             }
             Mark::LineAndPoints => self.line(line, (colour, 1.0), 1.5)?,
@@ -161,7 +178,8 @@ impl<'a> Surface<'a> {
             if corners.is_empty() {
                 self.0.draw(&Circle::new(pixel((x, y)), units(r), colour.filled()))?;
             } else {
-                let corners: Vec<_> = corners.iter().map(|&(a, b)| (x + r * a, y + r * b)).collect();
+                let corners: Vec<_> =
+                    corners.iter().map(|&(a, b)| (x + r * a, y + r * b)).collect();
                 self.polygon(&corners, colour, 1.0)?;
             }
         }
@@ -238,6 +256,11 @@ impl Frame {
         }
         canvas.text(plot.labels[0], (self.across(0.5), bottom + 39.0), "middle", "");
         let y = self.up(0.5);
-        canvas.text(plot.labels[1], (14.0, y), "middle", &format!(" transform=\"rotate(270, 14, {y:.1})\""));
+        canvas.text(
+            plot.labels[1],
+            (14.0, y),
+            "middle",
+            &format!(" transform=\"rotate(270, 14, {y:.1})\""),
+        );
     }
 }

@@ -1,9 +1,10 @@
-//! Plots and pictures of bodies as SVG, legible on light and dark backgrounds, on screen and on paper.
+//! Plots and pictures of bodies as SVG, legible on light and dark backgrounds, on screen and on
+//! paper.
 //!
-//! Axes, ticks and text are drawn in `currentColor`, so that an inlined figure has the text colour of the
-//! page; opened alone it has light and dark colours of its own. Series use six colours of the palette of
-//! Okabe and Ito, which are distinguishable with any kind of colour vision, and grey; points have four
-//! markers in turn.
+//! Axes, ticks and text are drawn in `currentColor`, so that an inlined figure has the text colour
+//! of the page; opened alone it has light and dark colours of its own. Series use six colours of
+//! the palette of Okabe and Ito, which are distinguishable with any kind of colour vision, and
+//! grey; points have four markers in turn.
 
 pub(crate) mod body;
 mod chart;

@@ -73,8 +73,9 @@ enum Drawn {
     Given(Series),
 }
 
-/// A plot whose curves are columns of the rows, or go through given points. Curves have the colours of the palette
-/// in turn; from the eighth one on, where the colours repeat, a plain line has markers.
+/// A plot whose curves are columns of the rows, or go through given points. Curves have the colours
+/// of the palette in turn; from the eighth one on, where the colours repeat, a plain line has
+/// markers.
 #[derive(Debug, Clone)]
 pub struct Plot {
     pub(crate) name: String,
@@ -116,7 +117,13 @@ impl Plot {
         self
     }
 
-    fn rows(&mut self, mark: Mark, x: &'static str, y: &'static str, by: Option<&'static str>) -> &mut Self {
+    fn rows(
+        &mut self,
+        mark: Mark,
+        x: &'static str,
+        y: &'static str,
+        by: Option<&'static str>,
+    ) -> &mut Self {
         self.drawn.push(Drawn::Rows { mark, x, y, by });
         self
     }
@@ -163,7 +170,8 @@ impl Plot {
 
     /// A dashed line y = C x^exponent through the first of these points, at their abscissae.
     pub fn power(&mut self, name: &str, points: &[(f64, f64)], exponent: f64) -> &mut Self {
-        let place = |point: &(f64, f64)| (point.0, points[0].1 * (point.0 / points[0].0).powf(exponent));
+        let place =
+            |point: &(f64, f64)| (point.0, points[0].1 * (point.0 / points[0].0).powf(exponent));
         self.dashed_line(name, points.iter().map(place).collect())
     }
 
@@ -177,11 +185,16 @@ impl Plot {
         self.given(Mark::Points, name, points)
     }
 
-    /// The plot of these rows as SVG and its points as comma-separated values; `title` gives the title of a column.
+    /// The plot of these rows as SVG and its points as comma-separated values; `title` gives the
+    /// title of a column.
     ///
     /// # Errors
     /// [`Error::File`] if plotters cannot draw.
-    pub(crate) fn files(&self, rows: &[Cells], title: &dyn Fn(&str) -> String) -> Result<[String; 2]> {
+    pub(crate) fn files(
+        &self,
+        rows: &[Cells],
+        title: &dyn Fn(&str) -> String,
+    ) -> Result<[String; 2]> {
         let mut series: Vec<Series> = Vec::new();
         for drawn in &self.drawn {
             match drawn {
@@ -208,12 +221,13 @@ impl Plot {
         }
         let repeated = series.iter_mut().skip(PALETTE.len());
         repeated.filter(|s| s.mark == Mark::Line).for_each(|s| s.mark = Mark::LineAndPoints);
-        let svg = chart(self, &series).map_err(|error| Error::file(Path::new(&self.name), error))?;
+        let svg =
+            chart(self, &series).map_err(|error| Error::file(Path::new(&self.name), error))?;
         Ok([svg, self.csv(&series)])
     }
 
-    /// One line per point: series, x, y, and a column for the half length of a bar. The heads of the columns are the
-    /// labels of the axes.
+    /// One line per point: series, x, y, and a column for the half length of a bar. The heads of
+    /// the columns are the labels of the axes.
     fn csv(&self, series: &[Series]) -> String {
         let [x, y] = self.labels.map(quoted);
         let mut text = format!("series,{x},{y},half bar\n");
@@ -251,6 +265,8 @@ mod tests {
         let lines = "series,\"x, length\",\"y\",half bar\n\
             \"a \"\"b\"\"\",1,0.12345679,\n\"a \"\"b\"\"\",1e-30,2,\n\"a \"\"b\"\"\",0,1,\n";
         assert_eq!(csv, lines);
-        assert!(svg.contains("aria-label=\"a &lt; b\"") && !svg.contains("NaN") && !svg.contains("inf"));
+        assert!(
+            svg.contains("aria-label=\"a &lt; b\"") && !svg.contains("NaN") && !svg.contains("inf")
+        );
     }
 }

@@ -12,8 +12,8 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// An axis over this range, or one that shows all of `values`, with a little room on both sides. Values a
-    /// logarithmic axis cannot show, and values that are not finite, do not count.
+    /// An axis over this range, or one that shows all of `values`, with a little room on both
+    /// sides. Values a logarithmic axis cannot show, and values that are not finite, do not count.
     pub(super) fn of(
         range: Option<(f64, f64)>,
         values: impl Iterator<Item = f64>,
@@ -39,7 +39,8 @@ impl Scale {
         Self { low: low - room, high: high + room, logarithmic }
     }
 
-    /// The position of a value: 0 at the low end, 1 at the high end; `None` when it cannot be shown.
+    /// The position of a value: 0 at the low end, 1 at the high end; `None` when it cannot be
+    /// shown.
     pub(super) fn position(&self, value: f64) -> Option<f64> {
         let position = (transform(value, self.logarithmic) - self.low) / (self.high - self.low);
         position.is_finite().then_some(position)
@@ -71,7 +72,8 @@ impl Scale {
             .flat_map(|k| mantissas.iter().map(move |&m: &f64| (k as f64 + m.log10(), k, m)))
             .filter(|&(at, ..)| at >= self.low && at <= self.high)
             .collect();
-        let every = if mantissas.len() > 3 { candidates.len().div_ceil(MOST as usize).max(1) } else { 1 };
+        let every =
+            if mantissas.len() > 3 { candidates.len().div_ceil(MOST as usize).max(1) } else { 1 };
         let label = |k: i64, m: f64| {
             if (-3..4).contains(&k) {
                 trimmed(m * 10f64.powi(k as i32), (1 - k).max(0) as usize)
@@ -105,8 +107,8 @@ fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
     (first..=last).map(move |k| k as f64 * step)
 }
 
-/// A tick of a linear axis: as many decimals as the step needs, one power of ten for very large or small
-/// axes.
+/// A tick of a linear axis: as many decimals as the step needs, one power of ten for very large or
+/// small axes.
 fn plain(at: f64, step: f64, largest: f64) -> String {
     if !(1e-2..1e5).contains(&largest) {
         if at.abs() < 0.5 * step {
@@ -123,7 +125,8 @@ fn plain(at: f64, step: f64, largest: f64) -> String {
 /// `value` with at most `decimals` digits after the point and no trailing zeros.
 fn trimmed(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
+    let text =
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if text == "-0" { "0".to_owned() } else { text.replace('-', "−") }
 }
 
@@ -158,7 +161,10 @@ mod tests {
     fn narrow_axes_have_round_labels() {
         assert_eq!(labels(exact(0.0, 1.0, false)), ["0", "0.2", "0.4", "0.6", "0.8", "1"]);
         assert_eq!(labels(exact(0.1, 1.0, true)), ["0.1", "0.2", "0.5", "1"]);
-        assert_eq!(labels(exact(0.0, 2e-3, false)), ["0", "0.5·10^-3", "1·10^-3", "1.5·10^-3", "2·10^-3"]);
+        assert_eq!(
+            labels(exact(0.0, 2e-3, false)),
+            ["0", "0.5·10^-3", "1·10^-3", "1.5·10^-3", "2·10^-3"]
+        );
     }
 
     #[test]

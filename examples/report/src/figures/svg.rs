@@ -1,19 +1,21 @@
-//! SVG text, in user units, and the typesetting of its words: `u_N` with a subscript, `x^0.6` with a
-//! superscript, `1e-4` as a power of ten.
+//! SVG text, in user units, and the typesetting of its words: `u_N` with a subscript, `x^0.6` with
+//! a superscript, `1e-4` as a power of ten.
 
 use plotters::style::RGBColor;
 use std::fmt::Write as _;
 
 /// The colour of the text of the page.
 pub(super) const INK: &str = "currentColor";
-/// plotters rounds every coordinate to an integer: its surfaces are larger than the picture by this factor.
+/// plotters rounds every coordinate to an integer: its surfaces are larger than the picture by this
+/// factor.
 pub(super) const FINENESS: f64 = 10.0;
 /// Stands for [`INK`] where plotters draws.
 pub(super) const INK_OF_SHAPES: RGBColor = RGBColor(1, 2, 3);
 /// Opened alone a picture has its own light and dark colours.
 const STYLE: &str = "<style>svg:root{color:#222;background:#fff}\
     @media(prefers-color-scheme:dark){svg:root{color:#ddd;background:#1b1b1b}}</style>";
-/// How far an index is lowered and an exponent raised, in units of its own letters, and how large these are.
+/// How far an index is lowered and an exponent raised, in units of its own letters, and how large
+/// these are.
 const SHIFT: (f64, f64) = (0.3, 0.45);
 const SIZE: f64 = 0.75;
 
@@ -80,14 +82,17 @@ fn powers(text: &str) -> String {
         let power = number.split_once('e').filter(|_| number.parse::<f64>().is_ok());
         words.push(match power {
             Some(("1", exponent)) => format!("10^{exponent}{}", &word[number.len()..]),
-            Some((mantissa, exponent)) => format!("{mantissa}·10^{exponent}{}", &word[number.len()..]),
+            Some((mantissa, exponent)) => {
+                format!("{mantissa}·10^{exponent}{}", &word[number.len()..])
+            }
             None => word.to_owned(),
         });
     }
     words.join(" ")
 }
 
-/// Lowers what follows a letter and `_`, raises what follows `^`; the rest of the text returns to the line.
+/// Lowers what follows a letter and `_`, raises what follows `^`; the rest of the text returns to
+/// the line.
 fn shifted(text: &str) -> String {
     let marks = |(at, c): &(usize, char)| match c {
         '_' => text[..*at].ends_with(|c: char| c.is_alphabetic() || matches!(c, '|' | ')' | '‖')),
@@ -105,11 +110,15 @@ fn shifted(text: &str) -> String {
     }
     let shift = if mark == '_' { SHIFT.0 } else { -SHIFT.1 };
     let index = index.replace('-', "−");
-    let index = format!("{before}<tspan dy=\"{shift}em\" font-size=\"{:.0}%\">{index}</tspan>", 100.0 * SIZE);
+    let index = format!(
+        "{before}<tspan dy=\"{shift}em\" font-size=\"{:.0}%\">{index}</tspan>",
+        100.0 * SIZE
+    );
     if rest.is_empty() {
         return index;
     }
-    // A space at the start of an element is dropped by some viewers; one that does not break is not.
+    // A space at the start of an element is dropped by some viewers; one that does not break is
+    // not.
     let rest = match rest.strip_prefix(' ') {
         Some(words) => format!("\u{a0}{}", shifted(words)),
         None => shifted(rest),
@@ -125,8 +134,10 @@ fn index_end(text: &str) -> usize {
         c.is_alphanumeric() && !matches!(c, '¹' | '²' | '³')
             || matches!(c, '.' | '/') && next.is_some_and(char::is_alphanumeric)
     };
-    let end =
-        text.char_indices().find(|&(at, c)| at >= sign && !inner(at, c)).map_or(text.len(), |(at, _)| at);
+    let end = text
+        .char_indices()
+        .find(|&(at, c)| at >= sign && !inner(at, c))
+        .map_or(text.len(), |(at, _)| at);
     if end > sign { end } else { 0 }
 }
 
@@ -136,8 +147,7 @@ mod tests {
 
     #[test]
     fn indices_are_lowered_exponents_raised_and_the_rest_returns() {
-        let lowered =
-            "u<tspan dy=\"0.3em\" font-size=\"75%\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
+        let lowered = "u<tspan dy=\"0.3em\" font-size=\"75%\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
         assert_eq!(shifted("u_N, shown"), lowered);
         assert!(shifted("|u|_(3/2)").starts_with("|u|<tspan dy=\"0.3em\""));
         assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"75%\">0.6</tspan>");
