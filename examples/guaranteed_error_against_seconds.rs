@@ -1,13 +1,15 @@
 //! A guaranteed error against seconds: uniform and adaptive meshes on three bodies.
 //!
-//! The bound of |||u − u^h||| by an equilibrated stress (example `two_sided_energies`) is a sum over triangles and contact
-//! segments. On uniform meshes every triangle is cut into four. On adaptive meshes the triangles that carry half of the
-//! bound are bisected, and both problems are solved again.
+//! The bound of |||u − u^h||| by an equilibrated stress (example `two_sided_energies`) is a sum
+//! over triangles and contact segments. On uniform meshes every triangle is cut into four. On
+//! adaptive meshes the triangles that carry half of the bound are bisected, and both problems are
+//! solved again.
 //!
-//! - `block`: the elastic unit square, λ = μ = 1, clamped on top, f = (0, −cos πx), contact on the bottom edge.
+//! - `block`: the elastic unit square, λ = μ = 1, clamped on top, f = (0, −cos πx), contact on the
+//!   bottom edge.
 //! - `L`: the scalar problem −Δu = 1 − x on (0, 2)² less [1, 2)², u = 0 on y = 2, u ≤ 0 on y = 0.
-//! - `waves`: the scalar problem −Δu = cos 4πx + 1/5 on the unit square, u = 0 on top, u ≤ 0 on the bottom: three contact
-//!   intervals.
+//! - `waves`: the scalar problem −Δu = cos 4πx + 1/5 on the unit square, u = 0 on top, u ≤ 0 on the
+//!   bottom: three contact intervals.
 //!
 //! For linear elements no sequence of meshes has a better order than
 //!
@@ -15,12 +17,13 @@
 //! |||u − u^h||| = O(N^(−1/2)),        N the number of unknowns;
 //! ```
 //!
-//! uniform meshes reach it only for u in H². Where u behaves like r^α at a corner or where the boundary condition changes,
-//! their order is −α/2: α = 2/3 at the corner of the L, 0.7112 where the clamped top of the block meets its free sides.
+//! uniform meshes reach it only for u in H². Where u behaves like r^α at a corner or where the
+//! boundary condition changes, their order is −α/2: α = 2/3 at the corner of the L, 0.7112 where
+//! the clamped top of the block meets its free sides.
 //!
-//! The order is measured between the first mesh with a fiftieth of the largest number of unknowns and the last mesh. The
-//! claim is refuted if on adaptive meshes it is not −1/2 ± 0.03, if the order on uniform meshes is the better one by 0.03,
-//! or if the bound rises on a finer mesh.
+//! The order is measured between the first mesh with a fiftieth of the largest number of unknowns
+//! and the last mesh. The claim is refuted if on adaptive meshes it is not −1/2 ± 0.03, if the
+//! order on uniform meshes is the better one by 0.03, or if the bound rises on a finer mesh.
 //!
 //! `cargo run --release --example guaranteed_error_against_seconds -- --unknowns 300000 --out out`
 
@@ -32,7 +35,8 @@ use signorini::mesh::{Part, SideParts, unit_square, unit_squares};
 use std::f64::consts::PI;
 use std::time::Instant;
 
-example! { seconds "A guaranteed error, its cost", "the bound of |||u − u^h||| falls like N^(−1/2) on adaptive meshes, whatever the corners";
+example! { seconds "A guaranteed error, its cost",
+    "the bound of |||u − u^h||| falls like N^(−1/2) on adaptive meshes, whatever the corners";
     /// largest number of unknowns
     unknowns: usize = "20000" in "[2000, 2000000]",
 }

@@ -1,17 +1,22 @@
-//! One contact segment through the whole argument: that of the block in which the contact set ends, and every bound of its term.
+//! One contact segment through the whole argument: that of the block in which the contact set ends,
+//! and every bound of its term.
 //!
-//! The block: unit square, plane strain, λ = μ = 1, fixed at y = 1, load (0, −cos πx), u_N ≤ 0 at the nodes of y = 0. Its P1
-//! solution on n k × n k squares, exact by an active set, stands for u; a segment T of length h = 1/n has k cells. On a cell u_N is
-//! linear and σ_N constant, half of each nodal force to either side. term = ∫ σ_N I u_N over T, I u_N: the chord of u_N over T.
+//! The block: unit square, plane strain, λ = μ = 1, fixed at y = 1, load (0, −cos πx), u_N ≤ 0 at
+//! the nodes of y = 0. Its P1 solution on n k × n k squares, exact by an active set, stands for u;
+//! a segment T of length h = 1/n has k cells. On a cell u_N is linear and σ_N constant, half of
+//! each nodal force to either side. term = ∫ σ_N I u_N over T, I u_N: the chord of u_N over T.
 //!
-//! With ν = τ − 3/2, q = 1/(2 − τ), |·|_ν and ‖·‖_ν on T, r h the distance of the further end of T from the contact set:
-//! depth × force = max |I u_N| ∫ |σ_N|;  error × pressure = ‖I u_N − u_N‖₀ ‖σ_N‖₀;
-//! first(θ) = C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν, θ ≥ r, (3.9);  second(θ) = C_I γ_θ h^(2τ−2) |σ_N|_ν |u_N'|_ν, θ ≤ r, (3.14);
-//! half: ½ h^(2τ−2) |σ_N|_ν |u_N'|_ν; κ in place of ½: the best constant for one gap at an end.
-//! C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν, C_I of Lemma 6.1, γ_θ of Lemma 5.2. ±: the change when k is halved.
+//! With ν = τ − 3/2, q = 1/(2 − τ), |·|_ν and ‖·‖_ν on T, r h the distance of the further end of T
+//! from the contact set: depth × force = max |I u_N| ∫ |σ_N|;  error × pressure = ‖I u_N − u_N‖₀
+//! ‖σ_N‖₀; first(θ) = C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν, θ ≥ r, (3.9);  second(θ) = C_I γ_θ h^(2τ−2)
+//! |σ_N|_ν |u_N'|_ν, θ ≤ r, (3.14); half: ½ h^(2τ−2) |σ_N|_ν |u_N'|_ν; κ in place of ½: the best
+//! constant for one gap at an end. C_q of ‖v‖_(L^q) ≤ C_q ‖v‖_ν, C_I of Lemma 6.1, γ_θ of Lemma
+//! 5.2. ±: the change when k is halved.
 //!
-//! Refuted if more segments carry a term (1e-12 of the sum) than the contact set has ends, or if a bound is below the term.
-// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several calls the worst counts.
+//! Refuted if more segments carry a term (1e-12 of the sum) than the contact set has ends, or if a
+//! bound is below the term.
+// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several
+// calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,
@@ -39,7 +44,8 @@ struct Segment {
     u: Vec<f64>,
     /// −σ_N on the k cells.
     pressure: Vec<f64>,
-    /// Number of the segment, from the left; how many segments carry a term; this term over the sum of all.
+    /// Number of the segment, from the left; how many segments carry a term; this term over the sum
+    /// of all.
     place: usize,
     carry: usize,
     term: f64,
@@ -162,8 +168,9 @@ const BLUE: &str = "#0072b2";
 const RED: &str = "#d55e00";
 const GREEN: &str = "#009e73";
 
-/// The drawing of one page of the course: T from x = 60 to x = 440, above it u_N, below it σ_N and the product σ_N I u_N, at
-/// the right the bounds over the term on a logarithmic scale. Each page adds to the one before.
+/// The drawing of one page of the course: T from x = 60 to x = 440, above it u_N, below it σ_N and
+/// the product σ_N I u_N, at the right the bounds over the term on a logarithmic scale. Each page
+/// adds to the one before.
 fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     let k = segment.cells();
     let x = |t: f64| 60.0 + 380.0 * t;

@@ -1,8 +1,9 @@
 //! Two-sided energies: the error of a body in contact, guaranteed.
 //!
-//! An elastic square Ω = (0, 1)², λ = μ = 1, is clamped on its top edge Γ_D and free on both sides. It lies with its
-//! bottom edge Γ_C on a rigid floor, without friction, under the load f = (0, −cos πx). With σ(v) = λ tr ε(v) I + 2μ ε(v),
-//! 𝒜⁻¹ the inverse of ε ↦ σ, and |||v|||² = ∫ σ(v) : ε(v), the displacement u minimises
+//! An elastic square Ω = (0, 1)², λ = μ = 1, is clamped on its top edge Γ_D and free on both sides.
+//! It lies with its bottom edge Γ_C on a rigid floor, without friction, under the load f = (0, −cos
+//! πx). With σ(v) = λ tr ε(v) I + 2μ ε(v), 𝒜⁻¹ the inverse of ε ↦ σ, and |||v|||² = ∫ σ(v) : ε(v),
+//! the displacement u minimises
 //!
 //! ```text
 //! J(v) = ½ |||v|||² − ∫ f·v                 over v = 0 on Γ_D, v_N ≤ 0 on Γ_C,
@@ -11,30 +12,35 @@
 //! and the stress σ(u) maximises
 //!
 //! ```text
-//! J*(q) = −½ ∫ q : 𝒜⁻¹q     over q symmetric, div q + f = 0, q n = 0 on the sides, q_T = 0 and q_N ≤ 0 on Γ_C,
+//! J*(q) = −½ ∫ q : 𝒜⁻¹q     over q symmetric, div q + f = 0, q n = 0 on the sides,
+//!                           q_T = 0 and q_N ≤ 0 on Γ_C,
 //! ```
 //!
-//! with the same value (Prager and Synge 1947, Hlaváček 1977). Every such v and q therefore enclose it,
+//! with the same value (Prager and Synge 1947, Hlaváček 1977). Every such v and q therefore enclose
+//! it,
 //!
 //! ```text
-//! J*(q) ≤ J(u) ≤ J(v),      |||u − v|||² ≤ ∫ (σ(v) − q) : 𝒜⁻¹(σ(v) − q) + 2∫ q_N v_N = 2 (J(v) − J*(q)).
+//! J*(q) ≤ J(u) ≤ J(v),
+//! |||u − v|||² ≤ ∫ (σ(v) − q) : 𝒜⁻¹(σ(v) − q) + 2∫ q_N v_N = 2 (J(v) − J*(q)).
 //! ```
 //!
-//! Here v = u^h is the linear finite element solution on n × n squares, each cut from bottom left to top right, and q the
-//! best stress of the form
+//! Here v = u^h is the linear finite element solution on n × n squares, each cut from bottom left
+//! to top right, and q the best stress of the form
 //!
 //! ```text
-//! q = diag(0, y cos πx) + (φ_yy, φ_xx, −φ_xy),      φ in the reduced Hsieh-Clough-Tocher space on the same triangles:
+//! q = diag(0, y cos πx) + (φ_yy, φ_xx, −φ_xy),
 //! ```
 //!
-//! C¹, cubic on each third of a triangle, ∂φ/∂n linear along edges, so that q_N = φ_ss is linear and q_T constant on an
-//! edge. The first term carries the load: ∂_y (y cos πx) = −f_y. By itself it satisfies all conditions, q_N = 0 on y = 0, and
-//! gives by hand J*(q) = −½ · 3/8 · ∫ y² cos² πx = −1/32.
+//! φ in the reduced Hsieh-Clough-Tocher space on the same triangles: C¹, cubic on each third of a
+//! triangle, ∂φ/∂n linear along edges, so that q_N = φ_ss is linear and q_T constant on an edge.
+//! The first term carries the load: ∂_y (y cos πx) = −f_y. By itself it satisfies all conditions,
+//! q_N = 0 on y = 0, and gives by hand J*(q) = −½ · 3/8 · ∫ y² cos² πx = −1/32.
 //!
-//! The error is measured as the distance |||u' − u^h||| to the solution u' on squares 8 times finer than the finest row;
-//! it uses no stress q. The claim is refuted if a bound is below that distance, if an energy J* is above an energy J, if
-//! the sum over triangles and segments differs from 2 (J − J*) by 1e-6 of it (the rule for cos πx), or if on adaptive
-//! meshes, which bisect the triangles that carry half of the bound, the bound does not fall like N^(−1/2) in the number N of
+//! The error is measured as the distance |||u' − u^h||| to the solution u' on squares 8 times finer
+//! than the finest row; it uses no stress q. The claim is refuted if a bound is below that
+//! distance, if an energy J* is above an energy J, if the sum over triangles and segments differs
+//! from 2 (J − J*) by 1e-6 of it (the rule for cos πx), or if on adaptive meshes, which bisect the
+//! triangles that carry half of the bound, the bound does not fall like N^(−1/2) in the number N of
 //! unknowns.
 //!
 //! `cargo run --release --example two_sided_energies -- --levels 6 --out out`
@@ -47,7 +53,8 @@ use signorini::fem::{Form, Lame};
 use signorini::mesh::{Hierarchy, SideParts, Triangulation, unit_square};
 use std::f64::consts::PI;
 
-example! { seconds "Two-sided energies", "J*(q) ≤ J(u) ≤ J(u^h), and |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)): the error is guaranteed";
+example! { seconds "Two-sided energies",
+    "J*(q) ≤ J(u) ≤ J(u^h), and |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)): the error is guaranteed";
     /// number of meshes with n = 4, 8, 16, .. squares along each side
     levels: usize = "4" in "[2, 6]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
@@ -75,7 +82,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let uniform: Vec<Enclosure> = meshes
         .levels()
         .iter()
-        // Both problems by elimination to the contact edge and an active set there; exact to rounding.
+        // Both problems by elimination to the contact edge and an active set there; exact to
+        // rounding. q: stresses on triangles, multipliers on edges for equal tractions.
         .map(|mesh| block(mesh.clone())?.enclose(options.cone))
         .collect::<signorini::Result<_>>()?;
     (0..3).try_for_each(|_| meshes.refine())?;
@@ -95,7 +103,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("J*(q)/J(u^h)").at_least(lower / upper, 1.0, "both negative");
         out.check("J*(q) by hand/J*(q)").at_least(BY_HAND / found.dual_energy, 1.0, "best stress");
         if options.cone == Cone::Nodal {
-            // The sum over triangles and segments, each term ≥ 0, against the difference of the energies.
+            // The sum over triangles and segments, each term ≥ 0, against the difference of the
+            // energies.
             let sum: f64 = found.shares.iter().sum();
             let difference = 2.0 * (found.solution.energy - found.dual_energy);
             out.check("sum of the parts/2(J − J*)").near(sum / difference, 1.0, 1e-6, "identity");
