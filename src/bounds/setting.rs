@@ -245,7 +245,8 @@ impl<'s, 'b> Setting<'s, 'b> {
                     let common = self.body.common_load_at(point);
                     value = [value[0] - common[0], value[1] - common[1]];
                 }
-                values.push((point, weight * area / 3.0, value));
+                // Weights in units of the area, places in units of the size, so that no square underflows.
+                values.push((point, weight / 3.0, value));
             }
         }
         let per_piece = fine.points.len();
@@ -258,6 +259,8 @@ impl<'s, 'b> Setting<'s, 'b> {
         if largest == 0.0 {
             return Ok(None);
         }
+        let square = |a: f64, b: f64| (a / largest).powi(2) + (b / largest).powi(2);
+        let norm = |mean: f64| largest * area.sqrt() * mean.sqrt();
         let spread = values.iter().map(|(_, _, f)| (f[0] - overall[0]).abs().max((f[1] - overall[1]).abs()));
         let constant = spread.fold(0.0, f64::max) <= CONSTANT * largest;
         if constant || self.components == 1 {
@@ -275,32 +278,31 @@ impl<'s, 'b> Setting<'s, 'b> {
                     }
                 })
             });
-            let off = |(_, w, f): &(Point, f64, Point)| {
-                w * ((f[0] - overall[0]).powi(2) + (f[1] - overall[1]).powi(2))
-            };
-            let left_over = if constant { 0.0 } else { values.iter().map(off).sum::<f64>().sqrt() };
+            let off = |(_, w, f): &(Point, f64, Point)| w * square(f[0] - overall[0], f[1] - overall[1]);
+            let left_over = if constant { 0.0 } else { norm(values.iter().map(off).sum()) };
             return Ok(Some(LocalLoad { field, left_over }));
         }
         // Constant on the three pieces, with the resultant and the moment of the load.
         let mut loads = [0, 1, 2].map(|k| mean(&values[k * per_piece..(k + 1) * per_piece]));
+        let size = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
         let arms = pieces(corners).map(|piece| {
             let at = middle(piece);
-            [at[0] - centre[0], at[1] - centre[1]]
+            [(at[0] - centre[0]) / size, (at[1] - centre[1]) / size]
         });
         let moment = |z: Point, f: Point| z[0] * f[1] - z[1] * f[0];
         let wanted: f64 =
-            values.iter().map(|(p, w, f)| w * moment([p[0] - centre[0], p[1] - centre[1]], *f)).sum();
-        let present: f64 = (0..3).map(|k| area / 3.0 * moment(arms[k], loads[k])).sum();
-        let inertia: f64 = arms.iter().map(|z| area / 3.0 * (z[0] * z[0] + z[1] * z[1])).sum();
+            values.iter().map(|(p, w, f)| w * moment([0, 1].map(|c| (p[c] - centre[c]) / size), *f)).sum();
+        let present: f64 = (0..3).map(|k| moment(arms[k], loads[k]) / 3.0).sum();
+        let inertia: f64 = arms.iter().map(|z| (z[0] * z[0] + z[1] * z[1]) / 3.0).sum();
         let turn = (wanted - present) / inertia;
         for (load, arm) in loads.iter_mut().zip(arms) {
             *load = [load[0] - turn * arm[1], load[1] + turn * arm[0]];
         }
         let off = |(i, (_, w, f)): (usize, &(Point, f64, Point))| {
             let own = loads[i / per_piece];
-            w * ((f[0] - own[0]).powi(2) + (f[1] - own[1]).powi(2))
+            w * square(f[0] - own[0], f[1] - own[1])
         };
-        let left_over = values.iter().enumerate().map(off).sum::<f64>().sqrt();
+        let left_over = norm(values.iter().enumerate().map(off).sum());
         Ok(Some(LocalLoad { field: lifted(corners, &loads)?, left_over }))
     }
 
@@ -333,14 +335,19 @@ impl<'s, 'b> Setting<'s, 'b> {
             [4.0 * first - 2.0 * last, 4.0 * last - 2.0 * first]
         });
         let linear = [[ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]]];
+        // In units of the largest value, so that no square underflows.
+        let largest = samples.iter().flat_map(|(_, _, value)| value).fold(0.0, |m: f64, v| m.max(v.abs()));
+        if largest == 0.0 {
+            return Ok((linear, 0.0));
+        }
         let off: f64 = samples
             .iter()
             .map(|(s, w, value)| {
-                let rest = [0, 1].map(|c| value[c] - (1.0 - s) * linear[0][c] - s * linear[1][c]);
+                let rest = [0, 1].map(|c| (value[c] - (1.0 - s) * linear[0][c] - s * linear[1][c]) / largest);
                 w * (rest[0] * rest[0] + rest[1] * rest[1])
             })
             .sum();
-        Ok((linear, (off * distance(a, b)).sqrt()))
+        Ok((linear, largest * (off * distance(a, b)).sqrt()))
     }
 
     /// The slope that the field of a side has to add: tangential for a body, normal for a flux.

@@ -374,10 +374,19 @@ fn acting(random: &mut SplitMix, is_elastic: bool) -> (Acting, f64) {
         let kinds = if random.below(2) == 0 { 4 } else { 6 };
         tractions.push(pair(random, kinds, size));
     }
-    let displacement =
-        (random.below(4) == 0).then(|| pair(random, 4, 0.2 * size / stiffness * decades(random, -1.0, 0.0)));
-    let gap = (random.below(3) == 0)
-        .then(|| Shape::random(random, 5, 0.1 * size / stiffness * decades(random, -2.0, 0.0)));
+    let unit = size / stiffness;
+    let displacement = if random.below(4) == 0 {
+        let size = 0.2 * unit * decades(random, -1.0, 0.0);
+        Some(pair(random, 4, size))
+    } else {
+        None
+    };
+    let gap = if random.below(3) == 0 {
+        let size = 0.1 * unit * decades(random, -2.0, 0.0);
+        Some(Shape::random(random, 5, size))
+    } else {
+        None
+    };
     // Prescribed displacements do not penetrate.
     let largest = |shape: &Shape| 5.0 * shape.size;
     let room =

@@ -480,3 +480,44 @@ fn the_bound_sees_locking() {
     }
     assert!(errors[2] > 1.5 * errors[0], "{errors:?}");
 }
+
+/// Units of length, of the modulus and of the load change the bound as they change the solution.
+#[test]
+fn the_relative_error_has_no_units() {
+    let loads: [fn(Point) -> Point; 2] =
+        [|[x, _]| [0.0, -(PI * x).cos()], |[x, y]| [0.3 * y, 0.4 - (x - 0.31).abs()]];
+    for load in loads {
+        let found = |length: f64, modulus: f64, force: f64| {
+            let mesh = mapped_grid(6, 6, SideParts::HANGING, |[x, y]| [length * x, length * y]).unwrap();
+            let body = Body::new(mesh, elastic(modulus, modulus))
+                .load(move |[x, y]: Point| load([x / length, y / length]).map(|f| force * f))
+                .traction(move |[_, y]: Point| [0.2 * force * y, 0.0]);
+            body.enclose(Cone::Nodal).unwrap()
+        };
+        let unit = found(1.0, 1.0, 1.0);
+        for (length, modulus, force) in [
+            (1e6, 1e9, 1e-3),
+            (1.0, 1e100, 1.0),
+            (1.0, 1e-100, 1e-100),
+            (1.0, 1.0, 1e100),
+            (1.0, 1.0, 1e-100),
+            (1e100, 1.0, 1e-200),
+            (1e-100, 1.0, 1e200),
+            (1e100, 1e100, 1e-100),
+            (1e-60, 1e-60, 1e60),
+        ] {
+            let other = found(length, modulus, force);
+            let scale = force * length * length / modulus.sqrt();
+            println!("{length:e} {modulus:e} {force:e}: {:.15}", other.relative_error());
+            assert!(
+                (other.relative_error() / unit.relative_error() - 1.0).abs() < 1e-9,
+                "{length:e} {modulus:e}"
+            );
+            assert!(
+                (other.error / scale / unit.error - 1.0).abs() < 1e-9,
+                "{length:e} {modulus:e} {force:e}"
+            );
+            assert!((other.oscillation / scale - unit.oscillation).abs() < 1e-9 * unit.error);
+        }
+    }
+}
