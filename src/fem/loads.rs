@@ -94,14 +94,25 @@ pub fn surface_load(
     density: &dyn Fn(Point, Point) -> Result<Point>,
     rule: &Rule,
 ) -> Result<Vec<f64>> {
+    load_by_edges(mesh, part, components, &|_, point, normal| density(point, normal), rule)
+}
+
+/// The same for an F that also receives the number of the boundary edge.
+pub(crate) fn load_by_edges(
+    mesh: &Triangulation,
+    part: Part,
+    components: usize,
+    density: &dyn Fn(usize, Point, Point) -> Result<Point>,
+    rule: &Rule,
+) -> Result<Vec<f64>> {
     let mut load = vec![0.0; mesh.nodes().len() * components];
-    for edge in mesh.boundary().iter().filter(|edge| edge.part == part) {
+    for (number, edge) in mesh.boundary().iter().enumerate().filter(|(_, edge)| edge.part == part) {
         let [a, b] = mesh.ends(edge);
         let length = distance(a, b);
         let normal = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
         for (t, weight) in rule.iter() {
             let point = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
-            let value = density(point, normal)?;
+            let value = density(number, point, normal)?;
             for (node, share) in edge.nodes.into_iter().zip([1.0 - t, t]) {
                 for c in 0..components {
                     load[node * components + c] += weight * length * share * value[c];

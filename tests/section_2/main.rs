@@ -9,6 +9,7 @@ mod common;
 mod reference_squares;
 
 mod bodies;
+mod by_name;
 mod contact;
 mod dirichlet_end;
 mod extremes;
