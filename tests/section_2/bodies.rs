@@ -182,7 +182,10 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         (Options { young: "1, 2".to_owned(), ..Default::default() }, "by physical surface: body=.."),
         (Options { young: "rim=2".to_owned(), ..Default::default() }, "no region 'rim': the mesh has body"),
         (Options { young: "two".to_owned(), ..Default::default() }, "'two' is not a finite number"),
-        (Options { traction: "top=0, 1".to_owned(), ..Default::default() }, "no free boundary group 'top': it has free"),
+        (
+            Options { traction: "top=0, 1".to_owned(), ..Default::default() },
+            "no free boundary group 'top': it has free",
+        ),
         (Options { gap: "0, 1".to_owned(), ..Default::default() }, "2 components, expected one"),
         (Options { gap: "0; 1".to_owned(), ..Default::default() }, "given twice everywhere"),
         (Options { displacement: "1".to_owned(), ..load("0, 1") }, "length 1, expected 2"),
