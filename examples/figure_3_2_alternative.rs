@@ -2,7 +2,7 @@
 //! A segment t of length h is in one case or both: (1) u_N has a zero nearer than θh to the left end of t and one to the right end;
 //! (2) σ_N = 0 on a piece of length θh at one end. They bound ∫ σ_N I^h u_N ≥ 0 over t, I^h u_N linear with the values of u_N at both
 //! ends. Refuted if a segment is in neither case, or if more carry the integral (over 1e-12 of the sum) than the contact set has ends
-//! inside the edge. Contact set, pressed set: intervals between neighbouring nodes, and nodes, with u_N = 0, force λ > 0.
+//! inside the edge; both follow from σ_N u_N = 0, so that only a fault of the computation can refute them. Contact set, pressed set: intervals between neighbouring nodes, and nodes, with u_N = 0, force λ > 0.
 //! `block`: unit square, plane strain, λ = μ = 1, fixed at y = 1, contact edge y = 0, u_N = −u₂ ≤ 0 at its nodes, load (0, −cos πx)
 //! linear between nodes. For u stands the P1 solution, exact by an active set, on 8n × 8n squares, n the largest, cut from bottom left
 //! to top right; λ = l(φ) − a(u, φ) at a node. Zero: below 1e-12 of the largest. Of several calls of a check the worst counts.
