@@ -13,6 +13,7 @@ mod front;
 mod loads;
 mod matrix;
 mod pool;
+mod precise;
 mod stencil;
 mod stress;
 
@@ -30,5 +31,6 @@ pub(crate) use front::inner;
 pub(crate) use loads::load_by_triangles;
 pub use loads::{consistent_load, surface_load, volume_load};
 pub use matrix::BlockMatrix;
+pub(crate) use precise::{PreciseRow, precise_stiffness};
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils, kind};
 pub use stress::{Stress, gradients, stresses};
