@@ -102,7 +102,11 @@ fn ill_conditioned_scenes_have_the_least_energy() {
             println!("{scene:#?}");
         }
         let program = Program::new(&scene, cone).expect("positive definite in numbers of twice the length");
-        let exact = program.solve().energy;
+        let answer = program.solve();
+        let exact = answer.energy;
+        // The reference has 32 digits; where contact prevents all displacement, of the work of the load alone.
+        let most = scene.forces.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
+        let digits = 1e-32 * program.condition() * answer.energy_size + 1e-20 * most * program.alone();
         let guess = {
             let mut random = SplitMix::new(seed);
             ContactSet::new(&program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>())
@@ -123,12 +127,14 @@ fn ill_conditioned_scenes_have_the_least_energy() {
                     *failed += 1;
                     refused.push(format!("{case}: {error}"));
                 }
-                Ok(found) if (found.energy - exact).abs() > found.energy_rounding => outside.push(format!(
-                    "{case}: J {:e} ± {:.1e}, exact {exact:e}, off by {:.1} of it",
-                    found.energy,
-                    found.energy_rounding,
-                    (found.energy - exact).abs() / found.energy_rounding
-                )),
+                Ok(found) if (found.energy - exact).abs() > found.energy_rounding + digits => {
+                    outside.push(format!(
+                        "{case}: J {:e} ± {:.1e}, exact {exact:e}, off by {:.1} of it",
+                        found.energy,
+                        found.energy_rounding,
+                        (found.energy - exact).abs() / found.energy_rounding
+                    ))
+                }
                 Ok(_) => {}
             }
         }

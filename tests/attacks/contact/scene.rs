@@ -100,7 +100,7 @@ impl Scene {
         let material = if is_elastic {
             let mu = decades(random, -1.0, 4.0);
             let ratio =
-                if random.below(4) == 0 { random.between(-0.9, 2.0) } else { decades(random, 0.0, 10.0) };
+                if random.below(4) == 0 { random.between(-0.3, 2.0) } else { decades(random, 0.0, 10.0) };
             // ν = λ/(2 (λ + μ)), E = 2 μ (1 + ν).
             let poisson = 0.5 * ratio / (ratio + 1.0);
             Material::Elastic { moduli: vec![[2.0 * mu * (1.0 + poisson), poisson]], is_stress: false }
