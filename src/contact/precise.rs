@@ -85,6 +85,8 @@ impl ContactProblem {
         };
         let precise = conclude_with(self, cone, candidate, Some(answer.evaluated))?;
         Ok(match found {
+            // Where contact keeps u = 0 a residue of 1e-32 has no scale: the zeros of binary64 are better.
+            Ok(found) if found.status.is_converged() && !precise.status.is_converged() => found,
             Ok(found) => ContactSolution { seconds: found.seconds, multigrid: found.multigrid, ..precise },
             Err(_) => precise,
         })

@@ -128,7 +128,8 @@ pub struct ContactSolution {
     /// double-double, and this is a bound on the error of the solve: the correction ½ r'K⁻¹r, r = F − K u − B'λ, the
     /// work λ'|B u − g|, and the rounding of the data. The status is not converged if it exceeds 1e-8 of the energy.
     pub energy_rounding: f64,
-    /// The scale of J: ½ a(u, u) + |F'u| + m max |u|², m the smallest of all μ, λ + μ (scalar: 1).
+    /// The scale of J: ½ a(u, u) + |F'u| + m d², m the smallest of all μ, λ + μ (scalar: 1), d the scale of
+    /// displacements.
     pub(super) energy_scale: f64,
     /// The standard deviation due to rounding of a sum of forces (a component of the reaction, or the contact force):
     /// ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
@@ -217,8 +218,7 @@ pub(super) fn conclude_with(
     let balance = || global_balance(problem, u, &residual, &edge_force);
     let of_energy = || {
         let terms = rayon::join(|| 0.5 * careful_dot(u, stress_force), || careful_dot(u, &problem.load));
-        let scale = terms.0.abs() + terms.1.abs() + problem.smallest_modulus() * largest(u).powi(2);
-        (terms.0 - terms.1, scale)
+        (terms.0 - terms.1, terms.0.abs() + terms.1.abs())
     };
     let of_sizes = || {
         let sizes = sizes(problem, u);
@@ -234,6 +234,7 @@ pub(super) fn conclude_with(
     let scales = || rayon::join(of_sizes, || displacement_scale(problem, u));
     let ((reaction, balance), ((energy, energy_scale), ((force_scale, roundings), displacement_scale))) =
         rayon::join(balance, || rayon::join(of_energy, scales));
+    let energy_scale = energy_scale + problem.smallest_modulus() * displacement_scale.powi(2);
     let [energy_rounding, force_rounding] = [roundings.0, roundings.1].map(|root| f64::EPSILON * root);
     let (energy, energy_rounding) =
         evaluated.as_ref().map_or((energy, energy_rounding), |found| (found.energy, found.rounding));
