@@ -78,7 +78,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
             // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of u ↦ mean on (0, 1) −
             // mean on (0, θ).
-            let positive = (1.0 + found.bounds()?.upper.powi(2)).sqrt().recip();
+            let bounds = found.bounds()?;
+            let whole = Measured::from(bounds.whole).squared();
+            let square = whole + Measured::from(bounds.dual_norm).squared();
+            let positive = (square + 1.0).sqrt().recip();
             let definition = by_definition(nu, theta)?;
             // Extremal functions, interpolated by quadratics on six pieces of each element: all
             // have mean zero on (0, θ).

@@ -23,12 +23,14 @@
 //! As J(u^h) − J(u) ≈ A h^(2p) + B h², the order p of the error in the energy norm, at most 1, is
 //! that of t(h) = 4 d(h/2) − d(h) ~ h^(2p), d(h) = J(h) − J(h/2), over the last halving; ±: its
 //! largest change since three meshes before, or as many as there are (`order_of_squares`). It
-//! decides nothing.
+//! decides nothing. The ± of J is its rounding and Σ |ΔF_i u_i|, ΔF the change of the load vector
+//! from a rule of 4 × 4 points a triangle to one of 7 × 7, as dJ = −dF·u: what the rule misses of a
+//! load that jumps, or varies within a triangle.
 //!
 //! With `--tolerance 1%` the error is guaranteed: a stress q in balance with the load bounds J from
 //! below, and
-//! |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are bisected until it is 1 % of |||u|||
-//! (`two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
+//! |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are bisected until
+//! it is 1 % of |||u||| (`two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
 //! above.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --files DIR`
@@ -76,6 +78,9 @@ example! { seconds "Section 2, your own body", "a body from Gmsh: u^h minimises 
     /// body.vtu, nodes.npy, displacement.npy
     files: Option<PathBuf> = "",
 }
+
+/// Change of J under a finer rule, relative, above which the load is not resolved.
+const UNRESOLVED: f64 = 1e-6;
 
 /// What acts on a group or a region; without a name everywhere.
 #[derive(Clone)]
@@ -265,6 +270,7 @@ fn on_refinements(
     let is_nested = options.displacement.is_empty() && options.gap.is_empty() && options.cone == Cone::Nodal;
     let mut meshes = Hierarchy::new(body.mesh().clone());
     let mut last: Option<(ContactProblem, ContactSolution)> = None;
+    let mut missed_before = 0.0;
     for level in 0..options.levels {
         if level > 0 {
             meshes.refine()?;
@@ -276,8 +282,12 @@ fn on_refinements(
         // Primal-dual path through the interior of the cone (Clarabel): a duality gap of 1e-13.
         let other = problem.attempt(options.cone, Solver::InteriorPoint)?;
         let segments = problem.edge().segment_lengths().len();
+        let missed = body.missed_load(problem.mesh(), &u.displacement)?; // |ΔJ|
+        if missed > UNRESOLVED * u.energy.abs() {
+            out.remark(format!("{segments} segments: the rule does not resolve the load, J ± {missed:.1e}"));
+        }
         out.row(cells! { segments => unknowns: problem.free_unknowns(), touching: u.contact_set.count(), force: u.contact_force,
-            J: Measured::new(u.energy, u.energy_rounding), second: other.status.to_string() });
+            J: Measured::new(u.energy, u.energy_rounding + missed), second: other.status.to_string() });
         // ε (Σᵢ uᵢ² (|K||u| + |F|)ᵢ²)^(1/2)/|J|, ε = 2^-52: what rounding of K and F leaves in J,
         // much for ν near 1/2.
         let rounding = if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
@@ -303,8 +313,11 @@ fn on_refinements(
         if let (true, Some((_, before))) = (is_nested, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
             let rise = if rise.is_nan() { 0.0 } else { rise };
+            let rise =
+                Measured::new(rise, (missed + missed_before) / before.energy.abs().max(f64::MIN_POSITIVE));
             out.check("mesh refinement: relative increase of J").at_most(rise, allowed, "nested cones");
         }
+        missed_before = missed;
         last = Some((problem, u));
     }
     let j: Vec<f64> = out.series("segments", "J").into_iter().map(|(_, j)| j).collect();

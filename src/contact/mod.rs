@@ -21,6 +21,7 @@ mod interior_point;
 mod multigrid;
 mod npy;
 mod operator;
+mod precise;
 mod problem;
 mod settings;
 mod solution;

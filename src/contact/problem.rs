@@ -197,6 +197,16 @@ impl ContactProblem {
         self.prescribed.iter().filter(|&&prescribed| !prescribed).count()
     }
 
+    /// The smallest of all μ, λ + μ; 1 for a scalar form.
+    pub(super) fn smallest_modulus(&self) -> f64 {
+        match &self.form {
+            Form::Scalar { .. } => 1.0,
+            Form::Elastic { materials } => {
+                materials.iter().map(|m| m.mu().min(m.lambda() + m.mu())).fold(f64::INFINITY, f64::min)
+            }
+        }
+    }
+
     /// Numbers of the unknowns u_N along the contact edge.
     pub(super) fn normal_unknowns(&self) -> Vec<usize> {
         let c = self.form.components();

@@ -69,7 +69,7 @@ impl ContactProblem {
     pub fn attempt<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {
         let Settings { solver, start, accuracy, hierarchy, progress } = how.into();
         self.require_cone(cone)?;
-        match solver.for_unknowns(self.unknowns()) {
+        let found = match solver.for_unknowns(self.unknowns()) {
             Solver::ActiveSet => condensed::solve(self, cone, self.first_set(cone, start)?),
             // A body that only its floors keep in place has no coarse problem without contact.
             _ if self.floats && solver != Solver::InteriorPoint => {
@@ -77,7 +77,8 @@ impl ContactProblem {
             }
             Solver::Multigrid | Solver::Auto => self.by_multigrid(cone, hierarchy, accuracy, progress),
             Solver::InteriorPoint => interior_point::solve(self, cone),
-        }
+        };
+        self.completed(cone, found)
     }
 
     fn first_set(&self, cone: Cone, start: Start<'_>) -> Result<ContactSet> {

@@ -65,7 +65,7 @@ impl ContactSolution {
         ] {
             *value *= unit;
         }
-        for value in [&mut self.energy, &mut self.energy_rounding] {
+        for value in [&mut self.energy, &mut self.energy_rounding, &mut self.energy_scale] {
             *value = *value * unit * unit;
         }
         for step in &mut self.steps {

@@ -1,6 +1,7 @@
 //! The directions of the two unknowns of a node: Cartesian, or those of a straight contact edge.
 
 use crate::mesh::Point;
+use qd::Quad;
 
 /// The two unknowns of every node: Cartesian, or (u_T, u_N) with u_T = u·t, u_N = u·n, t = (−n_y, n_x).
 ///
@@ -32,6 +33,18 @@ impl Frame {
     pub(crate) fn to_cartesian(self, [t, n]: Point) -> Point {
         let Some([nx, ny]) = self.normal else { return [t, n] };
         [ny.mul_add(-t, nx * n), nx.mul_add(t, ny * n)]
+    }
+
+    /// Whether the unknowns are Cartesian components up to sign and order.
+    fn is_along_axes(&self) -> bool {
+        self.normal.is_none_or(|normal| normal.contains(&0.0))
+    }
+
+    /// The components (u_T, u_N) in double-double.
+    fn to_frame_precisely(&self, [x, y]: [Quad; 2]) -> [Quad; 2] {
+        let Some(normal) = self.normal else { return [x, y] };
+        let [nx, ny] = normal.map(Quad::from);
+        [nx * y - ny * x, nx * x + ny * y]
     }
 
     /// R B R'.
@@ -72,6 +85,19 @@ impl Frames {
     /// The frame where it is the same for all nodes.
     pub(crate) fn common(&self) -> Option<&Frame> {
         if self.own.is_empty() { Some(&self.common) } else { None }
+    }
+
+    /// Whether no frame mixes Cartesian components.
+    pub(crate) fn are_along_axes(&self) -> bool {
+        self.common.is_along_axes() && self.own.iter().all(|(_, frame)| frame.is_along_axes())
+    }
+
+    /// The block of two nodes in the unknowns of their frames, in double-double.
+    pub(super) fn turn_precisely(&self, block: [[Quad; 2]; 2], row: usize, column: usize) -> [[Quad; 2]; 2] {
+        let (row, column) = (self.at(row), self.at(column));
+        let [first, second] = block.map(|row| column.to_frame_precisely(row));
+        let [a, b] = [0, 1].map(|k| row.to_frame_precisely([first[k], second[k]]));
+        [[a[0], b[0]], [a[1], b[1]]]
     }
 
     pub(crate) fn at(&self, node: usize) -> &Frame {

@@ -13,6 +13,7 @@ mod front;
 mod loads;
 mod matrix;
 mod pool;
+mod precise;
 mod stencil;
 mod stress;
 
@@ -29,5 +30,6 @@ pub(crate) use frame::{Frame, Frames};
 pub(crate) use front::inner;
 pub(crate) use loads::{consistent_load, load_by_edges, load_by_triangles, volume_load};
 pub(crate) use matrix::BlockMatrix;
+pub(crate) use precise::{PreciseRow, precise_stiffness};
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils, kind};
 pub use stress::{Stress, gradients, stresses};

@@ -76,6 +76,8 @@ pub struct Checked {
     pub value: Measured,
     relation: Relation,
     bound: Measured,
+    /// Another plausible outcome.
+    alternative: Option<f64>,
     /// The source of the bound.
     pub source: String,
     /// The number of times it was reported.
@@ -97,12 +99,19 @@ impl Checked {
         let excess = self.excess();
         // Comparisons with NaN are false.
         if excess + slack <= 0.0 {
-            Decision::Holds
+            if self.admits_alternative() { Decision::Undecided } else { Decision::Holds }
         } else if excess - slack > 0.0 {
             Decision::Fails
         } else {
             Decision::Undecided
         }
+    }
+
+    /// Whether the relation would hold for the other plausible outcome as well, with the error of this value.
+    fn admits_alternative(&self) -> bool {
+        let Some(other) = self.alternative else { return false };
+        let other = Self { value: Measured::new(other, self.value.error), alternative: None, ..self.clone() };
+        other.decision() == Decision::Holds
     }
 
     /// The amount by which the relation is violated.
@@ -134,7 +143,7 @@ impl Checked {
             _ if tolerance > 0.0 => Measured::new(self.bound.value, 0.0),
             _ => Measured::new(self.bound.value - outward * step, 0.0),
         };
-        Self { value, ..self.clone() }
+        Self { value, alternative: None, ..self.clone() }
     }
 
     /// Value, relation and bound: "0.9968 ≤ 1".
@@ -203,6 +212,9 @@ impl Checked {
         if let Relation::Near(tolerance) = self.relation {
             object["tolerance"] = number(tolerance);
         }
+        if let Some(alternative) = self.alternative {
+            object["alternative"] = number(alternative);
+        }
         object
     }
 
@@ -220,11 +232,18 @@ pub struct Claim<'a> {
     checks: &'a mut Vec<Checked>,
     claim: String,
     role: Role,
+    alternative: Option<f64>,
 }
 
 impl<'a> Claim<'a> {
     pub(crate) fn new(checks: &'a mut Vec<Checked>, claim: String, role: Role) -> Self {
-        Self { checks, claim, role }
+        Self { checks, claim, role, alternative: None }
+    }
+
+    /// The same claim beside another plausible outcome: if the comparison admits that one as well, it is undecided. For
+    /// tolerances that depend on the data, as the next term of an expansion.
+    pub fn against(self, alternative: f64) -> Self {
+        Self { alternative: Some(alternative), ..self }
     }
 
     /// Records the claim value ≤ bound; `source` is the source of the bound.
@@ -259,9 +278,9 @@ impl<'a> Claim<'a> {
     }
 
     fn record(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
-        let Self { checks, claim, role } = self;
-        let mut check =
-            Checked { claim, role, value, relation, bound, source: source.to_owned(), cases: 1 };
+        let Self { checks, claim, role, alternative } = self;
+        let source = source.to_owned();
+        let mut check = Checked { claim, role, value, relation, bound, alternative, source, cases: 1 };
         match checks.iter_mut().find(|known| known.claim == check.claim) {
             Some(known) => {
                 check.cases = known.cases + 1;
@@ -297,6 +316,11 @@ mod tests {
         assert_eq!([near(1.05), near(1.2)], [Decision::Holds, Decision::Fails]);
         assert_eq!(decided(|c| c.near((1.05, 0.1), 1.0, 0.1, "")).decision(), Decision::Undecided);
         assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
+        // A tolerance that admits another outcome decides nothing; a violation stays one.
+        let against =
+            |value, tolerance| decided(|c| c.against(0.0).near(value, 1.0, tolerance, "")).decision();
+        assert_eq!([against(0.9, 0.2), against(0.9, 1.0)], [Decision::Holds, Decision::Undecided]);
+        assert_eq!(against(3.0, 1.0), Decision::Fails);
     }
 
     #[test]

@@ -14,14 +14,20 @@ type Of2 = fn(f64, f64) -> f64;
 /// Functions of one argument by their names.
 macro_rules! by_name {
     [$($name:ident),*] => {
-        [$((stringify!($name), f64::$name as Of1)),*, ("log", f64::ln)]
+        [$((stringify!($name), f64::$name as Of1)),*, ("log", f64::ln), ("signum", sign)]
     };
 }
 const ONE: [(&str, Of1); 21] = by_name![
-    abs, signum, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor,
-    exp, sqrt, cbrt, log10, ln
+    abs, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor, exp, sqrt, cbrt,
+    log10, ln
 ];
 const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
+
+/// 1, −1, and 0 at 0 of either sign, where `f64::signum` is ±1.
+fn sign(x: f64) -> f64 {
+    if x == 0.0 { 0.0 } else { x.signum() }
+}
+
 /// Largest length of a text and largest depth of parentheses.
 const LONGEST: usize = 2000;
 const DEEPEST: usize = 50;
@@ -280,6 +286,11 @@ mod tests {
                 (found - value).abs() <= 4.0 * f64::EPSILON * value.abs().max(1.0),
                 "{text}: {found}"
             );
+        }
+        for (text, value) in
+            [("signum(max(x - 0.5, 0))", 0.0), ("signum(-0*x)", 0.0), ("signum(x - 1)", -1.0)]
+        {
+            assert_eq!(Expression::parse(text).unwrap().at([0.25, 0.0]), value, "{text}");
         }
         assert!(Expression::parse("sqrt(-1 - x^2)").unwrap().at([0.0, 0.0]).is_nan());
         let list = Expression::parse_list("max(x, 1), -y").unwrap();

@@ -73,7 +73,10 @@ impl ContactProblem {
         }
         // Inside the thread pool, so that short tasks are not passed to another thread.
         let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
-        let found = found?;
+        let mut found = found?;
+        if let Some(error) = found.multigrid.as_ref().and_then(|report| report.error.as_ref()) {
+            found.energy_rounding += 0.5 * error.error * error.error;
+        }
         if found.status.is_converged() || self.unknowns() > LARGEST_DIRECT {
             return Ok(found);
         }

@@ -136,3 +136,41 @@ pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
         }
     }
 }
+
+/// A small grid with unit steps, stretched by up to 10⁴ either way, turned and moved; the bottom touches, or the right
+/// end does.
+pub fn slender(random: &mut SplitMix) -> Mesh {
+    loop {
+        let (nx, ny) = (1 + random.below(5), 1 + random.below(3));
+        let (wide, high) = (1.0 / nx as f64, decades(random, -4.0, 4.0) / ny as f64);
+        let (sin, cos) = if random.below(2) == 0 { (0.0, 1.0) } else { random.between(0.0, 6.3).sin_cos() };
+        let [x0, y0] = [0, 1].map(|_| random.between(-10.0, 10.0));
+        let width = nx + 1;
+        let mut mesh = Mesh::default();
+        for j in 0..=ny {
+            for i in 0..=nx {
+                let [x, y] = [wide * i as f64, high * j as f64];
+                mesh.nodes.push([x0 + (cos * x - sin * y), y0 + (sin * x + cos * y)]);
+            }
+        }
+        for (j, i) in (0..ny).flat_map(|j| (0..nx).map(move |i| (j, i))) {
+            let [a, b] = [j * width + i, j * width + i + 1];
+            let [d, c] = [a + width, b + width];
+            mesh.triangles.extend(if random.below(2) == 0 {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            });
+        }
+        let around: Vec<usize> = (0..nx)
+            .chain((0..ny).map(|j| j * width + nx))
+            .chain((1..=nx).rev().map(|i| ny * width + i))
+            .chain((1..=ny).rev().map(|j| j * width))
+            .collect();
+        let (first, contact) = if random.below(3) > 0 { (0, nx) } else { (nx, ny) };
+        mesh.label(random, &around, first, contact);
+        if mesh.is_sound() {
+            return mesh;
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Random scenes of at most twelve contact constraints, and the problem of the library for one of them.
 
-use super::meshes::{Mesh, grid};
+use super::meshes::{Mesh, grid, slender};
 use crate::common::SplitMix;
 use signorini::Result;
 use signorini::contact::ContactProblem;
@@ -88,6 +88,31 @@ impl Scene {
             };
         }
         Self { mesh, material, volume, forces, dirichlet, gap }
+    }
+
+    /// A body that is slender, or has λ/μ up to 10¹⁰, or both: grids of one element or a few across, stretched by up
+    /// to 10⁴ either way and turned; forces at the nodes, gaps or none.
+    pub fn ill_conditioned(seed: u64) -> Self {
+        let random = &mut SplitMix::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15).wrapping_add(11));
+        let is_elastic = random.below(5) > 0;
+        let mesh = slender(random);
+        let size = decades(random, -3.0, 4.0);
+        let material = if is_elastic {
+            let mu = decades(random, -1.0, 4.0);
+            let ratio =
+                if random.below(4) == 0 { random.between(-0.3, 2.0) } else { decades(random, 0.0, 10.0) };
+            // ν = λ/(2 (λ + μ)), E = 2 μ (1 + ν).
+            let poisson = 0.5 * ratio / (ratio + 1.0);
+            Material::Elastic { moduli: vec![[2.0 * mu * (1.0 + poisson), poisson]], is_stress: false }
+        } else {
+            Material::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { decades(random, -6.0, 6.0) } }
+        };
+        let unknowns = mesh.nodes.len() * if is_elastic { 2 } else { 1 };
+        let push = random.between(-1.0, 1.0);
+        let forces = (0..unknowns).map(|_| size * (push + random.between(-1.0, 1.0))).collect();
+        let width = if random.below(2) == 0 { decades(random, -6.0, 0.0) } else { 0.0 };
+        let gap = mesh.chain.iter().map(|_| width * random.between(0.0, 1.0)).collect();
+        Self { mesh, material, volume: vec![0.0; unknowns], forces, dirichlet: [[0.0; 3]; 2], gap }
     }
 
     pub fn components(&self) -> usize {
