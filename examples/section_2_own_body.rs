@@ -109,8 +109,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     let mut remarks = mesh.remarks().to_vec();
     let surfaces = mesh.regions().iter().max().map_or(1, |&last| last as usize + 1);
-    if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len()) {
-        let what = format!("expected as many values as for --poisson: 1, or one per surface ({surfaces})");
+    if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len())
+    {
+        let what =
+            format!("expected as many values as for --poisson: 1, or one per surface ({surfaces})");
         return Err(Error::option("young", &what));
     }
     let lame = if options.plane_stress { Lame::plane_stress } else { Lame::plane_strain };
@@ -120,7 +122,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     } else {
         Form::Elastic { materials: materials.collect::<std::result::Result<_, _>>()? }
     };
-    out.column("touching", "touching", "active constraints: nodes (midpoint cone: segments) in contact");
+    out.column(
+        "touching",
+        "touching",
+        "active constraints: nodes (midpoint cone: segments) in contact",
+    );
     out.column("second", "interior point", "how it ended; its J is compared where it converged");
     out.column("force", "force", "−∫ σ_N, in the unit of E times that of the mesh");
     let mut meshes = Hierarchy::new(mesh);
