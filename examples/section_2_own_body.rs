@@ -1,40 +1,45 @@
-//! Section 2: your own body. A mesh of Gmsh, a load in x and y, a rigid floor under every contact
-//! edge.
+//! Section 2: your own body. A mesh of Gmsh, what acts on it in x and y, a rigid floor under every
+//! contact edge.
 //!
 //! Curves of the mesh are in physical groups `clamped` (Γ_D), `contact` (Γ_C, straight pieces, each
-//! with its outward normal n) and `free`. With a(u, v) = ∫ σ(u) : ε(v), σ = 2μ ε + λ tr ε I, and
-//! l(v) = ∫ f·v,
+//! with its outward normal n) and `free` (Γ_N), or in groups of other names on which something
+//! acts. With a(u, v) = ∫ σ(u) : ε(v), σ = 2μ ε + λ tr ε I, and l(v) = ∫ f·v + ∫_{Γ_N} F·v,
 //!
 //! ```text
 //! u^h minimises J(v) = ½ a(v, v) − l(v) over                                             (2.9)
-//! K^h = { v linear on triangles, v = 0 on Γ_D, v·n ≤ 0 at the nodes of Γ_C }.
+//! { v linear on triangles, v = u_D on Γ_D, v·n ≤ g at the nodes of Γ_C }.
 //! ```
 //!
 //! Without a file: the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2), turned by 20°
 //! about (0, 0), in 126 triangles of Gmsh; Γ_C is its side of length 2 on the slanted floor, Γ_D
 //! the side of length 1 at the top.
 //!
-//! A load with one component makes the problem scalar: a(u, v) = ∫ ∇u·∇v, u ≤ 0 on Γ_C. No solution
+//! A load with one component makes the problem scalar: a(u, v) = ∫ ∇u·∇v, u ≤ g on Γ_C. No solution
 //! is known, so what must hold for every body is checked, on the mesh and on refinements of it
 //! (each triangle cut into four). Refuted if a condition of contact is violated by 1e-10 (scaled),
 //! or by more than 1e-8 and ten times the rounding of J: if the resultants of load, clamp and
-//! floors do not add up, if two solvers differ in J, or if J rises on a finer mesh (nested cones).
+//! floors do not add up, if two solvers differ in J, or if J rises on a finer mesh (nested cones;
+//! without gaps and prescribed displacements, which are interpolated).
 //!
 //! As J(u^h) − J(u) ≈ A h^(2p) + B h², the order p of the error in the energy norm, at most 1, is
 //! that of t(h) = 4 d(h/2) − d(h) ~ h^(2p), d(h) = J(h) − J(h/2), over the last halving; ±: its
 //! largest change since three meshes before, or as many as there are (`order_of_squares`). It
 //! decides nothing.
 //!
-//! ```text
-//! cargo run --release --example section_2_own_body -- \
-//!     --mesh FILE.msh --load "0, -0.1" --out DIR --files DIR
-//! ```
+//! With `--tolerance 1%` the error is guaranteed: a stress q in balance with the load bounds J from
+//! below, and |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are
+//! bisected until it is 1 % of |||u||| (`two_sided_energies`). Refuted if two meshes contradict
+//! each other, J from below above J from above.
+//!
+//! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
+//! --files DIR`
 
 use example_report::{Expression, prelude::*};
+use signorini::bounds::{Enclosure, Ended, Refinement};
 use signorini::cone::Cone;
-use signorini::contact::{ContactProblem, ContactSolution, Solver, npy};
-use signorini::fem::{Cubature, Field, Form, Lame};
-use signorini::mesh::{Hierarchy, Part, Triangulation, parse_msh, read_msh};
+use signorini::contact::{Body, ContactProblem, ContactSolution, Solver, npy};
+use signorini::fem::{Form, Lame};
+use signorini::mesh::{Hierarchy, Part, Point, parse_msh, read_msh_with};
 use std::path::{Path, PathBuf};
 
 example! { seconds "Section 2, your own body",
@@ -44,16 +49,28 @@ example! { seconds "Section 2, your own body",
     /// L-shape on a slanted floor
     mesh: Option<PathBuf> = "",
     /// volume load "fx, fy", or "f" for a scalar problem, in x, y, pi and the usual functions;
-    /// default: the load of the L-shape
+    /// "left=fx, fy; right=.." by physical surface
     load: String = "",
-    /// Young's modulus E, one value or one per physical surface; E = 2.5, ν = 1/4 gives λ = μ = 1
-    young: Vec<f64> = "2.5" in "(0, 1e300]",
-    /// Poisson's ratio ν, as many values as for E
-    poisson: Vec<f64> = "0.25" in "(-1, 0.5)",
+    /// traction on the free boundary, "Fx, Fy", or by physical curve "top=0, -1 + x; left=0.1, 0"
+    traction: String = "",
+    /// displacement of the clamped boundary, or by physical curve "clamp=0, 0.01*x"; default 0
+    displacement: String = "",
+    /// gap between body and floor along the normal, or by physical curve "floor=0.001*(x-1)^2";
+    /// default 0
+    gap: String = "",
+    /// Young's modulus E, or one by physical surface "body=2.1e11,rim=7e10"; E = 2.5, ν = 1/4 gives
+    /// λ = μ = 1
+    young: String = "2.5",
+    /// Poisson's ratio ν in (-1, 0.5), or by physical surface as for E
+    poisson: String = "0.25",
     /// plane stress (a thin plate) instead of plane strain
     plane_stress: bool = "",
     /// number of meshes: the given one and its successive uniform refinements
     levels: usize = "5" in "[1, 8]",
+    /// guaranteed error in the energy norm, such as 1%, instead of a number of meshes
+    tolerance: String = "",
+    /// largest number of unknowns on the way to the tolerance
+    unknowns: usize = "1000000" in "[100, 10000000]",
     /// discrete cone: nodal (2.9) or midpoint (4.1)
     cone: Cone = "nodal",
     /// output directory for contact_edge.csv (u_N and σ_N at the nodes of the contact edges),
@@ -61,41 +78,132 @@ example! { seconds "Section 2, your own body",
     files: Option<PathBuf> = "",
 }
 
-/// Linear elements on the mesh; ∫ f·φᵢ by a rule of 4 × 4 points a triangle, exact for f of degree
-/// 6.
-fn problem(mesh: Triangulation, form: &Form, load: &[Expression]) -> Result<ContactProblem> {
-    let none = vec![0.0; mesh.nodes().len() * load.len()];
-    let mut problem = ContactProblem::new(mesh, form.clone(), &none)?;
-    let rule = Cubature::new(4)?;
-    match load {
-        [f, g] => problem.add_volume_load(&Field::Vector(&|p| [f.at(p), g.at(p)]), &rule)?,
-        _ => problem.add_volume_load(&Field::Scalar(&|p| load[0].at(p)), &rule)?,
-    }
-    Ok(problem)
+/// What acts on a group or a region; without a name everywhere.
+#[derive(Clone)]
+struct Given {
+    place: Option<String>,
+    parts: Vec<Expression>,
 }
 
-fn run(options: &Options, out: &mut Report) -> Result<()> {
-    let text = match (options.load.is_empty(), &options.mesh) {
-        (true, None) => "0.015, 0.02 - 0.03*x",
-        (true, Some(_)) => {
+/// "fx, fy" or "name=fx, fy; other=gx, gy".
+fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
+    let mut all: Vec<Given> = Vec::new();
+    for piece in text.split(';').filter(|piece| !piece.trim().is_empty()) {
+        let (place, text) = match piece.split_once('=') {
+            Some((name, text)) => (Some(name.trim().to_owned()), text),
+            None => (None, piece),
+        };
+        let parts = Expression::parse_list(text)?;
+        let most = if option == "gap" { 1 } else { 2 };
+        if parts.len() > most {
+            let expected = if most == 1 { "one" } else { "\"fx, fy\" or \"f\"" };
             return Err(Error::option(
-                "load",
-                "--mesh requires --load \"fx, fy\" (\"f\" for a scalar problem)",
+                option,
+                &format!("{} components, expected {expected}", parts.len()),
             ));
         }
-        _ => &options.load,
-    };
-    let parts = Expression::parse_list(text)?;
-    if parts.len() > 2 {
-        let what = format!("{} components, expected \"fx, fy\" or \"f\"", parts.len());
-        return Err(Error::option("load", &what));
+        let is_again = |one: &Given| one.place == place;
+        if all.iter().any(is_again) && matches!(option, "displacement" | "gap") {
+            let on = place.map_or("everywhere".to_owned(), |name| format!("on '{name}'"));
+            return Err(Error::option(option, &format!("given twice {on}")));
+        }
+        all.push(Given { place, parts });
     }
-    let (mesh, name) = match &options.mesh {
-        Some(path) => (
-            read_msh(path)?,
-            path.file_stem().map_or("body".into(), |stem| stem.to_string_lossy().into_owned()),
-        ),
-        None => (parse_msh(include_str!("data/l_shape.msh"))?, "l_shape".to_owned()),
+    Ok(all)
+}
+
+/// One number for every region: "2.5", or "body=2.1e11,rim=7e10".
+fn by_region(option: &'static str, text: &str, regions: &[String]) -> Result<Vec<f64>> {
+    let number = |word: &str| {
+        let what = || format!("'{}' is not a finite number", word.trim());
+        word.trim()
+            .parse()
+            .ok()
+            .filter(|v: &f64| v.is_finite())
+            .ok_or_else(|| Error::option(option, &what()))
+    };
+    if !text.contains('=') {
+        if text.contains(',') {
+            let names =
+                regions.iter().map(|name| format!("{name}=..")).collect::<Vec<_>>().join(",");
+            return Err(Error::option(
+                option,
+                &format!("several values are given by physical surface: {names}"),
+            ));
+        }
+        return Ok(vec![number(text)?; regions.len()]);
+    }
+    let mut values = vec![None; regions.len()];
+    for piece in text.split(',') {
+        let missing = || Error::option(option, &format!("'{piece}': expected NAME=VALUE"));
+        let (name, word) = piece.split_once('=').ok_or_else(missing)?;
+        let place = regions.iter().position(|region| region == name.trim()).ok_or_else(|| {
+            Error::option(
+                option,
+                &format!("no region '{}': the mesh has {}", name.trim(), regions.join(", ")),
+            )
+        })?;
+        values[place] = Some(number(word)?);
+    }
+    let of = |(value, name): (Option<f64>, &String)| {
+        value.ok_or_else(|| {
+            Error::option(option, &format!("a value for the region '{name}' is missing"))
+        })
+    };
+    values.into_iter().zip(regions).map(of).collect()
+}
+
+/// Adds what is given to a body: by `$all` without a name, by `$on` with one.
+macro_rules! act {
+    ($body:expr, $given:expr, $all:ident, $on:ident) => {
+        $given.iter().cloned().fold($body, |body, Given { place, parts }| {
+            match (parts.as_slice(), place) {
+                ([f, g], place) => {
+                    let (f, g) = (f.clone(), g.clone());
+                    let both = move |p: Point| [f.at(p), g.at(p)];
+                    if let Some(name) = place { body.$on(&name, both) } else { body.$all(both) }
+                }
+                ([f, ..], place) => {
+                    let f = f.clone();
+                    let one = move |p: Point| f.at(p);
+                    if let Some(name) = place { body.$on(&name, one) } else { body.$all(one) }
+                }
+                ([], _) => body,
+            }
+        })
+    };
+}
+
+/// The body of the options.
+fn body(options: &Options) -> Result<Body<'static>> {
+    let [mut load, traction, displacement, gap] = [
+        given("load", &options.load)?,
+        given("traction", &options.traction)?,
+        given("displacement", &options.displacement)?,
+        given("gap", &options.gap)?,
+    ];
+    if load.is_empty() && traction.is_empty() && displacement.is_empty() {
+        if options.mesh.is_some() {
+            let what = "--mesh requires --load \"fx, fy\" (\"f\" for a scalar problem), \
+                --traction or --displacement";
+            return Err(Error::option("load", what));
+        }
+        load = given("load", "0.015, 0.02 - 0.03*x")?;
+    }
+    // A curve on which something acts needs no other name.
+    let places = |all: &[Given], part: Part| -> Vec<(String, Part)> {
+        let names = all.iter().filter_map(|one| one.place.clone());
+        names.filter(|name| Part::named(name).is_none()).map(|name| (name, part)).collect()
+    };
+    let acting =
+        [(&traction, Part::Neumann), (&displacement, Part::Dirichlet), (&gap, Part::Contact)]
+            .map(|(all, part)| places(all, part));
+    let named = acting.concat();
+    let parts: Vec<(&str, Part)> =
+        named.iter().map(|(name, part)| (name.as_str(), *part)).collect();
+    let mesh = match &options.mesh {
+        Some(path) => read_msh_with(path, &parts)?,
+        None => parse_msh(include_str!("data/l_shape.msh"))?,
     };
     for (part, of) in [(Part::Dirichlet, "clamped"), (Part::Contact, "in contact")] {
         if !mesh.boundary().iter().any(|edge| edge.part == part) {
@@ -107,21 +215,69 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             return Err(Error::option("mesh", &what));
         }
     }
-    let mut remarks = mesh.remarks().to_vec();
-    let surfaces = mesh.regions().iter().max().map_or(1, |&last| last as usize + 1);
-    if options.young.len() != options.poisson.len() || ![1, surfaces].contains(&options.young.len())
-    {
-        let what =
-            format!("expected as many values as for --poisson: 1, or one per surface ({surfaces})");
-        return Err(Error::option("young", &what));
-    }
     let lame = if options.plane_stress { Lame::plane_stress } else { Lame::plane_strain };
-    let materials = options.young.iter().zip(&options.poisson).map(|(&e, &nu)| lame(e, nu));
-    let form = if parts.len() == 1 {
-        Form::LAPLACE
+    let regions = mesh.region_names();
+    let young = by_region("young", &options.young, &regions)?;
+    let poisson = by_region("poisson", &options.poisson, &regions)?;
+    let materials = young.iter().zip(&poisson).map(|(&e, &nu)| lame(e, nu));
+    let materials = materials.collect::<std::result::Result<_, _>>()?;
+    let is_scalar = [&load, &traction, &displacement]
+        .into_iter()
+        .flatten()
+        .next()
+        .is_some_and(|one| one.parts.len() == 1);
+    let form = if is_scalar { Form::LAPLACE } else { Form::Elastic { materials } };
+    let body = act!(Body::new(mesh, form), load, load, load_on);
+    let body = act!(body, traction, traction, traction_on);
+    let body = act!(body, displacement, displacement, displacement_on);
+    Ok(gap.into_iter().fold(body, |body, Given { place, parts }| {
+        let g = move |p: Point| parts[0].at(p);
+        if let Some(name) = place { body.gap_on(&name, g) } else { body.gap(g) }
+    }))
+}
+
+fn run(options: &Options, out: &mut Report) -> Result<()> {
+    let body = body(options)?;
+    let mut remarks = body.mesh().remarks().to_vec();
+    let (problem, u, vtu) = if options.tolerance.is_empty() {
+        let (problem, u) = on_refinements(&body, options, out, &mut remarks)?;
+        let vtu = problem.to_vtu(&u)?;
+        (problem, u, vtu)
     } else {
-        Form::Elastic { materials: materials.collect::<std::result::Result<_, _>>()? }
+        let found = to_tolerance(&body, options, out, &mut remarks)?;
+        let vtu = found.to_vtu()?;
+        (found.problem, found.solution, vtu)
     };
+    for support in problem.supports(&u)? {
+        let ([x, y], m) = (support.force, support.moment);
+        remarks.push(match problem.form().components() {
+            1 => format!("{} exerts the force {x:.6e}", support.group),
+            _ => {
+                format!(
+                    "{} exerts the force ({x:.6e}, {y:.6e}), moment about (0, 0) {m:.6e}",
+                    support.group
+                )
+            }
+        });
+    }
+    out.remark(remarks.join("\n"));
+    if out.draws() {
+        let stem = options.mesh.as_ref().and_then(|path| path.file_stem());
+        let name = stem.map_or("l_shape".into(), |stem| stem.to_string_lossy().into_owned());
+        let (title, cone) = (name.replace('_', " "), options.cone);
+        out.bodies(&title, &[(format!("section_2_own_{name}_body_{cone}"), &problem, &u)])?;
+        out.contact_edge(&format!("section_2_own_{name}_edge_{cone}"), &title, &problem, &u);
+    }
+    options.files.as_deref().map_or(Ok(()), |directory| write_files(directory, &problem, &u, vtu))
+}
+
+/// The mesh and its uniform refinements; the last solution.
+fn on_refinements(
+    body: &Body<'_>,
+    options: &Options,
+    out: &mut Report,
+    remarks: &mut Vec<String>,
+) -> Result<(ContactProblem, ContactSolution)> {
     out.column(
         "touching",
         "touching",
@@ -129,13 +285,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     );
     out.column("second", "interior point", "how it ended; its J is compared where it converged");
     out.column("force", "force", "−∫ σ_N, in the unit of E times that of the mesh");
-    let mut meshes = Hierarchy::new(mesh);
+    let is_nested =
+        options.displacement.is_empty() && options.gap.is_empty() && options.cone == Cone::Nodal;
+    let mut meshes = Hierarchy::new(body.mesh().clone());
     let mut last: Option<(ContactProblem, ContactSolution)> = None;
     for level in 0..options.levels {
         if level > 0 {
             meshes.refine()?;
         }
-        let problem = problem(meshes.finest().clone(), &form, &parts)?;
+        let problem = body.problem_on(meshes.finest())?;
         // Guess which constraints are active, solve the linear equations, correct the guess by the
         // signs of gap and force.
         let u = problem.solve(options.cone, Solver::ActiveSet)?;
@@ -152,9 +310,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let allowed = 1e-8 + 10.0 * rounding;
         // (2.5) and the equations: penetration over the largest displacement, pull over the largest
         // push, their product, and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
-        out.check("penetration: max (B u)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
+        out.check("penetration: max (B u − g)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
         out.check("tensile contact force: max (−λ)₊, scaled").at_most(u.kkt.sign, 1e-10, "(2.5)");
-        let claim = out.check("complementarity: max |λ B u|, scaled");
+        let claim = out.check("complementarity: max |λ (B u − g)|, scaled");
         claim.at_most(u.kkt.complementarity, 1e-10, "(2.5)");
         let claim = out.check("equilibrium residual at free nodes, scaled");
         claim.at_most(u.kkt.balance, 1e-10, "(2.1)");
@@ -167,7 +325,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let of_j = apart(other.energy, u.energy);
             out.check("two solvers: |ΔJ|/|J|").at_most(of_j, allowed, "eight digits");
         }
-        if let (Cone::Nodal, Some((_, before))) = (options.cone, &last) {
+        if let (true, Some((_, before))) = (is_nested, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
             let rise = if rise.is_nan() { 0.0 } else { rise };
             let claim = out.check("mesh refinement: relative increase of J");
@@ -185,19 +343,85 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     } else {
         remarks.push("too few meshes for an order: --levels 5 or more".to_owned());
     }
-    out.remark(remarks.join("\n"));
-    let Some((problem, u)) = last else { return Ok(()) };
-    if out.draws() {
-        let (title, cone) = (name.replace('_', " "), options.cone);
-        out.bodies(&title, &[(format!("section_2_own_{name}_body_{cone}"), &problem, &u)])?;
-        out.contact_edge(&format!("section_2_own_{name}_edge_{cone}"), &title, &problem, &u);
+    last.ok_or_else(|| Error::option("levels", "no mesh"))
+}
+
+/// Meshes that are fine where the bound of the error requires it, to the tolerance; the last
+/// solution.
+fn to_tolerance(
+    body: &Body<'_>,
+    options: &Options,
+    out: &mut Report,
+    remarks: &mut Vec<String>,
+) -> Result<Enclosure> {
+    let text = options.tolerance.trim();
+    let (text, unit) = text.strip_suffix('%').map_or((text, 1.0), |text| (text, 0.01));
+    let tolerance =
+        text.trim().parse::<f64>().ok().map(|v| v * unit).filter(|&v| v > 0.0 && v < 1.0);
+    let expected = || Error::option("tolerance", "expected a share of |||u|||, such as 1% or 0.01");
+    let tolerance = tolerance.ok_or_else(expected)?;
+    out.column("lower", "J from below", "J*(q) less the effect of oscillation and rounding");
+    out.column("upper", "J from above", "J(u^h)");
+    out.column("error", "error ≤", "of |||u − u^h|||, guaranteed");
+    out.column("percent", "% of |||u|||", "the same relative to |||u|||");
+    out.column(
+        "force",
+        "contact force",
+        "−∫ σ_N(u) of every floor, in an interval; none where a floor meets a clamp",
+    );
+    let refinement = Refinement {
+        cone: options.cone,
+        tolerance,
+        unknowns: options.unknowns,
+        ..Refinement::default()
+    };
+    let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
+    let mut failed = None;
+    let each = |found: &Enclosure| {
+        let floors = 0..found.problem.edge().pieces().len();
+        let forces = floors.map(|floor| {
+            let force = body.contact_force(found, floor)?;
+            Ok(force.map_or("none".to_owned(), |f| format!("{:.4e} .. {:.4e}", f.lower, f.upper)))
+        });
+        let force = match forces.collect::<signorini::Result<Vec<_>>>() {
+            Ok(forces) => forces.join("; "),
+            Err(error) => {
+                failed.get_or_insert(error);
+                return;
+            }
+        };
+        let (triangles, percent) = (found.shares.len(), 100.0 * found.relative_error());
+        out.progress(format!("{triangles} triangles, error ≤ {percent:.2} % of |||u|||"));
+        (highest, lowest) = (highest.max(found.energy.lower), lowest.min(found.energy.upper));
+        out.row(cells! { triangles =>
+            lower: found.energy.lower, upper: found.energy.upper, error: found.error, percent,
+            force
+        });
+        let claim = out.check("conditions of contact and equations, scaled");
+        claim.at_most(found.solution.kkt.worst(), 1e-10, "(2.5)");
+        out.check("highest J from below/lowest J from above, less 1, towards a contradiction")
+            .at_most((highest - lowest) / lowest.abs(), 0.0, "J*(q) ≤ J(u) ≤ J(v) on every mesh");
+    };
+    let (found, ended) = refinement.run(body, each)?;
+    failed.map_or(Ok(()), Err)?;
+    let (error, percent) = (found.error, 100.0 * found.relative_error());
+    remarks.push(format!(
+        "guaranteed: the error in the energy norm is at most {error:.3e}, {percent:.2} % of |||u|||"
+    ));
+    if ended != Ended::Tolerance {
+        remarks.push(format!("the tolerance is not reached: {ended}"));
     }
-    options.files.as_deref().map_or(Ok(()), |directory| write_files(directory, &problem, &u))
+    Ok(found)
 }
 
 /// contact_edge.csv has one line for each node of the contact edges: number of the edge, arc
 /// length, node, u_N and σ_N.
-fn write_files(directory: &Path, problem: &ContactProblem, u: &ContactSolution) -> Result<()> {
+fn write_files(
+    directory: &Path,
+    problem: &ContactProblem,
+    u: &ContactSolution,
+    vtu: String,
+) -> Result<()> {
     let edge = problem.edge();
     let mut text = "edge,s,x,y,u_N,sigma_N\n".to_owned();
     for (number, piece) in edge.pieces().into_iter().enumerate() {
@@ -210,7 +434,7 @@ fn write_files(directory: &Path, problem: &ContactProblem, u: &ContactSolution) 
     let components = problem.form().components();
     let files = [
         ("contact_edge.csv", text.into_bytes()),
-        ("body.vtu", problem.to_vtu(u)?.into_bytes()),
+        ("body.vtu", vtu.into_bytes()),
         ("nodes.npy", npy(problem.mesh().nodes().as_flattened(), 2)?),
         ("displacement.npy", npy(&u.displacement, components)?),
     ];

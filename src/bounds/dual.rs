@@ -261,7 +261,9 @@ impl Setting<'_, '_> {
             };
             match border.part {
                 Part::Dirichlet => {
-                    let means = self.means(border, |point| self.body.displacement_at(point))?;
+                    let means = self.means(border, |point| {
+                        self.body.displacement_at(self.mesh.group(border.number), point)
+                    })?;
                     for a in 0..c {
                         prescribed[own + a] = true;
                         multipliers[own + a] = means[a];
@@ -271,7 +273,7 @@ impl Setting<'_, '_> {
                 Part::Contact => {
                     (0..c).for_each(|a| load[own + a] += given[a]);
                     let normal = |point| {
-                        let gap = self.body.gap_at(point)?;
+                        let gap = self.body.gap_at(self.mesh.group(border.number), point)?;
                         let n = self.side(border.triangle, border.side).normal;
                         Ok(if self.components == 1 { [gap, 0.0] } else { [gap * n[0], gap * n[1]] })
                     };

@@ -96,6 +96,27 @@ impl Enclosure {
     pub fn relative_error(&self) -> f64 {
         if self.error == 0.0 { 0.0 } else { self.error / self.norm.lower.max(0.0) }
     }
+
+    /// The text of a `.vtu` file: that of [`ContactProblem::to_vtu`], on the triangles also
+    /// - `equilibrated_stress` (q_xx, q_yy, q_xy), or `equilibrated_flux` (q_x, q_y, 0), the mean of q;
+    /// - `share_of_bound`, the share of the triangle in the square of the bound.
+    ///
+    /// ```
+    /// use signorini::{cone::Cone, contact::Body, fem::Form, mesh::{SideParts, unit_square}};
+    /// let body = Body::new(unit_square(2, SideParts::HANGING)?, Form::LAPLACE).load(|_: [f64; 2]| -1.0);
+    /// let text = body.enclose(Cone::Nodal)?.to_vtu()?;
+    /// assert!(text.contains("equilibrated_flux") && text.contains("share_of_bound"));
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`ContactProblem::to_vtu`].
+    pub fn to_vtu(&self) -> Result<String> {
+        let elastic = self.problem.form().components() == 2;
+        let name = if elastic { "equilibrated_stress" } else { "equilibrated_flux" };
+        let further = [(name, 3, self.stress.as_flattened()), ("share_of_bound", 1, &self.shares[..])];
+        self.problem.to_vtu_with(&self.solution, &further)
+    }
 }
 
 impl Body<'_> {
@@ -217,7 +238,10 @@ impl Setting<'_, '_> {
             let values = self.normal_at(border, displacement);
             let [a, b] = nodes.map(|node| self.mesh.nodes()[node]);
             let off = |s: f64| -> Result<f64> {
-                let gap = self.body.gap_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])])?;
+                let gap = self.body.gap_at(
+                    self.mesh.group(border.number),
+                    [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])],
+                )?;
                 Ok((1.0 - s) * values[0] + s * values[1] - gap)
             };
             let is_free = nodes.map(|node| !clamped[node]);

@@ -131,7 +131,7 @@ impl Setting<'_, '_> {
                 let [first, last] = self.normal_at(border, displacement);
                 for (s, weight) in self.edge_rule.iter() {
                     let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-                    let gap = self.body.gap_at(point)?;
+                    let gap = self.body.gap_at(self.mesh.group(border.number), point)?;
                     let pressure = weight * side.length * (p + s * (r - p));
                     contact[number] += pressure * (gap - (1.0 - s) * first - s * last);
                     complementary += pressure * gap;
@@ -140,7 +140,7 @@ impl Setting<'_, '_> {
             if border.part == Part::Dirichlet {
                 for (s, weight) in self.edge_rule.iter() {
                     let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-                    let [x, y] = self.body.displacement_at(point)?;
+                    let [x, y] = self.body.displacement_at(self.mesh.group(border.number), point)?;
                     if x == 0.0 && y == 0.0 {
                         continue;
                     }

@@ -33,6 +33,8 @@ pub(super) struct SideOf {
 pub(super) struct Border {
     pub(super) edge: usize,
     pub(super) part: Part,
+    /// Number of the edge among the boundary edges of the mesh, which gives the name of its group.
+    pub(super) number: usize,
     pub(super) triangle: usize,
     /// Number of the side in the triangle.
     pub(super) side: usize,
@@ -132,17 +134,20 @@ impl<'s, 'b> Setting<'s, 'b> {
             particular,
             lifts: vec![Vec::new(); mesh.triangles().len()],
         };
-        for border in mesh.boundary() {
+        for (number, border) in mesh.boundary().iter().enumerate() {
             let edge = edges.find(border.nodes[0], border.nodes[1])?;
             let no_triangle = || Error::count("triangles at a boundary edge", 0, "{1}");
             let (triangle, side) = setting.around[edge][0].ok_or_else(no_triangle)?;
             setting.border_of[edge] = Some(setting.borders.len());
-            let (linear, left_over) = setting.border_data(triangle, side, border.part)?;
-            let border = Border { edge, part: border.part, triangle, side, linear, left_over };
+            let (linear, left_over) = setting.border_data(triangle, side, border.part, number)?;
+            let border = Border { edge, part: border.part, number, triangle, side, linear, left_over };
             if border.part == Part::Dirichlet {
                 let corners = mesh.corners(triangle);
                 let (a, b) = (corners[side], corners[(side + 1) % 3]);
-                let at = |s: f64| body.displacement_at([a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])]);
+                let at = |s: f64| {
+                    let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
+                    body.displacement_at(mesh.group(number), point)
+                };
                 setting.lifts[triangle].extend(Lift::through(side, at)?);
             }
             setting.borders.push(border);
@@ -307,7 +312,13 @@ impl<'s, 'b> Setting<'s, 'b> {
     }
 
     /// For an edge of the boundary: the linear part of F − q_p n, or of −q_p n on Γ_C, and the norm of the rest.
-    fn border_data(&self, triangle: usize, k: usize, part: Part) -> Result<([[f64; 2]; 2], f64)> {
+    fn border_data(
+        &self,
+        triangle: usize,
+        k: usize,
+        part: Part,
+        number: usize,
+    ) -> Result<([[f64; 2]; 2], f64)> {
         if part == Part::Dirichlet {
             return Ok(([[0.0; 2]; 2], 0.0));
         }
@@ -319,7 +330,7 @@ impl<'s, 'b> Setting<'s, 'b> {
             let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
             let mut value = traction(self.components, self.exact_at(&[point])[0], &side).map(|v| -v);
             if part == Part::Neumann {
-                let [x, y] = self.body.traction_at(point)?;
+                let [x, y] = self.body.traction_at(self.mesh.group(number), point)?;
                 let ([nx, ny], [tx, ty]) = (side.normal, side.tangent);
                 let given = if self.components == 1 { [x, 0.0] } else { [x * nx + y * ny, x * tx + y * ty] };
                 value = [value[0] + given[0], value[1] + given[1]];

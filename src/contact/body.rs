@@ -1,4 +1,5 @@
-//! A body: a mesh, a form, and what acts on it, each as a function of the place, so that the same body can be
+//! A body: a mesh, a form, and what acts on it, each as a function of the place and, where wanted, on one
+//! group of the boundary or one region only, so that the same body can be
 //! discretised on every refinement of its mesh.
 //!
 //! ```text
@@ -9,12 +10,15 @@
 
 use super::problem::ContactProblem;
 use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{Cubature, Field, Form, load_by_triangles};
+use crate::fem::{Cubature, Form, load_by_triangles};
 use crate::mesh::{Part, Point, Triangulation};
+use std::borrow::Borrow;
 use std::sync::Arc;
 
 /// Points in each direction of the rule for ∫ f·v: exact for f of degree 6.
 const POINTS: usize = 4;
+/// Displacements of two groups at a common node that differ by less than this multiple of the largest agree.
+const ROUNDED: f64 = 1e-12;
 
 /// What a load may be at a place: a number for a scalar problem, two components for an elastic body.
 pub trait Value: Copy {
@@ -40,10 +44,10 @@ impl Value for Point {
 
 type Density<'a> = Arc<dyn Fn(Point) -> Point + Send + Sync + 'a>;
 
-/// A density, and the region or group on which it acts; `None`: everywhere.
+/// A function, and the number of the region or the name of the boundary group where it acts; `None`: everywhere.
 #[derive(Clone)]
-struct Acting<'a> {
-    place: Option<usize>,
+struct Acting<'a, Place> {
+    place: Option<Place>,
     density: Density<'a>,
 }
 
@@ -62,16 +66,35 @@ struct Acting<'a> {
 /// assert!(u.contact_force > 0.0 && u.kkt.worst() < 1e-12);
 /// # Ok::<(), signorini::Error>(())
 /// ```
+///
+/// What acts on a part of the body is added by the name of the boundary group or the region, as the mesh has it
+/// ([`Triangulation::groups`], [`Triangulation::region_names`]). A name that the mesh does not have is an error of
+/// [`Body::problem`]:
+///
+/// ```
+/// # use signorini::{contact::Body, fem::Form, mesh::{SideParts, unit_square}};
+/// let mesh = unit_square(8, SideParts::HANGING)?.with_groups(&[
+///     "floor", "floor", "floor", "floor", "floor", "floor", "floor", "floor",
+///     "right", "right", "right", "right", "right", "right", "right", "right",
+///     "top", "top", "top", "top", "top", "top", "top", "top",
+///     "left", "left", "left", "left", "left", "left", "left", "left",
+/// ])?;
+/// let body = Body::new(mesh, Form::LAPLACE).gap_on("floor", |_| 0.1);
+/// let wrong = body.clone().traction_on("top", |_: [f64; 2]| 1.0).problem().unwrap_err();
+/// assert_eq!(wrong.to_string(), "the mesh has no free boundary group 'top': it has right, left");
+/// assert!(body.traction_on("left", |_: [f64; 2]| 1.0).problem().is_ok());
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Clone)]
 pub struct Body<'a> {
     mesh: Triangulation,
     form: Form,
-    loads: Vec<Acting<'a>>,
-    tractions: Vec<Density<'a>>,
-    displacement: Option<Density<'a>>,
-    gap: Option<Density<'a>>,
-    /// A datum with the wrong number of components, reported when the body is used.
-    wrong: Option<usize>,
+    loads: Vec<Acting<'a, usize>>,
+    tractions: Vec<Acting<'a, String>>,
+    displacements: Vec<Acting<'a, String>>,
+    gaps: Vec<Acting<'a, String>>,
+    /// The first datum with the wrong number of components or with an unknown name, reported when the body is used.
+    wrong: Option<Error>,
 }
 
 impl std::fmt::Debug for Body<'_> {
@@ -83,52 +106,115 @@ impl std::fmt::Debug for Body<'_> {
 impl<'a> Body<'a> {
     /// The body without any load, with u = 0 on Γ_D and u_N ≤ 0 on Γ_C.
     pub fn new(mesh: Triangulation, form: Form) -> Self {
-        let (loads, tractions) = (Vec::new(), Vec::new());
-        Self { mesh, form, loads, tractions, displacement: None, gap: None, wrong: None }
+        let (loads, tractions, displacements, gaps) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { mesh, form, loads, tractions, displacements, gaps, wrong: None }
     }
 
-    fn density<V: Value>(&mut self, density: impl Fn(Point) -> V + Send + Sync + 'a) -> Density<'a> {
-        if V::COMPONENTS != self.form.components() {
-            self.wrong = Some(V::COMPONENTS);
+    /// What acts at a place.
+    fn acting<V: Value, Place>(
+        &mut self,
+        place: Option<Place>,
+        density: impl Fn(Point) -> V + Send + Sync + 'a,
+    ) -> Acting<'a, Place> {
+        let (given, expected) = (V::COMPONENTS, self.form.components());
+        if given != expected {
+            let name = "components of a load";
+            self.wrong.get_or_insert(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
         }
-        Arc::new(move |point| density(point).pair())
+        Acting { place, density: Arc::new(move |point| density(point).pair()) }
+    }
+
+    /// The name of a group of the given part.
+    fn group(&mut self, what: &'static str, part: Part, name: &str) -> Option<String> {
+        let edges = self.mesh.boundary().iter().enumerate().filter(|(_, edge)| edge.part == part);
+        let mut known: Vec<&str> = Vec::new();
+        for group in edges.map(|(number, _)| self.mesh.group(number)) {
+            if !known.contains(&group) {
+                known.push(group);
+            }
+        }
+        if !known.contains(&name) {
+            self.wrong.get_or_insert(no_group(what, name, &known));
+        }
+        Some(name.to_owned())
     }
 
     /// Adds the volume load f, a force per area (scalar: the right-hand side of −Δu = f).
     #[must_use]
     pub fn load<V: Value>(mut self, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let density = self.density(f);
-        self.loads.push(Acting { place: None, density });
+        let acting = self.acting(None, f);
+        self.loads.push(acting);
         self
     }
 
-    /// Adds a volume load on the triangles of one region.
+    /// Adds a volume load on the triangles of one region, by its name.
     #[must_use]
-    pub fn load_on<V: Value>(mut self, region: usize, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let density = self.density(f);
-        self.loads.push(Acting { place: Some(region), density });
+    pub fn load_on<V: Value>(mut self, region: &str, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
+        let names = self.mesh.region_names();
+        let number = names.iter().position(|name| name == region);
+        if number.is_none() {
+            let known: Vec<&str> = names.iter().map(String::as_str).collect();
+            self.wrong.get_or_insert(no_group("region", region, &known));
+        }
+        let acting = self.acting(number.filter(|_| names.len() > 1), f);
+        self.loads.push(acting);
         self
     }
 
     /// Adds the traction F on Γ_N, a force per length.
     #[must_use]
     pub fn traction<V: Value>(mut self, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let density = self.density(f);
-        self.tractions.push(density);
+        let acting = self.acting(None, f);
+        self.tractions.push(acting);
         self
     }
 
-    /// Prescribes u = u_D on Γ_D.
+    /// Adds a traction on one group of Γ_N.
+    #[must_use]
+    pub fn traction_on<V: Value>(mut self, group: &str, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
+        let place = self.group("free boundary group", Part::Neumann, group);
+        let acting = self.acting(place, f);
+        self.tractions.push(acting);
+        self
+    }
+
+    /// Prescribes u = u_D on Γ_D, on groups for which no other displacement is given.
     #[must_use]
     pub fn displacement<V: Value>(mut self, data: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        self.displacement = Some(self.density(data));
+        let acting = self.acting(None, data);
+        self.displacements.push(acting);
         self
     }
 
-    /// Sets the initial gap g in u_N ≤ g.
+    /// Prescribes u = u_D on one group of Γ_D; of several for the same group the last one counts.
+    ///
+    /// Where two groups meet their displacements have to agree.
+    #[must_use]
+    pub fn displacement_on<V: Value>(
+        mut self,
+        group: &str,
+        data: impl Fn(Point) -> V + Send + Sync + 'a,
+    ) -> Self {
+        let place = self.group("clamped boundary group", Part::Dirichlet, group);
+        let acting = self.acting(place, data);
+        self.displacements.push(acting);
+        self
+    }
+
+    /// Sets the initial gap g in u_N ≤ g, on groups for which no other gap is given.
     #[must_use]
     pub fn gap(mut self, gap: impl Fn(Point) -> f64 + Send + Sync + 'a) -> Self {
-        self.gap = Some(Arc::new(move |point| [gap(point), 0.0]));
+        self.gaps.push(Acting { place: None, density: Arc::new(move |point| [gap(point), 0.0]) });
+        self
+    }
+
+    /// Sets the initial gap on one group of Γ_C; of several for the same group the last one counts.
+    ///
+    /// At a common node of two groups the smaller gap holds.
+    #[must_use]
+    pub fn gap_on(mut self, group: &str, gap: impl Fn(Point) -> f64 + Send + Sync + 'a) -> Self {
+        let place = self.group("contact boundary group", Part::Contact, group);
+        self.gaps.push(Acting { place, density: Arc::new(move |point| [gap(point), 0.0]) });
         self
     }
 
@@ -153,14 +239,14 @@ impl<'a> Body<'a> {
     /// The discrete problem on a refinement of the mesh of the body.
     ///
     /// # Errors
-    /// As for [`ContactProblem::new`]; [`ToolkitError::LengthMismatch`] for a load with the wrong number of
-    /// components, [`ToolkitError::NotFiniteAt`] for a value that is not finite.
+    /// As for [`ContactProblem::new`]; [`Error::NoGroup`] for a name that the mesh does not have,
+    /// [`ToolkitError::LengthMismatch`] for a load with the wrong number of components, [`ToolkitError::NotFiniteAt`] for
+    /// a value that is not finite, [`ToolkitError::Node`] where the displacements of two groups differ at a common node.
     pub fn problem_on(&self, mesh: &Triangulation) -> Result<ContactProblem> {
-        let components = self.form.components();
-        if let Some(given) = self.wrong {
-            let name = "components of a load";
-            return Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected: components }));
+        if let Some(wrong) = &self.wrong {
+            return Err(wrong.clone());
         }
+        let components = self.form.components();
         let none = vec![0.0; mesh.nodes().len() * components];
         let mut problem = ContactProblem::new(mesh.clone(), self.form.clone(), &none)?;
         let rule = Cubature::new(POINTS)?;
@@ -168,23 +254,52 @@ impl<'a> Body<'a> {
             load_by_triangles(mesh, components, &rule, &|t, point| self.load_at(mesh.region(t), point))?;
         problem.add_load(&load)?;
         if !self.tractions.is_empty() {
-            problem.add_boundary_load(Part::Neumann, &|point, _| self.traction_at(point))?;
+            let traction = |edge, point, _| self.traction_at(mesh.group(edge), point);
+            problem.add_load_of_edges(Part::Neumann, &traction)?;
         }
-        if let Some(data) = &self.displacement {
-            let (scalar, vector) = (|point| data(point)[0], |point| data(point));
-            let field = if components == 1 { Field::Scalar(&scalar) } else { Field::Vector(&vector) };
-            problem.set_dirichlet(&field)?;
+        if !self.displacements.is_empty() {
+            problem.set_dirichlet_values(&self.displacements_of(mesh)?)?;
         }
-        if let Some(gap) = &self.gap {
-            problem.set_gap(|point| gap(point)[0])?;
+        if !self.gaps.is_empty() {
+            let mut gaps = vec![f64::INFINITY; mesh.nodes().len()];
+            for (number, edge) in mesh.boundary().iter().enumerate() {
+                for node in edge.nodes.into_iter().filter(|_| edge.part == Part::Contact) {
+                    gaps[node] = gaps[node].min(self.gap_at(mesh.group(number), mesh.nodes()[node])?);
+                }
+            }
+            let at_nodes: Vec<f64> = problem.edge().nodes().iter().map(|&node| gaps[node]).collect();
+            problem.set_gap_values(at_nodes)?;
         }
         Ok(problem)
     }
 
+    /// u_D at the nodes of Γ_D, 0 elsewhere.
+    fn displacements_of(&self, mesh: &Triangulation) -> Result<Vec<f64>> {
+        let components = self.form.components();
+        let mut found: Vec<Option<Point>> = vec![None; mesh.nodes().len()];
+        let (mut largest, mut apart) = (0.0_f64, (0.0_f64, 0));
+        for (number, edge) in mesh.boundary().iter().enumerate() {
+            for node in edge.nodes.into_iter().filter(|_| edge.part == Part::Dirichlet) {
+                let own = self.displacement_at(mesh.group(number), mesh.nodes()[node])?;
+                let before = found[node].replace(own).unwrap_or(own);
+                let off = (0..2).fold(0.0, |off: f64, c| off.max((own[c] - before[c]).abs()));
+                largest = largest.max(own[0].abs()).max(own[1].abs());
+                if off > apart.0 {
+                    apart = (off, node);
+                }
+            }
+        }
+        if apart.0 > ROUNDED * largest {
+            let reason = "is in two clamped groups whose prescribed displacements differ there";
+            return Err(Error::Toolkit(ToolkitError::Node { node: mesh.number(apart.1), reason }));
+        }
+        let at_node = |value: &Option<Point>| value.unwrap_or_default();
+        Ok(found.iter().flat_map(|value| at_node(value).into_iter().take(components)).collect())
+    }
+
     /// f at a point of a triangle of the region.
     pub(crate) fn load_at(&self, region: usize, point: Point) -> Result<Point> {
-        let acting = self.loads.iter().filter(|load| load.place.is_none_or(|place| place == region));
-        sum(acting.map(|load| (load.density)(point)), point)
+        sum(acting_on(&self.loads, &region), point)
     }
 
     /// The part of f that acts everywhere, without regard to regions, also off the body.
@@ -198,24 +313,45 @@ impl<'a> Body<'a> {
         [true, false].map(|everywhere| self.loads.iter().any(|load| load.place.is_none() == everywhere))
     }
 
-    /// F at a point of Γ_N.
-    pub(crate) fn traction_at(&self, point: Point) -> Result<Point> {
-        sum(self.tractions.iter().map(|traction| traction(point)), point)
+    /// F at a point of a group of Γ_N.
+    pub(crate) fn traction_at(&self, group: &str, point: Point) -> Result<Point> {
+        sum(acting_on(&self.tractions, group), point)
     }
 
-    /// u_D at a point of Γ_D.
-    pub(crate) fn displacement_at(&self, point: Point) -> Result<Point> {
-        sum(self.displacement.iter().map(|data| data(point)), point)
+    /// u_D at a point of a group of Γ_D.
+    pub(crate) fn displacement_at(&self, group: &str, point: Point) -> Result<Point> {
+        sum(one_on(&self.displacements, group), point)
     }
 
-    /// g at a point of Γ_C.
-    pub(crate) fn gap_at(&self, point: Point) -> Result<f64> {
-        sum(self.gap.iter().map(|gap| gap(point)), point).map(|[gap, _]| gap)
+    /// g at a point of a group of Γ_C.
+    pub(crate) fn gap_at(&self, group: &str, point: Point) -> Result<f64> {
+        sum(one_on(&self.gaps, group), point).map(|[gap, _]| gap)
     }
 }
 
-fn sum(values: impl Iterator<Item = Point>, point: Point) -> Result<Point> {
-    let total = values.fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
+fn no_group(what: &'static str, name: &str, known: &[&str]) -> Error {
+    let known = if known.is_empty() { "none".to_owned() } else { known.join(", ") };
+    Error::NoGroup { what, given: name.to_owned(), known }
+}
+
+/// All that acts on a region or a group.
+fn acting_on<'s, 'a, Place: Borrow<Name>, Name: PartialEq + ?Sized>(
+    all: &'s [Acting<'a, Place>],
+    name: &'s Name,
+) -> impl Iterator<Item = &'s Density<'a>> {
+    all.iter()
+        .filter(move |one| one.place.as_ref().is_none_or(|place| place.borrow() == name))
+        .map(|one| &one.density)
+}
+
+/// The last one given for the group, or else the last one for all groups.
+fn one_on<'s, 'a>(all: &'s [Acting<'a, String>], group: &str) -> impl Iterator<Item = &'s Density<'a>> {
+    let own = all.iter().rfind(|one| one.place.as_deref() == Some(group));
+    own.or_else(|| all.iter().rfind(|one| one.place.is_none())).map(|one| &one.density).into_iter()
+}
+
+fn sum<'s, 'a: 's>(acting: impl Iterator<Item = &'s Density<'a>>, point: Point) -> Result<Point> {
+    let total = acting.map(|density| density(point)).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
     match total.into_iter().find(|v| !v.is_finite()) {
         Some(value) => {
             let name = "value of a load or of a function";

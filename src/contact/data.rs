@@ -2,7 +2,7 @@
 
 use super::problem::ContactProblem;
 use crate::error::Result;
-use crate::fem::{Cubature, Field, surface_load, volume_load};
+use crate::fem::{Cubature, Field, load_by_edges, volume_load};
 use crate::mesh::{Part, Point};
 use crate::numeric::check::require_values;
 use fractional_sobolev::gauss_legendre;
@@ -77,8 +77,18 @@ impl ContactProblem {
         part: Part,
         density: &dyn Fn(Point, Point) -> Result<Point>,
     ) -> Result<()> {
+        self.add_load_of_edges(part, &|_, point, normal| density(point, normal))
+    }
+
+    /// Adds ∫ F·v over the edges with the given label; F receives the number of the boundary edge, the point and the
+    /// outward unit normal.
+    pub(super) fn add_load_of_edges(
+        &mut self,
+        part: Part,
+        density: &dyn Fn(usize, Point, Point) -> Result<Point>,
+    ) -> Result<()> {
         let rule = gauss_legendre(EDGE_POINTS)?;
-        let load = surface_load(&self.mesh, part, self.form.components(), density, &rule)?;
+        let load = load_by_edges(&self.mesh, part, self.form.components(), density, &rule)?;
         self.add_load(&load)
     }
 
@@ -136,7 +146,13 @@ impl ContactProblem {
                 values[node * c..(node + 1) * c].copy_from_slice(&data.at(self.mesh.nodes()[node])?[..c]);
             }
         }
-        self.values = self.to_frame(&values);
+        self.set_dirichlet_values(&values)
+    }
+
+    /// Prescribes the values at the Dirichlet nodes (Cartesian, node-major, 0 elsewhere).
+    pub(super) fn set_dirichlet_values(&mut self, values: &[f64]) -> Result<()> {
+        require_values("prescribed displacement", values, self.values.len())?;
+        self.values = self.to_frame(values);
         Ok(())
     }
 
@@ -156,7 +172,11 @@ impl ContactProblem {
     /// # Errors
     /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite) for a gap that is not finite at a node.
     pub fn set_gap(&mut self, gap: impl FnMut(Point) -> f64) -> Result<()> {
-        let values: Vec<f64> = self.edge.points().iter().copied().map(gap).collect();
+        self.set_gap_values(self.edge.points().iter().copied().map(gap).collect())
+    }
+
+    /// Sets the gap at the nodes of the contact edge, in order.
+    pub(super) fn set_gap_values(&mut self, values: Vec<f64>) -> Result<()> {
         require_values("gap", &values, self.gap.len())?;
         self.gap = values;
         Ok(())

@@ -26,6 +26,7 @@ mod settings;
 mod solution;
 mod solve;
 mod solver;
+mod supports;
 mod units;
 mod vtk;
 
@@ -37,3 +38,4 @@ pub use problem::ContactProblem;
 pub use settings::{Settings, Start};
 pub use solution::{ContactSolution, Seconds};
 pub use solver::Solver;
+pub use supports::Support;

@@ -28,6 +28,15 @@ impl ContactProblem {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a solution of another problem.
     #[doc(alias("VTK", "ParaView", "meshio", "export", "write", "file"))]
     pub fn to_vtu(&self, solution: &ContactSolution) -> Result<String> {
+        self.to_vtu_with(solution, &[])
+    }
+
+    /// The same with further values of the triangles: their name, and one number or three for each.
+    pub(crate) fn to_vtu_with(
+        &self,
+        solution: &ContactSolution,
+        further: &[(&str, usize, &[f64])],
+    ) -> Result<String> {
         let (mesh, components) = (self.mesh(), self.form().components());
         let (nodes, triangles) = (mesh.nodes(), mesh.triangles());
         require_length("displacement", solution.displacement.len(), components * nodes.len())?;
@@ -57,6 +66,9 @@ impl ContactProblem {
         array(&mut text, "Float64", "contact_edge", 1, &marker);
         text += "</PointData>\n<CellData>\n";
         array(&mut text, "Float64", on_triangles.0, 3, &on_triangles.1);
+        for &(name, components, values) in further {
+            array(&mut text, "Float64", name, components, values);
+        }
         text += "</CellData>\n<Points>\n";
         array(&mut text, "Float64", "Points", 3, &points);
         text += "</Points>\n<Cells>\n";

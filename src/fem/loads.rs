@@ -63,25 +63,25 @@ pub(crate) fn load_by_triangles(
 }
 
 /// The load vector ∫_Γ F·φ_i over the boundary edges with the given label, by a Gauss rule on every edge. F receives
-/// the point and the outward unit normal.
+/// the number of the boundary edge, the point and the outward unit normal.
 ///
 /// # Errors
 /// The first error returned by F; its values are not checked.
-pub(crate) fn surface_load(
+pub(crate) fn load_by_edges(
     mesh: &Triangulation,
     part: Part,
     components: usize,
-    density: &dyn Fn(Point, Point) -> Result<Point>,
+    density: &dyn Fn(usize, Point, Point) -> Result<Point>,
     rule: &Rule,
 ) -> Result<Vec<f64>> {
     let mut load = vec![0.0; mesh.nodes().len() * components];
-    for edge in mesh.boundary().iter().filter(|edge| edge.part == part) {
+    for (number, edge) in mesh.boundary().iter().enumerate().filter(|(_, edge)| edge.part == part) {
         let [a, b] = mesh.ends(edge);
         let length = distance(a, b);
         let normal = [(b[1] - a[1]) / length, (a[0] - b[0]) / length];
         for (t, weight) in rule.iter() {
             let point = [a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])];
-            let value = density(point, normal)?;
+            let value = density(number, point, normal)?;
             for (node, share) in edge.nodes.into_iter().zip([1.0 - t, t]) {
                 for c in 0..components {
                     load[node * components + c] += weight * length * share * value[c];

@@ -27,7 +27,7 @@ pub(crate) use form::Element;
 pub use form::{Form, Lame};
 pub(crate) use frame::{Frame, Frames};
 pub(crate) use front::inner;
-pub(crate) use loads::{consistent_load, load_by_triangles, surface_load, volume_load};
+pub(crate) use loads::{consistent_load, load_by_edges, load_by_triangles, volume_load};
 pub(crate) use matrix::BlockMatrix;
 pub(crate) use stencil::{Block, NEIGHBOURS, Stencils, kind};
 pub use stress::{Stress, gradients, stresses};

@@ -73,8 +73,10 @@ impl Acting {
             body = match (region, is_scalar) {
                 (None, true) => body.load(move |p: Point| f.at(p)),
                 (None, false) => body.load(move |p: Point| [f.at(p), g.at(p)]),
-                (Some(region), true) => body.load_on(region, move |p: Point| f.at(p)),
-                (Some(region), false) => body.load_on(region, move |p: Point| [f.at(p), g.at(p)]),
+                (Some(region), true) => body.load_on(&region.to_string(), move |p: Point| f.at(p)),
+                (Some(region), false) => {
+                    body.load_on(&region.to_string(), move |p: Point| [f.at(p), g.at(p)])
+                }
             };
         }
         for &[f, g] in &self.tractions {

@@ -191,8 +191,18 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         (Options { mesh, ..Default::default() }, "--mesh requires --load"),
         (load("ln(x - 1), 0"), "is not finite: NaN at ("),
         (load("0, 1/(x - x)"), "is not finite: inf at ("),
-        (Options { poisson: vec![0.5], ..Default::default() }, "Poisson's ratio"),
-        (Options { young: vec![1.0, 2.0], poisson: vec![0.0; 2], ..Default::default() }, "one per surface"),
+        (Options { poisson: "0.5".to_owned(), ..Default::default() }, "Poisson's ratio"),
+        (Options { young: "1, 2".to_owned(), ..Default::default() }, "by physical surface: body=.."),
+        (Options { young: "rim=2".to_owned(), ..Default::default() }, "no region 'rim': the mesh has body"),
+        (Options { young: "two".to_owned(), ..Default::default() }, "'two' is not a finite number"),
+        (
+            Options { traction: "top=0, 1".to_owned(), ..Default::default() },
+            "no free boundary group 'top': it has free",
+        ),
+        (Options { gap: "0, 1".to_owned(), ..Default::default() }, "2 components, expected one"),
+        (Options { gap: "0; 1".to_owned(), ..Default::default() }, "given twice everywhere"),
+        (Options { displacement: "1".to_owned(), ..load("0, 1") }, "length 1, expected 2"),
+        (Options { tolerance: "0".to_owned(), ..Default::default() }, "such as 1% or 0.01"),
         (Options { mesh: Some("no/such.msh".into()), ..load("0, 1") }, "no/such.msh"),
     ] {
         let error = outcome(&options).expect_err(why);

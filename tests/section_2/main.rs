@@ -9,6 +9,7 @@ mod common;
 mod reference_squares;
 
 mod bodies;
+mod by_name;
 mod contact;
 mod contact_zone;
 mod dirichlet_end;

@@ -424,13 +424,13 @@ fn a_load_on_one_region() {
     let regions: Vec<u32> = (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
     let mesh = mesh.clone().with_regions(&regions).unwrap();
     let scene = Scene::new("regional load", mesh.clone(), |mesh| {
-        Body::new(mesh, elastic(1.0, 1.0)).load_on(1, |_: Point| [0.3, -1.0])
+        Body::new(mesh, elastic(1.0, 1.0)).load_on("1", |_: Point| [0.3, -1.0])
     });
     check(&scene, 1.25);
     let scene = Scene::new("regional load, sine", mesh, |mesh| {
         Body::new(mesh, elastic(1.0, 1.0))
             .load(|[x, _]: Point| [0.0, 0.5 - x])
-            .load_on(1, |[x, y]: Point| [(3.0 * x).sin(), (2.0 * y).cos()])
+            .load_on("1", |[x, y]: Point| [(3.0 * x).sin(), (2.0 * y).cos()])
     });
     check(&scene, 1.6);
 }

@@ -8,6 +8,7 @@ use clap::ArgMatches;
 use std::io::{IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
@@ -67,7 +68,17 @@ fn answer<P: Declarations, T>(
     Ok(outcome)
 }
 
-/// Displays the elapsed seconds on a terminal, from the third second of the work to its end.
+/// What the example says of its progress.
+static PROGRESS: Mutex<String> = Mutex::new(String::new());
+
+/// Sets the words beside the clock.
+pub(crate) fn show(words: String) {
+    if let Ok(mut progress) = PROGRESS.lock() {
+        *progress = words;
+    }
+}
+
+/// Displays the elapsed seconds and the progress on a terminal, from the third second of the work to its end.
 fn with_clock<T>(work: impl FnOnce() -> T) -> T {
     if !std::io::stderr().is_terminal() {
         return work();
@@ -79,7 +90,8 @@ fn with_clock<T>(work: impl FnOnce() -> T) -> T {
             while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
                 seconds += 1;
                 if seconds > 2 {
-                    eprint!("\r{seconds}s");
+                    let words = PROGRESS.lock().map(|words| words.clone()).unwrap_or_default();
+                    eprint!("\r\u{1b}[K{seconds}s  {words}");
                 }
             }
             if seconds > 2 {

@@ -82,6 +82,11 @@ impl Report {
         self.found.remark = words.into();
     }
 
+    /// Sets the words beside the clock that a terminal shows while the example runs.
+    pub fn progress(&self, words: impl Into<String>) {
+        crate::command::show(words.into());
+    }
+
     /// The numbers of these two columns in the last consecutive rows whose parameters differ only
     /// in `x`.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
