@@ -87,7 +87,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
     let found = interpolation_constant(triangle, ErrorNorm::L2, 1.0, 1e-3)?;
     let in_l2 = found.upper.map_or(f64::NAN, |upper| upper.value);
-    for (name, others, reaction) in [("membrane", Part::Dirichlet, 0.0), ("Remark 1", Part::Contact, 1.0)] {
+    for (name, others, reaction) in
+        [("membrane", Part::Dirichlet, 0.0), ("Remark 1", Part::Contact, 1.0)]
+    {
         let sides = SideParts { bottom: Part::Contact, right: others, top: others, left: others };
         let levels = options.meshes;
         let hierarchy = Hierarchy::refined(unit_square(8, sides)?, levels)?;
@@ -110,7 +112,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let distance = fine.nested_energy_error(&hierarchy, (k, u), (levels, exact))?;
             let error = Measured::new(distance, distance * n as f64 / (8usize << levels) as f64);
             let (bound, seminorm) = (square.sqrt() * h * f, second_seminorm(problem.mesh(), u, n));
-            let [over_error, lost] = [bound, interpolation * h * f].map(|x| (error.recip() * x).value);
+            let [over_error, lost] =
+                [bound, interpolation * h * f].map(|x| (error.recip() * x).value);
             out.row(cells! { problem: name, h =>
                 seminorm, error, bound, interpolation: lost, over_error
             });

@@ -37,7 +37,9 @@
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};
-use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
+use signorini::strip::{
+    EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem,
+};
 use std::f64::consts::PI;
 
 example! { quick "Falk's lemma, (4.5), (4.8)",
@@ -69,7 +71,8 @@ fn by_definition(g: &[f64], v: &[f64]) -> f64 {
         };
         (0..=n).map(|k| symbol(k) * wave(v, k) * wave(w, k)).sum()
     };
-    let on_fine: Vec<f64> = (0..g.len()).map(|j| linear(v, j, (g.len() - 1) / (v.len() - 1))).collect();
+    let on_fine: Vec<f64> =
+        (0..g.len()).map(|j| linear(v, j, (g.len() - 1) / (v.len() - 1))).collect();
     form(g, g) - 2.0 * form(g, &on_fine) + form(v, v)
 }
 
@@ -101,7 +104,8 @@ pub struct Terms {
 pub fn terms(edge: &EdgeData, problem: &StripProblem, u: &EdgeSolution) -> Result<Terms> {
     let (g, force, n, cells) = (edge.values(), edge.forces(), u.cells, edge.cells() / u.cells);
     let nodal: Vec<f64> = g.iter().copied().step_by(cells).collect(); // I^h u
-    let work = |v: &[f64]| force.iter().enumerate().map(|(j, f)| f * linear(v, j, cells)).sum::<f64>();
+    let work =
+        |v: &[f64]| force.iter().enumerate().map(|(j, f)| f * linear(v, j, cells)).sum::<f64>();
     // Σ of the force on a segment times the means of u^h and of u; a force at a common node belongs
     // to both by half.
     let (mut of_u_h, mut of_u) = (0.0, 0.0);

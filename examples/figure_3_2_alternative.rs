@@ -161,7 +161,11 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     out.column("both", "both", "in both");
     out.column("integral", "term", "∫ σ_N I^h u_N over the edge");
     out.column("carried_by", "carried by", "segments with a term");
-    out.column("d", "d/h", "in the first of these, d: the larger distance of an end to a zero of u_N");
+    out.column(
+        "d",
+        "d/h",
+        "in the first of these, d: the larger distance of an end to a zero of u_N",
+    );
     out.remark(format!(
         "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
          row for the same n differs."

@@ -77,7 +77,8 @@ impl Rational {
 
     /// The zero nearest to 0 by bisection on the first interval with a change of sign.
     pub(crate) fn zero(&self) -> f64 {
-        let changes = |k: &i32| self.at(0.01 * f64::from(*k)) * self.at(0.01 * f64::from(*k + 1)) <= 0.0;
+        let changes =
+            |k: &i32| self.at(0.01 * f64::from(*k)) * self.at(0.01 * f64::from(*k + 1)) <= 0.0;
         let Some(k) = (-50..50).filter(changes).min_by_key(|k| (2 * k + 1).abs()) else {
             return f64::NAN;
         };
@@ -102,7 +103,8 @@ impl Rational {
 
     /// Root of the mean of squares of the misfit, over that of the samples.
     pub(crate) fn misfit(&self, points: &[(f64, f64)]) -> f64 {
-        let sum = |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|p| of(p).powi(2)).sum::<f64>();
+        let sum =
+            |of: &dyn Fn(&(f64, f64)) -> f64| points.iter().map(|p| of(p).powi(2)).sum::<f64>();
         (sum(&|(t, f)| self.at(*t) - f) / sum(&|(_, f)| *f)).sqrt()
     }
 }
@@ -160,7 +162,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let solver = if n <= 256 { Solver::ActiveSet } else { Solver::Multigrid };
             let u = problem.solve(Cone::Nodal, solver)?;
             let active = |i: usize| u.pressure[i] > 0.0;
-            let ends = (1..n - 1).filter(|&i| active(i) != active(i + 1)).map(|i| (i as f64 + 0.5) * h);
+            let ends =
+                (1..n - 1).filter(|&i| active(i) != active(i + 1)).map(|i| (i as f64 + 0.5) * h);
             let ends: Vec<f64> = ends.collect();
             let Some(&end) = ends.first() else { continue };
             let used = |x: f64| {
@@ -168,8 +171,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 far && (x - end).abs() <= WIDTH && (2.0 * h..=1.0 - 2.0 * h).contains(&x)
             };
             let all = samples(&u, c);
-            let points: Vec<(f64, f64)> =
-                all.iter().filter(|(x, _)| used(*x)).map(|(x, f)| ((x - end) / WIDTH, *f)).collect();
+            let points: Vec<(f64, f64)> = all
+                .iter()
+                .filter(|(x, _)| used(*x))
+                .map(|(x, f)| ((x - end) / WIDTH, *f))
+                .collect();
             if points.len() < 10 {
                 continue; // fewer than unknown coefficients, or hardly more
             }
@@ -178,7 +184,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (zero, slope) =
                 (end + WIDTH * t, (fit.at(t + step) - fit.at(t - step)) / (2.0 * step * WIDTH));
             let absolute: Vec<(f64, f64)> = points.iter().map(|(t, f)| (*t, f.abs())).collect();
-            let (misfit, corner) = (fit.misfit(&points), Rational::fit(&absolute)?.misfit(&absolute));
+            let (misfit, corner) =
+                (fit.misfit(&points), Rational::fit(&absolute)?.misfit(&absolute));
             let (pole, k) = (WIDTH * fit.pole(), slope.abs().sqrt());
             out.row(cells! { body, n => mesh: end, zero, pole, K: k, misfit, corner });
             if test.is_some() {

@@ -32,8 +32,8 @@
 //! ```
 //!
 //! No function does better to leading order (example `lemma_5_2_exact_law`). As θ → 1, γ tends to
-//! the constant γ₁ > 0 for mean zero on (0, 1), but ln(1/θ) tends to 0: (5.2) is false for all
-//! θ < 1.
+//! the constant γ₁ > 0 for mean zero on (0, 1), but ln(1/θ) tends to 0: no C serves (5.2) for all
+//! θ < 1; one does for θ ≤ 1/2.
 //!
 //! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term
 //! where that is larger; if γ exceeds an explicit bound; or if the two values of γ differ by 0.5 %.

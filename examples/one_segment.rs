@@ -15,8 +15,6 @@
 //!
 //! Refuted if more segments carry a term (1e-12 of the sum) than the contact set has ends, or if a
 //! bound is below the term.
-// `at_most(x, b)` holds if x + its ± ≤ b; otherwise it fails, or is undecided within ±. Of several
-// calls the worst counts.
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,
@@ -27,7 +25,8 @@ use signorini::problems::TestProblem;
 use signorini::proof::consistency_constant;
 use std::fmt::Write as _;
 
-example! { seconds "Sections 3 and 4, one segment", "the term of the segment in which contact ends, below all its bounds";
+example! { seconds "Sections 3 and 4, one segment",
+    "the term of the segment in which contact ends, below all its bounds";
     /// segments of the contact edge
     n: usize = "16" in "[4, 24]",
     /// regularity τ in the bounds
@@ -183,7 +182,8 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     let (top, low, area) = (70.0, 215.0, 355.0); // u = 0, σ_N = 0, and the base of the product
     let down = |value: f64, largest: f64| 80.0 * value.abs() / largest;
     let mut svg = String::from(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 640 380\" width=\"640\" height=\"380\" \
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 640 380\" \
+         width=\"640\" height=\"380\" \
          font-family=\"sans-serif\" font-size=\"15\">\n\
          <style>svg:root{color:#222;background:#fff}\
          @media(prefers-color-scheme:dark){svg:root{color:#ddd;background:#1b1b1b}}</style>\n",
@@ -203,7 +203,8 @@ fn drawing(segment: &Segment, bars: &[(&str, f64)], page: usize) -> String {
     let text = |svg: &mut String, (x, y): (f64, f64), anchor: &str, colour: &str, words: &str| {
         let _ = writeln!(
             svg,
-            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\">{words}</text>"
+            "<text x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"{anchor}\" \
+             fill=\"{colour}\">{words}</text>"
         );
     };
     let sub = "<tspan dy=\"4\" font-size=\"75%\">N</tspan>";

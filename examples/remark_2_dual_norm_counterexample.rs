@@ -50,7 +50,10 @@ example! { quick "Remark 2",
 /// ‖f‖_(1/2,*) from its definition for each f, given by element and place in (0, 1) there: (bᵀ (M +
 /// A)⁻¹ b)^(1/2) with bᵢ = ∫ f φᵢ by Gauss rules, M = ∫ φᵢ φⱼ and A the form of the seminorm in
 /// closed form, φᵢ the hat functions on four cells to an element.
-pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f64; N]) -> Result<[f64; N]> {
+pub fn dual_norms<const N: usize>(
+    n: usize,
+    functions: [&dyn Fn(usize, f64) -> f64; N],
+) -> Result<[f64; N]> {
     const CELLS: usize = 4;
     let (cells, h) = (CELLS * n, 1.0 / (CELLS * n) as f64);
     let mut norm = Gram::new(&Mesh::uniform(cells, 1.0)?, Order::HALF, 1e-8)?.to_dense()?;
@@ -78,7 +81,9 @@ pub fn dual_norms<const N: usize>(n: usize, functions: [&dyn Fn(usize, f64) -> f
 pub fn norm_of_wave(n: usize) -> Result<f64> {
     let (omega, rule) = (2.0 * PI * n as f64, gauss_legendre(16)?);
     let integral = |half_waves: usize, f: fn(f64) -> f64| -> f64 {
-        (0..half_waves).map(|k| rule.iter().map(|(t, w)| w * PI * f(PI * (k as f64 + t))).sum::<f64>()).sum()
+        (0..half_waves)
+            .map(|k| rule.iter().map(|(t, w)| w * PI * f(PI * (k as f64 + t))).sum::<f64>())
+            .sum()
     };
     let (si, cin) = (integral(2 * n, |t| t.sin() / t), integral(4 * n, |t| (1.0 - t.cos()) / t));
     Ok((1.5 + omega * omega * (0.5 + 2.0 * omega * si - 2.0 * cin)).sqrt())
@@ -93,7 +98,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // Best constant in ‖u − I u‖₀ ≤ C h^(3/2) |u|_(3/2): an eigenvalue on one element, the error of
     // refinement.
     let best: Measured =
-        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, 1e-8)?.constant.into();
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, Order::HALF, 1e-8)?
+            .constant
+            .into();
     // γ₁² is the largest eigenvalue of (‖·‖₀², |·|²) on polynomials with mean zero.
     let whole = gamma(Order::HALF, Constraint::mean_zero(), 1e-8)?.constant.value;
     out.column("wave", "wave", "‖u − I u‖_(1/2,*) / ‖u‖_(3/2)");
@@ -105,14 +112,16 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let h = 1.0 / n as f64;
         let wave = |_: usize, s: f64| (2.0 * PI * s).cos() - 1.0;
         // e^x₀ ((1 − s) + s e^h − e^(sh)), with differences from 1
-        let smooth =
-            |element: usize, s: f64| (h * element as f64).exp() * (s * h.exp_m1() - (s * h).exp_m1());
+        let smooth = |element: usize, s: f64| {
+            (h * element as f64).exp() * (s * h.exp_m1() - (s * h).exp_m1())
+        };
         let [dual, smooth] = dual_norms(n, [&wave, &smooth])?;
         let (low, high) = (1.0, (1.0 + 0.5 * h * whole * whole).sqrt());
         let wave = Measured::new(0.5 * (low + high), 0.5 * (high - low)) / norm_of_wave(n)?;
         let bound = best * h.powf(1.5);
         let before = out.series("elements", "wave").last().copied();
-        let falk = before.map(|before| -0.5 * exponent_between(before, (n as f64, wave.value)).value);
+        let falk =
+            before.map(|before| -0.5 * exponent_between(before, (n as f64, wave.value)).value);
         out.row(cells! { elements: n => wave, dual, bound: bound.value, falk, smooth });
         let (middle, half) = (0.5 * (low + high) - 1.0, 0.5 * (high - low));
         let claim = out.check("wave: ‖u − I u‖_(1/2,*) − 1");
@@ -124,7 +133,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         claim.at_least(wave / h.powf(1.5), 0.5 * limit, "half the limit");
     }
     // Orders in h, between the last two meshes.
-    let (order, order_of_smooth) = (-out.exponent("elements", "wave"), -out.exponent("elements", "smooth"));
+    let (order, order_of_smooth) =
+        (-out.exponent("elements", "wave"), -out.exponent("elements", "smooth"));
     let mean = |k: i32| (0.5f64.powi(k), mean_of_all_waves(k));
     let all = exponent_between(mean(170), mean(340)).value;
     out.check("wave: order of ‖u − I u‖_(1/2,*)/‖u‖_(3/2)").near(order, 1.5, 0.02, "Remark 2");

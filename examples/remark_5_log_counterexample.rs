@@ -67,7 +67,8 @@ pub fn truncated(alpha: f64, log: f64) -> Result<Function<'static>> {
     let rest = 1.0 - nodes[nodes.len() - 1];
     nodes.extend((1..40).map(|k| 1.0 - rest * 0.5f64.powi(k)));
     nodes.push(1.0);
-    let w = |x: f64| if x <= 0.0 { 0.0 } else { 1.0 - ((-x.ln()).clamp(0.0, log) / log).powf(alpha) };
+    let w =
+        |x: f64| if x <= 0.0 { 0.0 } else { 1.0 - ((-x.ln()).clamp(0.0, log) / log).powf(alpha) };
     Ok(Function::interpolate(&Mesh::from_nodes(&nodes)?, 2, w)?)
 }
 
@@ -90,19 +91,26 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &alpha in &options.alpha {
         // In closed form: |u|² = 2 ζ(1 + 2α) (Γ(1 + α)²/cos(πα) − Γ(1 + 2α)), ‖u‖₀² = ∫ |ln x|^(2α)
         // dx = Γ(1 + 2α).
-        let full = if alpha < 0.5 { Some(Measured::from(log_power_seminorm_squared(alpha)?)) } else { None };
+        let full = if alpha < 0.5 {
+            Some(Measured::from(log_power_seminorm_squared(alpha)?))
+        } else {
+            None
+        };
         for (&log, &gamma) in logs.iter().zip(&constants) {
             let w = truncated(alpha, log)?;
             let norm = Measured::from(w.norm(0.0, 1e-12)?); // Gauss rules
             // closed forms on pairs of elements
             let seminorm = Measured::from(w.seminorm(Order::HALF, 1e-8)?);
-            let (quotient, n, definition) = (norm / seminorm, log.powf(alpha), by_definition(alpha, log));
+            let (quotient, n, definition) =
+                (norm / seminorm, log.powf(alpha), by_definition(alpha, log));
             let whole = (norm.squared() + seminorm.squared()).sqrt();
             let printed = full.map(|u| whole * n / (u + libm::tgamma(1.0 + 2.0 * alpha)).sqrt());
             let repaired = full.map(|u| seminorm * n / u.sqrt());
-            out.row(cells! { alpha, log => quotient: quotient.value, definition, gamma: gamma.value,
-            share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
-            printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) });
+            out.row(
+                cells! { alpha, log => quotient: quotient.value, definition, gamma: gamma.value,
+                share: (quotient / gamma).value, square: quotient.value.powi(2) / log,
+                printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) },
+            );
             let claim = out.check("q/γ, γ best constant for (0, θ)");
             claim.at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
@@ -131,7 +139,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     let best = logs.iter().zip(&constants).map(|(&log, gamma)| (log, gamma.value)).collect();
-    let axes = Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function");
+    let axes =
+        Axes::LogLog("L = ln(1/θ), logarithm of the zone", "‖w‖₀ / |w|, quotient of the function");
     out.plot("remark_5_log_counterexample", "Remark 5: quotients of truncated logarithms", axes)
         .curve_by("alpha", "log", "quotient")
         .dashed_line("γ of the zone", best);

@@ -89,7 +89,8 @@ fn rearranged(mesh: &Mesh, values: &[f64]) -> Result<Function<'static>> {
         let (low, high) = (pair[0].min(pair[1]), pair[0].max(pair[1]));
         h * ((high - y) / (high - low)).clamp(0.0, 1.0)
     };
-    let measure = |&y: &f64| values.windows(2).zip(mesh.lengths()).map(|part| above(part, y)).sum::<f64>();
+    let measure =
+        |&y: &f64| values.windows(2).zip(mesh.lengths()).map(|part| above(part, y)).sum::<f64>();
     let nodes: Vec<f64> = levels.iter().map(measure).collect();
     let lengths = nodes.windows(2).map(|pair| pair[1] - pair[0]).collect::<Vec<_>>();
     Ok(Function::linears(&Mesh::from_lengths(&lengths)?, &levels)?)
@@ -112,7 +113,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let zone = Zones::from_start_and_length(a, theta)?;
             let found = gamma(nu, Constraint::mean_zero_on(zone), 1e-8)?;
             let bounds = found.bounds()?; // γ₁ by the same eigenproblem, N by one linear solve
-            let repair = Measured::from(bounds.whole).squared() + Measured::from(bounds.dual_norm).squared();
+            let repair =
+                Measured::from(bounds.whole).squared() + Measured::from(bounds.dual_norm).squared();
             let (gamma, repair) = (Measured::from(found.constant), repair.sqrt());
             let definition = by_definition(nu, a, if at < 1.0 { a + theta } else { 1.0 })?;
             let over_end = gamma / end;
@@ -195,8 +197,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64 / options.unions as f64;
     out.check("unions accurate to 1e-3, fraction").at_least(computed, 0.9, "rounding");
     out.proof("γ(E) ≤ γ((0, θ)), E measurable", "remark_7_rearrangement");
-    let axes = Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
-    out.plot("remark_7_zone_location", "Where the zone lies", axes).curve_by("nu", "at", "over_end");
+    let axes =
+        Axes::Linear("a/(1 − θ), place of the zone (a, a + θ)", "constant over that at the end");
+    out.plot("remark_7_zone_location", "Where the zone lies", axes)
+        .curve_by("nu", "at", "over_end");
     let axes = Axes::LogLinear("θ, measure of the zone", "constant over that of (0, θ)");
     let plot = out.plot("remark_7_unions", "Random zones of one to five intervals", axes);
     for (k, unions) in found.into_iter().enumerate() {

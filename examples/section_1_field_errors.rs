@@ -53,8 +53,8 @@ const NEAR: f64 = 0.2;
 /// elements is an integral, ∫ (u''/2)² h^(4−2ν) dx.
 pub fn limit(alpha: f64, nu: f64, beta: f64) -> f64 {
     let zeta: f64 = (1..100_000).rev().map(|k| f64::from(k).powf(2.0 * nu - 4.0)).sum();
-    let chain =
-        PI * (2.0 * PI).powf(2.0 * nu) * zeta / (libm::tgamma(1.0 + 2.0 * nu) * (PI * nu).sin() * PI.powi(4));
+    let chain = PI * (2.0 * PI).powf(2.0 * nu) * zeta
+        / (libm::tgamma(1.0 + 2.0 * nu) * (PI * nu).sin() * PI.powi(4));
     let weight = beta.powf(4.0 - 2.0 * nu) / (2.0 * (alpha - nu + 0.5) - 2.0 * (2.0 - nu) / beta);
     (chain * weight).sqrt() * (0.5 * alpha * (alpha - 1.0)).abs()
 }

@@ -82,7 +82,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let by = 0.1 * (PI * x).sin() * (2.0 * PI * y).sin();
         [x + by, y - by]
     };
-    let mesh = Triangles::grid([options.squares; 2], 1.0 / options.squares as f64)?.mapped(moved)?;
+    let mesh =
+        Triangles::grid([options.squares; 2], 1.0 / options.squares as f64)?.mapped(moved)?;
     let x: Vec<f64> = mesh.nodes().iter().map(|node| node[0]).collect();
     let coordinate = Function::on_triangles(&mesh, 1, &x)?; // continuous, linear on each triangle
     // constant on two triangles
@@ -94,7 +95,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // one degree to the next.
         let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
-        let (error, asked) = ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
+        let (error, asked) =
+            ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
         out.check("relative error of |x₁|_s").at_most(error, asked, "requested tolerance");
         let room = 1.0 - s.value();
         let over = Measured::from(norm).squared() * room / FRAC_PI_2;
@@ -105,7 +107,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
         let (found, room) = (step.seminorm(s, options.tolerance).ok(), -s.offset());
         let is_right = found.is_some() == (room > 0.0);
-        out.check("step: wrongly finite or infinite norms").holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
+        out.check("step: wrongly finite or infinite norms")
+            .holds(is_right, "|step|² ~ 4√2/(1 − 2s)");
         let Some(norm) = found else { continue };
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {

@@ -63,17 +63,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // neighbours, Gauss rules else.
             let x: Vec<f64> = curve.nodes().iter().map(|node| node[0]).collect();
             let x = Function::on_curve(&curve, 1, &x)?;
-            let twice = Measured::from(x.seminorm(nu, 1e-6)?).squared() * 2.0 / curve.length().powi(2);
+            let twice =
+                Measured::from(x.seminorm(nu, 1e-6)?).squared() * 2.0 / curve.length().powi(2);
             let hat: Vec<f64> = (0..curve.len()).map(|k| if k == 0 { 1.0 } else { 0.0 }).collect();
-            let hat = Measured::from(Function::on_curve(&curve, 1, &hat)?.seminorm(nu, 1e-6)?).squared();
+            let hat =
+                Measured::from(Function::on_curve(&curve, 1, &hat)?.seminorm(nu, 1e-6)?).squared();
             corners.push((n as f64, hat));
             // n₁ is constant on each side, (rise of y)/length. Supremum over continuous linear v on
             // n elements a side, nodes at distances (2k/n)³/2 times the side from its corners: (bᵀ
             // G⁻¹ b)^(1/2), G the Gram matrix of ‖·‖_ν, b = ∫ n₁ φᵢ; its error is the change from
             // n/2 to n. A supremum over fewer v is smaller: the check asks more than the theorem.
             let graded = Curve::algebraic(&vertices, n, 3.0)?;
-            let normal: Vec<f64> =
-                (0..graded.len()).map(|e| side(e / n)).map(|(length, rise)| rise / length).collect();
+            let normal: Vec<f64> = (0..graded.len())
+                .map(|e| side(e / n))
+                .map(|(length, rise)| rise / length)
+                .collect();
             let dual = Estimate::or_best(Function::on_curve(&graded, 0, &normal)?.norm(-nu, 1e-3))?;
             let duality = Measured::from(area) / (Measured::from(dual) * x.norm(nu, 1e-6)?);
             out.row(cells! { polygon, n =>
@@ -97,7 +101,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("dual", "‖n₁‖_−ν", "");
     out.column("duality", "area/(‖n₁‖ ‖x₁‖)", "");
     let axes = Axes::LogLinear("elements on the length 1", "|φ|² of the corner (0, 0)");
-    let exact = options.n.iter().map(|&n| (n as f64, 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI)).collect();
+    let exact =
+        options.n.iter().map(|&n| (n as f64, 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI)).collect();
     let plot = out.plot("section_1_polygon_norms", "Hat function of a right angle", axes);
     plot.curve_by("polygon", "n", "hat").dashed_line("limit", exact);
     Ok(())

@@ -6,7 +6,8 @@
 //! acts. With a(u, v) = ∫ σ(u) : ε(v), σ = 2μ ε + λ tr ε I, and l(v) = ∫ f·v + ∫_{Γ_N} F·v,
 //!
 //! ```text
-//! u^h minimises J(v) = ½ a(v, v) − l(v) over { v linear on triangles, v = u_D on Γ_D, v·n ≤ g at the nodes of Γ_C }   (2.9)
+//! u^h minimises J(v) = ½ a(v, v) − l(v) over                                             (2.9)
+//! { v linear on triangles, v = u_D on Γ_D, v·n ≤ g at the nodes of Γ_C }.
 //! ```
 //!
 //! Without a file: the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2), turned by 20°
@@ -28,15 +29,13 @@
 //! load that jumps, or varies within a triangle.
 //!
 //! With `--tolerance 1%` the error is guaranteed: a stress q in balance with the load bounds J from
-//! below, and
-//! |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are bisected until
-//! it is 1 % of |||u||| (`two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
-//! above.
+//! below, and |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are
+//! bisected until it is 1 % of |||u||| (`two_sided_energies`). Refuted if two meshes contradict
+//! each other, J from below above J from above.
 //!
-//! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR --files DIR`
+//! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
+//! --files DIR`
 
-// `at_most(x, b)` holds if x + its ± ≤ b, `at_least(x, b)` if x − its ± ≥ b; otherwise it fails, or
-// is undecided within ±. Of several calls the worst counts. `observe` decides nothing.
 use example_report::{Expression, prelude::*};
 use signorini::bounds::{Enclosure, Ended, Refinement};
 use signorini::cone::Cone;
@@ -45,7 +44,9 @@ use signorini::fem::{Form, Lame};
 use signorini::mesh::{Hierarchy, Part, Point, parse_msh, read_msh_with};
 use std::path::{Path, PathBuf};
 
-example! { seconds "Section 2, your own body", "a body from Gmsh: u^h minimises J over K^h (2.9), forces in balance, every condition of (2.5) met";
+example! { seconds "Section 2, your own body",
+    "a body from Gmsh: u^h minimises J over K^h (2.9), forces in balance, every condition of (2.5) \
+    met";
     /// Gmsh mesh (formats 2.0 to 4.1) with physical groups clamped, contact, free; default: an
     /// L-shape on a slanted floor
     mesh: Option<PathBuf> = "",
@@ -101,7 +102,10 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
         let most = if option == "gap" { 1 } else { 2 };
         if parts.len() > most {
             let expected = if most == 1 { "one" } else { "\"fx, fy\" or \"f\"" };
-            return Err(Error::option(option, &format!("{} components, expected {expected}", parts.len())));
+            return Err(Error::option(
+                option,
+                &format!("{} components, expected {expected}", parts.len()),
+            ));
         }
         let is_again = |one: &Given| one.place == place;
         if all.iter().any(is_again) && matches!(option, "displacement" | "gap") {
@@ -117,11 +121,16 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
 fn by_region(option: &'static str, text: &str, regions: &[String]) -> Result<Vec<f64>> {
     let number = |word: &str| {
         let what = || format!("'{}' is not a finite number", word.trim());
-        word.trim().parse().ok().filter(|v: &f64| v.is_finite()).ok_or_else(|| Error::option(option, &what()))
+        word.trim()
+            .parse()
+            .ok()
+            .filter(|v: &f64| v.is_finite())
+            .ok_or_else(|| Error::option(option, &what()))
     };
     if !text.contains('=') {
         if text.contains(',') {
-            let names = regions.iter().map(|name| format!("{name}=..")).collect::<Vec<_>>().join(",");
+            let names =
+                regions.iter().map(|name| format!("{name}=..")).collect::<Vec<_>>().join(",");
             return Err(Error::option(
                 option,
                 &format!("several values are given by physical surface: {names}"),
@@ -142,7 +151,9 @@ fn by_region(option: &'static str, text: &str, regions: &[String]) -> Result<Vec
         values[place] = Some(number(word)?);
     }
     let of = |(value, name): (Option<f64>, &String)| {
-        value.ok_or_else(|| Error::option(option, &format!("a value for the region '{name}' is missing")))
+        value.ok_or_else(|| {
+            Error::option(option, &format!("a value for the region '{name}' is missing"))
+        })
     };
     values.into_iter().zip(regions).map(of).collect()
 }
@@ -150,18 +161,20 @@ fn by_region(option: &'static str, text: &str, regions: &[String]) -> Result<Vec
 /// Adds what is given to a body: by `$all` without a name, by `$on` with one.
 macro_rules! act {
     ($body:expr, $given:expr, $all:ident, $on:ident) => {
-        $given.iter().cloned().fold($body, |body, Given { place, parts }| match (parts.as_slice(), place) {
-            ([f, g], place) => {
-                let (f, g) = (f.clone(), g.clone());
-                let both = move |p: Point| [f.at(p), g.at(p)];
-                if let Some(name) = place { body.$on(&name, both) } else { body.$all(both) }
+        $given.iter().cloned().fold($body, |body, Given { place, parts }| {
+            match (parts.as_slice(), place) {
+                ([f, g], place) => {
+                    let (f, g) = (f.clone(), g.clone());
+                    let both = move |p: Point| [f.at(p), g.at(p)];
+                    if let Some(name) = place { body.$on(&name, both) } else { body.$all(both) }
+                }
+                ([f, ..], place) => {
+                    let f = f.clone();
+                    let one = move |p: Point| f.at(p);
+                    if let Some(name) = place { body.$on(&name, one) } else { body.$all(one) }
+                }
+                ([], _) => body,
             }
-            ([f, ..], place) => {
-                let f = f.clone();
-                let one = move |p: Point| f.at(p);
-                if let Some(name) = place { body.$on(&name, one) } else { body.$all(one) }
-            }
-            ([], _) => body,
         })
     };
 }
@@ -176,7 +189,8 @@ fn body(options: &Options) -> Result<Body<'static>> {
     ];
     if load.is_empty() && traction.is_empty() && displacement.is_empty() {
         if options.mesh.is_some() {
-            let what = "--mesh requires --load \"fx, fy\" (\"f\" for a scalar problem), --traction or --displacement";
+            let what = "--mesh requires --load \"fx, fy\" (\"f\" for a scalar problem), \
+                --traction or --displacement";
             return Err(Error::option("load", what));
         }
         load = given("load", "0.015, 0.02 - 0.03*x")?;
@@ -186,10 +200,12 @@ fn body(options: &Options) -> Result<Body<'static>> {
         let names = all.iter().filter_map(|one| one.place.clone());
         names.filter(|name| Part::named(name).is_none()).map(|name| (name, part)).collect()
     };
-    let acting = [(&traction, Part::Neumann), (&displacement, Part::Dirichlet), (&gap, Part::Contact)]
-        .map(|(all, part)| places(all, part));
+    let acting =
+        [(&traction, Part::Neumann), (&displacement, Part::Dirichlet), (&gap, Part::Contact)]
+            .map(|(all, part)| places(all, part));
     let named = acting.concat();
-    let parts: Vec<(&str, Part)> = named.iter().map(|(name, part)| (name.as_str(), *part)).collect();
+    let parts: Vec<(&str, Part)> =
+        named.iter().map(|(name, part)| (name.as_str(), *part)).collect();
     let mesh = match &options.mesh {
         Some(path) => read_msh_with(path, &parts)?,
         None => parse_msh(include_str!("data/l_shape.msh"))?,
@@ -242,7 +258,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         remarks.push(match problem.form().components() {
             1 => format!("{} exerts the force {x:.6e}", support.group),
             _ => {
-                format!("{} exerts the force ({x:.6e}, {y:.6e}), moment about (0, 0) {m:.6e}", support.group)
+                format!(
+                    "{} exerts the force ({x:.6e}, {y:.6e}), moment about (0, 0) {m:.6e}",
+                    support.group
+                )
             }
         });
     }
@@ -264,10 +283,15 @@ fn on_refinements(
     out: &mut Report,
     remarks: &mut Vec<String>,
 ) -> Result<(ContactProblem, ContactSolution)> {
-    out.column("touching", "touching", "active constraints: nodes (midpoint cone: segments) in contact");
+    out.column(
+        "touching",
+        "touching",
+        "active constraints: nodes (midpoint cone: segments) in contact",
+    );
     out.column("second", "interior point", "how it ended; its J is compared where it converged");
     out.column("force", "force", "−∫ σ_N, in the unit of E times that of the mesh");
-    let is_nested = options.displacement.is_empty() && options.gap.is_empty() && options.cone == Cone::Nodal;
+    let is_nested =
+        options.displacement.is_empty() && options.gap.is_empty() && options.cone == Cone::Nodal;
     let mut meshes = Hierarchy::new(body.mesh().clone());
     let mut last: Option<(ContactProblem, ContactSolution)> = None;
     let mut missed_before = 0.0;
@@ -284,10 +308,13 @@ fn on_refinements(
         let segments = problem.edge().segment_lengths().len();
         let missed = body.missed_load(problem.mesh(), &u.displacement)?; // |ΔJ|
         if missed > UNRESOLVED * u.energy.abs() {
-            out.remark(format!("{segments} segments: the rule does not resolve the load, J ± {missed:.1e}"));
+            let what = "the rule does not resolve the load";
+            out.remark(format!("{segments} segments: {what}, J ± {missed:.1e}"));
         }
-        out.row(cells! { segments => unknowns: problem.free_unknowns(), touching: u.contact_set.count(), force: u.contact_force,
-            J: Measured::new(u.energy, u.energy_rounding + missed), second: other.status.to_string() });
+        out.row(cells! { segments =>
+        unknowns: problem.free_unknowns(), touching: u.contact_set.count(),
+        force: u.contact_force, J: Measured::new(u.energy, u.energy_rounding + missed),
+        second: other.status.to_string() });
         // ε (Σᵢ uᵢ² (|K||u| + |F|)ᵢ²)^(1/2)/|J|, ε = 2^-52: what rounding of K and F leaves in J,
         // much for ν near 1/2.
         let rounding = if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
@@ -296,15 +323,14 @@ fn on_refinements(
         // push, their product, and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
         out.check("penetration: max (B u − g)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
         out.check("tensile contact force: max (−λ)₊, scaled").at_most(u.kkt.sign, 1e-10, "(2.5)");
-        out.check("complementarity: max |λ (B u − g)|, scaled").at_most(
-            u.kkt.complementarity,
-            1e-10,
-            "(2.5)",
-        );
-        out.check("equilibrium residual at free nodes, scaled").at_most(u.kkt.balance, 1e-10, "(2.1)");
+        let claim = out.check("complementarity: max |λ (B u − g)|, scaled");
+        claim.at_most(u.kkt.complementarity, 1e-10, "(2.5)");
+        let claim = out.check("equilibrium residual at free nodes, scaled");
+        claim.at_most(u.kkt.balance, 1e-10, "(2.1)");
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over
         // the size of their terms.
-        out.check("resultant of load and reactions, scaled").at_most(u.balance, allowed, "eight digits");
+        let claim = out.check("resultant of load and reactions, scaled");
+        claim.at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
         if other.status.is_converged() {
             let of_j = apart(other.energy, u.energy);
@@ -313,9 +339,10 @@ fn on_refinements(
         if let (true, Some((_, before))) = (is_nested, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
             let rise = if rise.is_nan() { 0.0 } else { rise };
-            let rise =
-                Measured::new(rise, (missed + missed_before) / before.energy.abs().max(f64::MIN_POSITIVE));
-            out.check("mesh refinement: relative increase of J").at_most(rise, allowed, "nested cones");
+            let size = before.energy.abs().max(f64::MIN_POSITIVE);
+            let rise = Measured::new(rise, (missed + missed_before) / size);
+            let claim = out.check("mesh refinement: relative increase of J");
+            claim.at_most(rise, allowed, "nested cones");
         }
         missed_before = missed;
         last = Some((problem, u));
@@ -325,7 +352,8 @@ fn on_refinements(
     if j.len() >= 5 {
         out.note("order", order);
         out.note("order.error", order.error);
-        out.observe("order of the error in the energy norm").near(order, 0.5, 0.5, "corner singularities");
+        let claim = out.observe("order of the error in the energy norm");
+        claim.near(order, 0.5, 0.5, "corner singularities");
     } else {
         remarks.push("too few meshes for an order: --levels 5 or more".to_owned());
     }
@@ -342,7 +370,8 @@ fn to_tolerance(
 ) -> Result<Enclosure> {
     let text = options.tolerance.trim();
     let (text, unit) = text.strip_suffix('%').map_or((text, 1.0), |text| (text, 0.01));
-    let tolerance = text.trim().parse::<f64>().ok().map(|v| v * unit).filter(|&v| v > 0.0 && v < 1.0);
+    let tolerance =
+        text.trim().parse::<f64>().ok().map(|v| v * unit).filter(|&v| v > 0.0 && v < 1.0);
     let expected = || Error::option("tolerance", "expected a share of |||u|||, such as 1% or 0.01");
     let tolerance = tolerance.ok_or_else(expected)?;
     out.column("lower", "J from below", "J*(q) less the effect of oscillation and rounding");
@@ -354,8 +383,12 @@ fn to_tolerance(
         "contact force",
         "−∫ σ_N(u) of every floor, in an interval; none where a floor meets a clamp",
     );
-    let refinement =
-        Refinement { cone: options.cone, tolerance, unknowns: options.unknowns, ..Refinement::default() };
+    let refinement = Refinement {
+        cone: options.cone,
+        tolerance,
+        unknowns: options.unknowns,
+        ..Refinement::default()
+    };
     let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
     let mut failed = None;
     let each = |found: &Enclosure| {
@@ -374,17 +407,14 @@ fn to_tolerance(
         let (triangles, percent) = (found.shares.len(), 100.0 * found.relative_error());
         out.progress(format!("{triangles} triangles, error ≤ {percent:.2} % of |||u|||"));
         (highest, lowest) = (highest.max(found.energy.lower), lowest.min(found.energy.upper));
-        out.row(cells! { triangles => lower: found.energy.lower, upper: found.energy.upper, error: found.error, percent, force });
-        out.check("conditions of contact and equations, scaled").at_most(
-            found.solution.kkt.worst(),
-            1e-10,
-            "(2.5)",
-        );
-        out.check("highest J from below/lowest J from above, less 1, towards a contradiction").at_most(
-            (highest - lowest) / lowest.abs(),
-            0.0,
-            "J*(q) ≤ J(u) ≤ J(v) on every mesh",
-        );
+        out.row(cells! { triangles =>
+            lower: found.energy.lower, upper: found.energy.upper, error: found.error, percent,
+            force
+        });
+        let claim = out.check("conditions of contact and equations, scaled");
+        claim.at_most(found.solution.kkt.worst(), 1e-10, "(2.5)");
+        out.check("highest J from below/lowest J from above, less 1, towards a contradiction")
+            .at_most((highest - lowest) / lowest.abs(), 0.0, "J*(q) ≤ J(u) ≤ J(v) on every mesh");
     };
     let (found, ended) = refinement.run(body, each)?;
     failed.map_or(Ok(()), Err)?;
@@ -400,7 +430,12 @@ fn to_tolerance(
 
 /// contact_edge.csv has one line for each node of the contact edges: number of the edge, arc
 /// length, node, u_N and σ_N.
-fn write_files(directory: &Path, problem: &ContactProblem, u: &ContactSolution, vtu: String) -> Result<()> {
+fn write_files(
+    directory: &Path,
+    problem: &ContactProblem,
+    u: &ContactSolution,
+    vtu: String,
+) -> Result<()> {
     let edge = problem.edge();
     let mut text = "edge,s,x,y,u_N,sigma_N\n".to_owned();
     for (number, piece) in edge.pieces().into_iter().enumerate() {

@@ -73,14 +73,18 @@ fn by_definition(wedge: &Wedge) -> Vec<Complex<f64>> {
     let sides = wedge.sides().to_string().replace('O', "N");
     let equation = |z: Complex<f64>| match sides.as_str() {
         "D-D" => sine(z).powi(2) * kappa * kappa - z * z * square,
-        "D-N" | "N-D" => sine(z).powi(2) * (4.0 * kappa) - (kappa + 1.0).powi(2) + z * z * (4.0 * square),
+        "D-N" | "N-D" => {
+            sine(z).powi(2) * (4.0 * kappa) - (kappa + 1.0).powi(2) + z * z * (4.0 * square)
+        }
         "C-C" => sine(z - 1.0) * sine(z + 1.0),
         "C-N" | "N-C" => sine(z * 2.0) + z * (2.0 * omega).sin(),
         "C-D" | "D-C" => sine(z * 2.0) * kappa - z * (2.0 * omega).sin(),
         _ => sine(z).powi(2) - z * z * square, // N-N
     };
     let mut zeros: Vec<Complex<f64>> = Vec::new();
-    for (a, b) in (1..=60).flat_map(|a| (0..=10).map(move |b| (0.05 * f64::from(a), 0.1 * f64::from(b)))) {
+    for (a, b) in
+        (1..=60).flat_map(|a| (0..=10).map(move |b| (0.05 * f64::from(a), 0.1 * f64::from(b))))
+    {
         let (mut z, mut step) = (Complex::new(a, b), Complex::new(1.0, 0.0));
         for _ in 0..60 {
             let slope = (equation(z + 1e-6) - equation(z - 1e-6)) / 2e-6;
@@ -148,17 +152,21 @@ pub fn read(
     let lambda = |k: usize| 0.5 * exponent_between(shell(k), shell(k + 2)).value;
     // The next exponent leaves a geometric series in k: extrapolated (Aitken) from three shells.
     let [a, b, c] = [READ - 8, READ - 4, READ].map(lambda);
-    let step = if ((c - b) / (b - a)).abs() < 1.0 { (c - b).powi(2) / (2.0 * b - a - c) } else { c - b };
+    let step =
+        if ((c - b) / (b - a)).abs() < 1.0 { (c - b).powi(2) / (2.0 * b - a - c) } else { c - b };
     let drift = step.abs() + (c - lambda(READ - 1)).abs();
     let points = body.edge().points();
-    let mut nodes: Vec<usize> =
-        (0..points.len()).filter(|&i| distance(points[i]) >= 0.25 * 0.5f64.powi(READ as i32)).collect();
+    let mut nodes: Vec<usize> = (0..points.len())
+        .filter(|&i| distance(points[i]) >= 0.25 * 0.5f64.powi(READ as i32))
+        .collect();
     nodes.sort_by(|&i, &j| distance(points[i]).total_cmp(&distance(points[j])));
     let is_end = points.first() == Some(&place) || points.last() == Some(&place);
-    let change =
-        nodes.windows(2).find(|pair| u.contact_set.contains(pair[0]) != u.contact_set.contains(pair[1]));
-    let border =
-        change.filter(|_| is_end).map(|pair| (distance(points[pair[0]]) * distance(points[pair[1]])).sqrt());
+    let change = nodes
+        .windows(2)
+        .find(|pair| u.contact_set.contains(pair[0]) != u.contact_set.contains(pair[1]));
+    let border = change
+        .filter(|_| is_end)
+        .map(|pair| (distance(points[pair[0]]) * distance(points[pair[1]])).sqrt());
     Ok((c + step, drift, border))
 }
 
@@ -178,7 +186,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         claim.at_most(missing, 0.0, "no zero missing");
     }
     let flat = |sides: &str| Wedge::new(PI, sides.parse()?, Medium::PlaneStrain(0.25));
-    let oscillation = flat("D-N")?.exponents()?.exponents.first().map(|exponent| Measured::from(exponent.im));
+    let oscillation =
+        flat("D-N")?.exponents()?.exponents.first().map(|exponent| Measured::from(exponent.im));
     let exact = 2f64.ln() / (2.0 * PI); // κ = 2
     let claim = out.check("D-N, ω = π: Im λ of the first exponent");
     claim.near(oscillation, exact, 1e-12, "ln κ/(2π)");
@@ -193,23 +202,28 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let body = problem.problem_with(96, &setting)?;
         let squares = solution_regularity(&body, &body.solve(Cone::Nodal, Solver::ActiveSet)?)?.tau;
         let corner = found.responsible();
-        let named = corner.map(|c| format!("{} {:.0}°", c.wedge.sides(), c.wedge.angle().to_degrees()));
+        let named =
+            corner.map(|c| format!("{} {:.0}°", c.wedge.sides(), c.wedge.angle().to_degrees()));
         let exponent = corner.and_then(|corner| corner.regularity.exponent.as_ref());
-        let newton =
-            corner.zip(exponent).and_then(|(c, exponent)| nearest(&by_definition(&c.wedge), exponent));
+        let newton = corner
+            .zip(exponent)
+            .and_then(|(c, exponent)| nearest(&by_definition(&c.wedge), exponent));
         if let Some((_, apart)) = newton {
             let claim = out.check("|λ (library) − λ (Newton)|");
             claim.at_most(apart, 1e-6, "characteristic equations");
         }
         // Not read, and not tested: transitions on a straight edge, whose place is no node, and
         // complex exponents.
-        let is_read =
-            corner.is_some_and(|c| c.wedge.angle() != PI) && exponent.is_some_and(|e| !e.is_complex());
+        let is_read = corner.is_some_and(|c| c.wedge.angle() != PI)
+            && exponent.is_some_and(|e| !e.is_complex());
         let (mut shown, mut shown_border) = (None, None);
         if let Some(corner) = corner.filter(|_| is_read) {
-            let [(coarse, ..), (fine, drift, border)] =
-                [read(problem, &setting, corner.place, 4)?, read(problem, &setting, corner.place, 8)?];
-            let read = Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
+            let [(coarse, ..), (fine, drift, border)] = [
+                read(problem, &setting, corner.place, 4)?,
+                read(problem, &setting, corner.place, 8)?,
+            ];
+            let read =
+                Measured::new(fine + (fine - coarse) / 3.0, 2.0 * (fine - coarse).abs() + drift);
             (shown, shown_border) = (Some(read), border);
             let off = (read.value - (found.tau - 1.0)).abs();
             out.check("|measured λ − λ|/error").at_most(off / read.error, 1.0, "error estimate");
@@ -220,7 +234,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         corner: named, tau: found.tau, squares, lambda: found.tau - 1.0,
         newton: newton.map(|(re, _)| re), read: shown, border: shown_border });
     }
-    out.column("corner", "corner", "sides and opening: D clamped, N free, C contact closed, O contact open");
+    out.column(
+        "corner",
+        "corner",
+        "sides and opening: D clamped, N free, C contact closed, O contact open",
+    );
     out.column("tau", "τ", "supremum");
     out.column("squares", "on squares", "τ by the contact set on 96 × 96 squares alone");
     out.column("lambda", "λ", "of the wedge");
@@ -243,8 +261,8 @@ fn plot(out: &mut Report) -> Result<()> {
         // Off the round angles, at some of which the first exponent belongs to a polynomial by
         // accident (D-N at 60°).
         for degrees in (0..170).map(|k| 20.5 + 2.0 * f64::from(k)) {
-            let first =
-                Wedge::new(degrees.to_radians(), sides, Medium::PlaneStrain(0.25))?.first_singular()?;
+            let first = Wedge::new(degrees.to_radians(), sides, Medium::PlaneStrain(0.25))?
+                .first_singular()?;
             points.extend(first.map(|exponent| (degrees, exponent.re.value)));
         }
         plot.line(&sides.to_string(), points);

@@ -94,7 +94,8 @@ pub fn nodal(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> 
     let (mut lines, mut chain, work) = (Vec::new(), None, t.force * t.depth);
     if t.free_length >= theta * h {
         let [gamma, own] = [c.gamma(theta)?, c.gamma_below(t.free_length / h)?];
-        let (error, right) = (sigma * t.interpolation_error, c.interpolation * h.powf(1.0 + nu) * slope_nu);
+        let (error, right) =
+            (sigma * t.interpolation_error, c.interpolation * h.powf(1.0 + nu) * slope_nu);
         let [product, squares] =
             [sigma_nu * slope_nu, squares].map(|of| c.interpolation * h.powf(1.0 + 2.0 * nu) * of);
         let label = if two { "(3.15)" } else { "(3.14)" };
@@ -109,8 +110,10 @@ pub fn nodal(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> 
         chain = Some([t.nodal_term, error, own.min(gamma) * product, gamma * product]);
     }
     if let Some(zeros) = t.zero_distance.filter(|zeros| zeros.iter().all(|&d| d < theta * h)) {
-        let (highest, product) = (t.vertices[0].abs().max(t.vertices[1].abs()), sigma * t.interpolant);
-        let (scaled, scale) = (t.slope.l2.hypot(h.powf(nu) * slope_nu), c.embedding * h.powf(1.0 / q - 0.5));
+        let (highest, product) =
+            (t.vertices[0].abs().max(t.vertices[1].abs()), sigma * t.interpolant);
+        let (scaled, scale) =
+            (t.slope.l2.hypot(h.powf(nu) * slope_nu), c.embedding * h.powf(1.0 / q - 0.5));
         let short = |length: f64| length.powf(1.0 - 1.0 / q);
         let bound = |length: f64, of: f64| c.embedding * h.powf(1.0 / q) * short(length) * of;
         let label = if two { "(3.10)" } else { "(3.9)" };
@@ -127,7 +130,8 @@ pub fn nodal(t: &SegmentNorms, c: &ProofConstants, theta: f64) -> Result<Lines> 
             (label, t.nodal_term, bound(theta * h, sigma * slope), work),
             (label, t.nodal_term, bound(theta * h, squares), work), // by Young's inequality
         ]);
-        let [own, theta] = [zeros[0].max(zeros[1]), theta * h].map(|length| bound(length, sigma * slope));
+        let [own, theta] =
+            [zeros[0].max(zeros[1]), theta * h].map(|length| bound(length, sigma * slope));
         chain = Some([t.nodal_term, product, own, theta]);
     }
     Ok((lines, chain))
@@ -188,7 +192,8 @@ fn pairs(tau: f64, cells: usize) -> Result<Vec<ContactPair>> {
         if tau > 2.0 {
             return Ok(ContactPair::smooth_transition(cells, position, tau)?);
         }
-        let data = StripData::Transition { position }.data(tau, cells, LateralCondition::Natural)?;
+        let data =
+            StripData::Transition { position }.data(tau, cells, LateralCondition::Natural)?;
         Ok(ContactPair::of_data(&data, Traces::for_regularity(tau))?)
     };
     [5.0 / 12.0, 11.0 / 24.0].into_iter().map(pair).collect()
@@ -200,7 +205,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for tau in [options.tau, 2.0, 2.05, 2.25, 2.45] {
         let theta = |n: usize| (1.0 / n as f64).powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
         // 2: the exponent q at τ = 2
-        let c = ProofConstants::new(tau, 2.0, &meshes.iter().map(|&n| theta(n)).collect::<Vec<f64>>())?;
+        let c =
+            ProofConstants::new(tau, 2.0, &meshes.iter().map(|&n| theta(n)).collect::<Vec<f64>>())?;
         let norms = |cells: usize, parts: usize| -> Result<Vec<SegmentNorms>> {
             let both: signorini::Result<Vec<_>> =
                 ContactPair::norms_of(&pairs(tau, cells)?, parts, c.order(), c.q())?.collect();
@@ -216,7 +222,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // The factors of both bounds of the integral, without h and θ.
             let (lines, [first, second]): (fn(&_, &_, f64) -> _, _) = match cone {
                 Cone::Nodal => (nodal, [c.embedding, c.interpolation]),
-                Cone::Midpoint => (midpoint, [c.pointwise * c.embedding, c.projection * c.wirtinger]),
+                Cone::Midpoint => {
+                    (midpoint, [c.pointwise * c.embedding, c.projection * c.wirtinger])
+                }
             };
             let mut rows = Vec::new();
             for (&n, segments) in meshes.iter().zip(&segments) {

@@ -16,10 +16,10 @@
 //! The last term of both is that of the midpoint cone; the nodal cone has none. |·|_s, |·|_ν:
 //! seminorms of the body and of the contact edge (at τ = 2 |u|₂ for |∇u|_s). C(s), A: interpolation
 //! on the right isosceles triangle, ‖∇(u − I u)‖ ≤ C(s) |∇u|_s; A h |u|₂ for legs h,
-//! 1/A + tan(1/A) = 0 (Kikuchi, Liu 2006). c(ν) in E: K/2, midpoint cone, ‖σ_N‖₁ ‖u_N'‖₁ ≤ K |σ_N|_ν
-//! |u_N'|_ν on the unit interval if one of the two is zero at each point; nodal cone: the smaller
-//! one of K and ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν). The latter, and c in C, 2/27 and 1/8, are proved
-//! (page `segment_constants`). P: the L² distance to constants on the unit interval,
+//! 1/A + tan(1/A) = 0 (Kikuchi, Liu 2006). c(ν) in E: K/2, midpoint cone, ‖σ_N‖₁ ‖u_N'‖₁ ≤ K
+//! |σ_N|_ν |u_N'|_ν on the unit interval if one of the two is zero at each point; nodal cone: the
+//! smaller one of K and ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν). The latter, and c in C, 2/27 and 1/8, are
+//! proved (page `segment_constants`). P: the L² distance to constants on the unit interval,
 //! `by_definition`. M = 2μ + 2 max(λ, 0), S = (λ² + (λ + 2μ)²)^(1/2), B = φ/√(2μ + 2 min(λ, 0)), φ
 //! the golden ratio; Laplacian: 1, 1, 1.
 //!
@@ -89,14 +89,17 @@ impl Constants {
     pub fn new(tau: f64) -> Result<Self> {
         let (order, asked) = (Order::half_plus(tau - 2.0)?, Tolerance::new(1e-5)?);
         let triangle = Domain::Triangle([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
-        let interpolation = match interpolation_constant(triangle, ErrorNorm::Derivative, tau - 1.0, asked) {
-            Ok(BestConstant { upper: Some(bound), .. }) if tau == 2.0 => bound,
-            Ok(found) => found.constant,
-            Err(error) => error.best().ok_or(error)?, // less accurate than asked for: its error is added
-        };
+        let interpolation =
+            match interpolation_constant(triangle, ErrorNorm::Derivative, tau - 1.0, asked) {
+                Ok(BestConstant { upper: Some(bound), .. }) if tau == 2.0 => bound,
+                Ok(found) => found.constant,
+                // less accurate than asked for: its error is added
+                Err(error) => error.best().ok_or(error)?,
+            };
         let segment = product_constant(order, asked)?.value;
         let distance =
-            projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?.constant;
+            projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?
+                .constant;
         let power = 1.0 + 2.0 * order.value();
         let by_pairs = 0.5 * (power / (power + 1.0)).powf(power) / (power + 1.0);
         let segment = up(segment);
@@ -152,7 +155,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let elastic = Lame::new(options.lambda, 1.0)?;
     let mut curves = Vec::new();
     for &tau in &options.tau {
-        let constants = Constants::new(tau)?; // Legendre series on the triangle; closed forms of matrices on the interval
+        // Legendre series on the triangle; closed forms of matrices on the interval
+        let constants = Constants::new(tau)?;
         let definition = by_definition(constants.order)? / constants.distance;
         out.check("P(ν): by_definition/library").near(definition, 1.0, 5e-3, "hat functions");
         if tau == 2.0 {
@@ -161,7 +165,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         for (body, lame) in [("scalar", None), ("elastic", Some(elastic))] {
             let known = KnownSolution::power(tau - 1.0 + options.above, lame)?;
-            let on_edge = |datum| known.edge_seminorm(datum, [0.0, 1.0], constants.order, 1e-5).map(up);
+            let on_edge =
+                |datum| known.edge_seminorm(datum, [0.0, 1.0], constants.order, 1e-5).map(up);
             // one integral over angles and quotients of radii
             let whole = up(known.body_seminorm(tau, 1e-5)?);
             let (pressure, slope) = (on_edge(EdgeDatum::Pressure)?, on_edge(EdgeDatum::Slope)?);
@@ -217,11 +222,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         Axes::LogLog("h", "energy norm"),
     );
     for (tau, points) in curves {
-        plot.line(&format!("error, τ = {tau}"), points.iter().map(|&(h, error, _)| (h, error)).collect())
-            .dashed_line(
-                &format!("bound, τ = {tau}"),
-                points.iter().map(|&(h, _, bound)| (h, bound)).collect(),
-            );
+        plot.line(
+            &format!("error, τ = {tau}"),
+            points.iter().map(|&(h, error, _)| (h, error)).collect(),
+        )
+        .dashed_line(
+            &format!("bound, τ = {tau}"),
+            points.iter().map(|&(h, _, bound)| (h, bound)).collect(),
+        );
     }
     Ok(())
 }

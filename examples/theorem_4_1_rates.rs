@@ -171,7 +171,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
     out.column("library", "library", "the same by the library");
     out.column("finest", "e", "error on the finest mesh");
     out.column("over_bound", "e/h^p", "error over the bound on the finest mesh");
-    out.column("increments", "ratio", "last increment of e/h^p over the one before");
+    out.column("increments", "ratio", "last increment of e/h^p over the one before; −: it falls");
     out.column("order", "order", "of e");
     out.column("printed", "p", "exponent of the theorem");
     out.column("optimal", "min(τ−1, 1)", "expected order");

@@ -78,10 +78,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let law = |theta: f64| if tau < 2.0 { theta.powf(tau - 2.0) } else { -theta.ln() };
     let zones: Vec<f64> = (1..=16).map(|k| 0.5f64.powi(k)).collect();
     let gammas = zones.iter().map(poincare).collect::<Result<Vec<f64>>>()?;
-    let c_p = zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
+    let c_p =
+        zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
     let half = gammas[0];
     let c_q = embedding_bound(nu, q)?;
-    let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+    let c_i =
+        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
     // κ, and W(a): both functionals are moments, found to 1e-9 by polynomials.
     let kappa = consistency_constant(nu, 1e-9)?;
     let (truth, worst) = (Measured::from(kappa.value), 1.0 - kappa.contact); // κ = W(worst)
@@ -161,8 +163,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     };
     let best = kappa.value.value * h.powf(2.0 * tau - 2.0);
     let printed = h.powf(if tau < 2.0 { 2.0 * tau - 3.0 } else { 2.0 });
-    let ratios = |theta: f64| one_gap_ratio(Cone::Nodal, nu, theta, 1e-3).map_or(f64::NAN, |w| w.value);
-    let gaps = if out.draws() { line(&|theta| ratios(theta) * h.powf(2.0 * tau - 2.0)) } else { Vec::new() };
+    let ratios =
+        |theta: f64| one_gap_ratio(Cone::Nodal, nu, theta, 1e-3).map_or(f64::NAN, |w| w.value);
+    let gaps = if out.draws() {
+        line(&|theta| ratios(theta) * h.powf(2.0 * tau - 2.0))
+    } else {
+        Vec::new()
+    };
     let axes = Axes::LogLog("θ", "∫ σ I^h u over both norms");
     out.plot("theta_balance", &format!("One segment, h = {h:.2e}, τ = {tau}"), axes)
         .line("first case (3.9)", line(&|theta| first(h, theta)))

@@ -127,10 +127,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         lines.add("", "  the same for means (Figure 4.1)", computed, &found);
     }
 
-    for (step, nu, bound) in
-        [("4", "1/4", "C θ^(−1/4)"), ("", "1/2", "C ln(1/θ)"), ("", "3/4", "C")]
+    for (step, nu, value, bound) in
+        [("4", "1/4", 0.25, "C θ^(−1/4)"), ("", "1/2", 0.5, "C ln(1/θ)"), ("", "3/4", 0.75, "C")]
     {
-        let asked = lemma_5_2::Options { nu: vec![nu.parse()?], ..lemma_5_2::Options::default() };
+        let order = Order::new(value)?;
+        let asked = lemma_5_2::Options { nu: vec![order], ..lemma_5_2::Options::default() };
         let (growths, found) = run_example(lemma_5_2::run, &asked)?;
         for lemma_5_2::Growth { nu: order, growth, theta, gamma } in &growths {
             let computed = match order.offset() {

@@ -97,7 +97,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             (finest, &exact),
         )?;
         let (lower, upper) = (found.energy.lower, found.energy.upper);
-        out.row(cells! { unknowns: found.problem.free_unknowns() => lower, upper, error, bound: found.error,
+        let unknowns = found.problem.free_unknowns();
+        out.row(cells! { unknowns => lower, upper, error, bound: found.error,
         ratio: found.error / error });
         out.check("error/bound").at_most(error / found.error, 1.0, "constant one");
         out.check("J*(q)/J(u^h)").at_least(lower / upper, 1.0, "both negative");

@@ -89,7 +89,8 @@ fn seminorms(edge: &EdgeData, tau: f64) -> Result<[f64; 2]> {
 /// + G(d − 1)), G(t) = −t^(1−2ν)/(2ν (1 − 2ν)); rows sum to 0.
 pub fn seminorm_form(n: usize, nu: f64) -> DMatrix<f64> {
     let g = |t: f64| -t.powf(1.0 - 2.0 * nu) / (2.0 * nu * (1.0 - 2.0 * nu));
-    let pairs: Vec<f64> = (1..n).map(|d| d as f64).map(|d| g(d + 1.0) - 2.0 * g(d) + g(d - 1.0)).collect();
+    let pairs: Vec<f64> =
+        (1..n).map(|d| d as f64).map(|d| g(d + 1.0) - 2.0 * g(d) + g(d - 1.0)).collect();
     let at = |i: usize, j: usize| if i == j { 0.0 } else { -2.0 * pairs[i.abs_diff(j) - 1] };
     let form = DMatrix::from_fn(n, n, at) * (n as f64).powf(2.0 * nu - 1.0);
     &form - DMatrix::from_diagonal(&form.column_sum())
@@ -113,7 +114,8 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
     // nodes.
     let (f, g) = match cone {
         Cone::Nodal => {
-            let weight = |row: usize, k: usize| if k == 0 { 1.0 - middle(row) } else { middle(row) };
+            let weight =
+                |row: usize, k: usize| if k == 0 { 1.0 - middle(row) } else { middle(row) };
             let value = |row: usize, k: usize| if free[row] == k * n { 1.0 } else { 0.0 };
             (DMatrix::from_fn(closed.len(), 2, weight), DMatrix::from_fn(free.len(), 2, value))
         }
@@ -122,7 +124,8 @@ pub fn by_definition(cone: Cone, contact: &[bool], form: &DMatrix<f64>) -> Optio
         }
     };
     // Columns: σ_N = 1 on one cell; the slope of the hat function of one node, ±n on its two cells.
-    let stress = DMatrix::from_fn(n, closed.len(), |cell, r| if closed[r] == cell { 1.0 } else { 0.0 });
+    let stress =
+        DMatrix::from_fn(n, closed.len(), |cell, r| if closed[r] == cell { 1.0 } else { 0.0 });
     let slope = DMatrix::from_fn(n, free.len(), |cell, r| match free[r] {
         node if node == cell + 1 => size,
         node if node == cell => -size,
@@ -171,8 +174,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let edge = set.data(tau, cells, LateralCondition::Natural)?;
         let [slope, pressure] = seminorms(&edge, tau)?;
         let g = edge.values();
-        let gaps =
-            (1..=cells).filter(|&i| g[i] < 0.0 && g[i - 1] == 0.0).count() + if g[0] < 0.0 { 1 } else { 0 };
+        let gaps = (1..=cells).filter(|&i| g[i] < 0.0 && g[i - 1] == 0.0).count()
+            + if g[0] < 0.0 { 1 } else { 0 };
         // The largest term over its bound, over all meshes of n segments.
         let share = |cone: Cone| {
             let mut largest = 0.0f64;
@@ -207,8 +210,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {
-        let gap =
-            |length: usize| by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form);
+        let gap = |length: usize| {
+            by_definition(cone, &(0..48).map(|k| k >= length).collect::<Vec<_>>(), &form)
+        };
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
         let claim = out.check(format!("{cone} cone, gap at an end: largest quotient/κ"));
         claim.at_most(kappa.recip() * best, 1.0, "conforming subspace");
@@ -217,10 +221,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         claim.at_most(random, 1.0 + 1e-12, "worst case: gap at an end");
     }
     if out.draws() {
-        let axes = Axes::LogLog("length of the gap over that of the segment", "term over both seminorms");
-        let plot =
-            out.plot("worst_contact_set", "One segment, nodal cone: the worst term for a given gap", axes);
-        let gaps: Vec<f64> = (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
+        let axes =
+            Axes::LogLog("length of the gap over that of the segment", "term over both seminorms");
+        let plot = out.plot(
+            "worst_contact_set",
+            "One segment, nodal cone: the worst term for a given gap",
+            axes,
+        );
+        let gaps: Vec<f64> =
+            (0..21).map(|k| 10f64.powf(-5.0 + 0.25 * f64::from(k)).min(0.9)).collect();
         for tau in [1.55, 1.75, 1.95] {
             let nu = Order::new(tau - 1.5)?;
             let point = |&gap: &f64| Ok((gap, one_gap_ratio(Cone::Nodal, nu, gap, 1e-3)?.value));
