@@ -100,7 +100,8 @@ impl Refinement {
             if found.relative_error() <= self.tolerance {
                 return Ok((found, Ended::Tolerance));
             }
-            if found.rounding > 0.1 * self.tolerance * found.norm.lower {
+            // On a coarse mesh the lower bound of |||u||| may be 0.
+            if found.rounding > 0.1 * self.tolerance * found.norm.upper {
                 return Ok((found, Ended::Rounding));
             }
             meshes.forget();

@@ -1,5 +1,6 @@
 //! Loads, tractions, displacements and gaps on groups of the boundary and on regions, by name.
 
+use signorini::bounds::{Enclosure, Ended, Refinement};
 use signorini::cone::Cone;
 use signorini::contact::{Body, Solver};
 use signorini::fem::{Form, Lame};
@@ -109,6 +110,19 @@ fn the_bound_is_above_the_error_on_a_finer_mesh() {
         println!("floor {floor}: {force:?} contains {fine_force}");
         assert!(force.contains(fine_force));
     }
+}
+
+#[test]
+fn a_first_mesh_whose_bound_exceeds_the_norm_is_refined() {
+    let refinement = Refinement { tolerance: 0.5, ..Refinement::default() };
+    let (mut first, mut meshes) = (None, 0);
+    let each = |found: &Enclosure| {
+        first.get_or_insert(found.norm.lower);
+        meshes += 1;
+    };
+    let (found, ended) = refinement.run(&loaded(), each).unwrap();
+    assert!(first == Some(0.0) && meshes > 1, "{first:?} {meshes}");
+    assert!(ended == Ended::Tolerance && found.relative_error() <= 0.5);
 }
 
 #[test]
