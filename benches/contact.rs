@@ -27,8 +27,9 @@ fn cold_and_nested(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("start");
     group.sample_size(10);
     for cone in Cone::ALL {
-        let Ok(coarse) =
-            TestProblem::Block.problem(64).and_then(|problem| problem.solve(cone, Solver::ActiveSet))
+        let Ok(coarse) = TestProblem::Block
+            .problem(64)
+            .and_then(|problem| problem.solve(cone, Solver::ActiveSet))
         else {
             continue;
         };
@@ -38,7 +39,12 @@ fn cold_and_nested(criterion: &mut Criterion) {
         });
         group.bench_function(format!("{cone} nested"), |bencher| {
             bencher.iter(|| {
-                black_box(fine.solve(cone, Settings { start: Start::Coarse(&coarse), ..Settings::default() }))
+                black_box(
+                    fine.solve(
+                        cone,
+                        Settings { start: Start::Coarse(&coarse), ..Settings::default() },
+                    ),
+                )
             });
         });
     }

@@ -41,22 +41,31 @@ fn contact() -> Result<(), Box<dyn Error>> {
     for n in [64, 128, 256, 512] {
         let (problem, data) = timed(|| Ok(TestProblem::Block.problem(n)?))?;
         let (u, seconds) = timed(|| Ok(problem.solve(Cone::Nodal, Solver::Auto)?))?;
-        println!("{n:4}  {data:6.3}  {seconds:10.3}  {:16}  {:.15e}", u.contact_set.count(), u.energy);
+        println!(
+            "{n:4}  {data:6.3}  {seconds:10.3}  {:16}  {:.15e}",
+            u.contact_set.count(),
+            u.energy
+        );
     }
     Ok(())
 }
 
 fn laplacian() -> Result<(), Box<dyn Error>> {
-    println!("\n   s      N  mesh    preparation s  product s  solution s  energy            rel. error");
+    println!(
+        "\n   s      N  mesh    preparation s  product s  solution s  energy            rel. error"
+    );
     for s in [0.25, 0.5, 0.75] {
         // ∫ u of Getoor's solution u = c (1 − x²)^s: 2^(−2s) π/(Γ(s + 1/2) Γ(s + 3/2)).
-        let exact = std::f64::consts::PI / (4f64.powf(s) * libm::tgamma(s + 0.5) * libm::tgamma(s + 1.5));
+        let exact =
+            std::f64::consts::PI / (4f64.powf(s) * libm::tgamma(s + 0.5) * libm::tgamma(s + 1.5));
         let form_constant = 0.5 * closed_forms::fractional_laplacian_constant(s)?.value;
         for n in [1024, 4096, 16_384, 65_536] {
             for graded in [false, true] {
-                let half = |k: usize| (2.0 * k as f64 / n as f64).powf(if graded { 4.0 } else { 1.0 });
+                let half =
+                    |k: usize| (2.0 * k as f64 / n as f64).powf(if graded { 4.0 } else { 1.0 });
                 let lengths: Vec<f64> = (0..n / 2).map(|k| half(k + 1) - half(k)).collect();
-                let lengths: Vec<f64> = lengths.iter().chain(lengths.iter().rev()).copied().collect();
+                let lengths: Vec<f64> =
+                    lengths.iter().chain(lengths.iter().rev()).copied().collect();
                 let mesh = Mesh::from_lengths(&lengths)?;
                 let load: Vec<f64> =
                     lengths.windows(2).map(|h| 0.5 * (h[0] + h[1]) / form_constant).collect();
@@ -67,7 +76,8 @@ fn laplacian() -> Result<(), Box<dyn Error>> {
                 })?;
                 let (_, product) = timed(|| Ok(form.apply(&load)?))?;
                 let ((_, energy), solution) = timed(|| Ok(form.solve(&load)?))?;
-                let (energy, name) = (form_constant * energy.value, if graded { "graded" } else { "equal" });
+                let (energy, name) =
+                    (form_constant * energy.value, if graded { "graded" } else { "equal" });
                 println!(
                     "{s:4}  {n:5}  {name:6}  {prepared:13.3}  {product:9.4}  {solution:10.3}  {energy:.14}  {:10.1e}",
                     1.0 - energy / exact

@@ -14,7 +14,8 @@ const REFERENCE: usize = 1 << 18;
 
 fn problem(kind: StripKind, scene: StripData, tau: f64) -> StripProblem {
     let scene = scene.data(tau, REFERENCE, kind.sides()).expect("the scene exists");
-    StripProblem::new(kind, &scene, Reference::Nested, 1 << 12).expect("the reference grid is a power of two")
+    StripProblem::new(kind, &scene, Reference::Nested, 1 << 12)
+        .expect("the reference grid is a power of two")
 }
 
 fn edge_operator(c: &mut Criterion) {

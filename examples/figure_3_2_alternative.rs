@@ -20,9 +20,9 @@
 //! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
-//! than the contact set has ends inside the edge. Both follow from σ_N u_N = 0, so that only a fault
-//! of the computation can refute them; what is not trivial are the shares of both cases, and how
-//! near the zeros are to the ends.
+//! than the contact set has ends inside the edge. Both follow from σ_N u_N = 0, so that only a
+//! fault of the computation can refute them; what is not trivial are the shares of both cases, and
+//! how near the zeros are to the ends.
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;

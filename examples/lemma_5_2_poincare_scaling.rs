@@ -126,7 +126,11 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             claim.near(slope, law, 0.01, "3/(2π²)");
             of_nu.growth = slope;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
-            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(limit, 0.0, "limit of C ln(1/θ)");
+            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").at_most(
+                limit,
+                0.0,
+                "limit of C ln(1/θ)",
+            );
         } else if zones > 1 {
             // The law's next term is smaller than the first by a factor of this order.
             let next = options.theta[zones - 2].powf(2.0 * nu.value().min(nu.offset().abs()));

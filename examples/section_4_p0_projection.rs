@@ -189,7 +189,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order = Measured::new(last, 3.5 * (last - before).abs());
         let limit = e[2] * 65536.0 * (12.0 * (2.0 * a - 1.0)).sqrt() / a; // ‖φ'‖₀ = a / √(2a − 1)
         let next = 4096f64.powf(1.0 - 2.0 * a);
-        out.check("r > 1: order − 1").against(r - 1.0).near(order - 1.0, 0.0, 0.02 + next, "Remark 4");
+        out.check("r > 1: order − 1").against(r - 1.0).near(
+            order - 1.0,
+            0.0,
+            0.02 + next,
+            "Remark 4",
+        );
         let part = 65536f64.powf(-(2.0 * a - 1.0).min(1.0));
         let claim = out.check("r > 1: √12 ‖φ − π^h φ‖₀/(h ‖φ'‖₀)").against(0.0);
         claim.near(limit, 1.0, part, "Remark 4, finest mesh");

@@ -43,7 +43,9 @@ pub enum Error {
         reason: String,
     },
     /// The contact force and the displacement u_N are both nonzero at a node.
-    #[error("node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero: one of them must be zero")]
+    #[error(
+        "node {node}: u_N = {value:?} and lambda = {force:?} are both nonzero: one of them must be zero"
+    )]
     NotComplementary {
         /// The node, from 0.
         node: usize,
@@ -67,7 +69,9 @@ pub enum Error {
         place: [f64; 2],
     },
     /// Contact data without a node in contact.
-    #[error("the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one or more nodes")]
+    #[error(
+        "the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one or more nodes"
+    )]
     EmptyContact {
         /// Number of nodes of the contact edge.
         nodes: usize,
@@ -168,7 +172,11 @@ impl Error {
         energy: f64,
         solution: S,
     ) -> Self {
-        Error::NotConverged { status: status.to_string(), energy, solution: Unfinished(Arc::new(solution)) }
+        Error::NotConverged {
+            status: status.to_string(),
+            energy,
+            solution: Unfinished(Arc::new(solution)),
+        }
     }
 
     /// The best estimate reached if a tolerance was not met; `None` for all other errors.
@@ -225,7 +233,12 @@ impl Error {
         with: &'static str,
         expected: &'static str,
     ) -> Self {
-        Error::Toolkit(ToolkitError::Incompatible { what, given: given.to_string(), with, expected })
+        Error::Toolkit(ToolkitError::Incompatible {
+            what,
+            given: given.to_string(),
+            with,
+            expected,
+        })
     }
 
     /// [`ToolkitError::NotPositiveDefinite`]: the pivot with this number vanishes.
@@ -234,13 +247,29 @@ impl Error {
     }
 
     /// [`ToolkitError::ToleranceNotMet`] with the best estimate of `what`.
-    pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
+    pub(crate) fn not_met(
+        what: &'static str,
+        asked: f64,
+        best: Estimate,
+        why: &'static str,
+    ) -> Self {
         let reached = best.relative_error();
-        Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: Some(best), why })
+        Error::Toolkit(ToolkitError::ToleranceNotMet {
+            what,
+            asked,
+            reached,
+            best: Some(best),
+            why,
+        })
     }
 
     /// [`ToolkitError::ToleranceNotMet`] without an estimate of `what`, with its relative uncertainty.
-    pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
+    pub(crate) fn out_of_reach(
+        what: &'static str,
+        asked: f64,
+        reached: f64,
+        why: &'static str,
+    ) -> Self {
         Error::Toolkit(ToolkitError::ToleranceNotMet { what, asked, reached, best: None, why })
     }
 

@@ -115,7 +115,8 @@ mod tests {
 
     #[test]
     fn the_paper_is_furthest_from_optimal_at_seven_quarters() {
-        let gap = |tau: f64| Bound::Optimal.exponent(tau).unwrap() - Bound::Paper.exponent(tau).unwrap();
+        let gap =
+            |tau: f64| Bound::Optimal.exponent(tau).unwrap() - Bound::Paper.exponent(tau).unwrap();
         assert_eq!(gap(1.75), 1.0 / 16.0);
         assert!(gap(1.74) < gap(1.75) && gap(1.76) < gap(1.75) && gap(2.0) == 0.0);
         assert!(Bound::Paper.value(0.5, 1.0).is_err() && Bound::Paper.value(0.5, 2.6).is_err());

@@ -12,8 +12,11 @@ impl RunningSum {
     #[inline]
     pub fn add(&mut self, term: f64) {
         let next = self.sum + term;
-        self.carry +=
-            if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
+        self.carry += if self.sum.abs() >= term.abs() {
+            (self.sum - next) + term
+        } else {
+            (term - next) + self.sum
+        };
         self.sum = next;
     }
 

@@ -5,24 +5,63 @@ use std::sync::Arc;
 use fractional_sobolev::Error;
 use numpy::PyArray1;
 use pyo3::prelude::*;
+use signorini::bounds::{Enclosure, Refinement};
 use signorini::cone::Cone;
-use signorini::contact::{ContactProblem, ContactSolution, Solver};
-use signorini::fem::{Cubature, Field, Form, Lame};
+use signorini::contact::{Body, ContactProblem, ContactSolution, Solver, Support};
+use signorini::fem::{Form, Lame, consistent_load};
 use signorini::mesh::{Part, Triangulation};
 
 use crate::callback::{Callback, Shared};
 use crate::operators::array;
 use crate::wait::{Failure, wait};
 
-/// The discrete solution.
+/// The discrete solution, with its bounds if a tolerance was given.
 #[pyclass(frozen, module = "fractional_sobolev")]
 pub(crate) struct Solved {
     problem: ContactProblem,
     solution: ContactSolution,
+    supports: Vec<Support>,
+    bounds: Option<Bounds>,
+}
+
+struct Bounds {
+    enclosure: Enclosure,
+    forces: Vec<Option<(f64, f64)>>,
 }
 
 #[pymethods]
 impl Solved {
+    /// (name, force x, force y, moment about the origin) of every clamped and contact group.
+    #[getter]
+    fn supports(&self) -> Vec<(String, f64, f64, f64)> {
+        let row = |one: &Support| (one.group.clone(), one.force[0], one.force[1], one.moment);
+        self.supports.iter().map(row).collect()
+    }
+
+    /// Guaranteed error in the energy norm, absolute and relative.
+    #[getter]
+    fn error(&self) -> Option<(f64, f64)> {
+        self.bounds.as_ref().map(|found| (found.enclosure.error, found.enclosure.relative_error()))
+    }
+
+    /// J(u) of the exact solution in an interval.
+    #[getter]
+    fn energy_bounds(&self) -> Option<(f64, f64)> {
+        self.bounds.as_ref().map(|found| (found.enclosure.energy.lower, found.enclosure.energy.upper))
+    }
+
+    /// The force of every contact edge in an interval.
+    #[getter]
+    fn force_bounds(&self) -> Option<Vec<Option<(f64, f64)>>> {
+        self.bounds.as_ref().map(|found| found.forces.clone())
+    }
+
+    /// The share of every triangle in the square of the bound.
+    #[getter]
+    fn shares<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArray1<f64>>> {
+        self.bounds.as_ref().map(|found| array(py, &found.enclosure.shares))
+    }
+
     #[getter]
     fn displacement<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
         array(py, &self.solution.displacement)
@@ -93,7 +132,10 @@ impl Solved {
 
     /// The text of a `.vtu` file.
     fn to_vtu(&self, py: Python<'_>) -> PyResult<String> {
-        let found = py.detach(|| self.problem.to_vtu(&self.solution));
+        let found = py.detach(|| match &self.bounds {
+            Some(found) => found.enclosure.to_vtu(),
+            None => self.problem.to_vtu(&self.solution),
+        });
         found.map_err(|error| Failure::from(error).raise(py))
     }
 }
@@ -129,9 +171,58 @@ fn form(mesh: &Triangulation, lame: Option<&[(String, f64, f64)]>) -> Result<For
     Ok(Form::Elastic { materials: names.iter().map(of).collect::<Result<_, signorini::Error>>()? })
 }
 
+/// What acts: `load`, `traction`, `displacement` or `gap`, the name of its group or region (empty: everywhere), and a
+/// function or a constant.
+type Given = (String, String, Option<Py<PyAny>>, [f64; 2]);
+
+/// Adds one datum to the body.
+fn with_datum(
+    body: Body<'static>,
+    (kind, place, function, constant): Given,
+    shared: &Arc<Shared>,
+) -> Body<'static> {
+    let callback = function.map(|function| Callback::new(function, shared));
+    let is_scalar = kind == "gap" || body.form().components() == 1;
+    if is_scalar {
+        let f = move |point| callback.as_ref().map_or(constant[0], |f| f.at_point(point));
+        match (kind.as_str(), place.as_str()) {
+            ("load", "") => body.load(f),
+            ("load", region) => body.load_on(region, f),
+            ("traction", "") => body.traction(f),
+            ("traction", group) => body.traction_on(group, f),
+            ("displacement", "") => body.displacement(f),
+            ("displacement", group) => body.displacement_on(group, f),
+            (_, "") => body.gap(f),
+            (_, group) => body.gap_on(group, f),
+        }
+    } else {
+        let f = move |point| callback.as_ref().map_or(constant, |f| f.vector_at(point));
+        match (kind.as_str(), place.as_str()) {
+            ("load", "") => body.load(f),
+            ("load", region) => body.load_on(region, f),
+            ("traction", "") => body.traction(f),
+            ("traction", group) => body.traction_on(group, f),
+            (_, "") => body.displacement(f),
+            (_, group) => body.displacement_on(group, f),
+        }
+    }
+}
+
+/// The parts of groups on which something acts and whose names do not state it.
+fn parts(given: &[Given]) -> Vec<(&str, Part)> {
+    let of = |(kind, place, ..): &'_ Given| match kind.as_str() {
+        "traction" => Some(Part::Neumann),
+        "displacement" => Some(Part::Dirichlet),
+        "gap" => Some(Part::Contact),
+        _ => None,
+    }
+    .filter(|_| !place.is_empty() && Part::named(place).is_none());
+    given.iter().filter_map(|one| of(one).map(|part| (one.1.as_str(), part))).collect()
+}
+
 /// Solves the problem.
 #[pyfunction]
-#[pyo3(signature = (nodes, triangles, edges, names, regions, load, values, lame, cone))]
+#[pyo3(signature = (nodes, triangles, edges, names, regions, given, values, lame, cone, tolerance))]
 #[allow(clippy::too_many_arguments)] // called by one Python function with all of them
 pub(crate) fn contact(
     py: Python<'_>,
@@ -140,13 +231,14 @@ pub(crate) fn contact(
     edges: Vec<[usize; 2]>,
     names: Vec<String>,
     regions: Vec<String>,
-    load: Option<Py<PyAny>>,
+    given: Vec<Given>,
     values: Vec<f64>,
     lame: Option<Vec<(String, f64, f64)>>,
     cone: &str,
+    tolerance: Option<f64>,
 ) -> PyResult<Solved> {
     let shared = Arc::new(Shared::default());
-    let callback = load.map(|load| Callback::new(load, &shared));
+    let of_callbacks = shared.clone();
     let cone = cone.to_owned();
     wait(py, &shared, move || {
         let cone = match cone.as_str() {
@@ -160,19 +252,33 @@ pub(crate) fn contact(
         let edges: Vec<([usize; 2], &str)> =
             edges.iter().zip(&names).map(|(&edge, name)| (edge, name.as_str())).collect();
         let regions: Vec<&str> = regions.iter().map(String::as_str).collect();
-        let mesh = Triangulation::from_groups(&nodes, &triangles, &regions, &edges, &[])?;
+        let mesh = Triangulation::from_groups(&nodes, &triangles, &regions, &edges, &parts(&given))?;
         let form = form(&mesh, lame.as_deref())?;
-        let count = form.components() * mesh.nodes().len();
-        let values = if values.is_empty() { vec![0.0; count] } else { values };
-        let mut problem = ContactProblem::new(mesh, form, &values)?;
-        if let Some(f) = &callback {
-            let rule = Cubature::new(4)?;
-            match lame {
-                Some(_) => problem.add_volume_load(&Field::Vector(&|point| f.vector_at(point)), &rule)?,
-                None => problem.add_volume_load(&Field::Scalar(&|point| f.at_point(point)), &rule)?,
+        let body = Body::new(mesh, form);
+        let body = given.into_iter().fold(body, |body, one| with_datum(body, one, &of_callbacks));
+        if let Some(tolerance) = tolerance {
+            let enclosure = Refinement { cone, tolerance, ..Refinement::default() }.solve(&body)?;
+            let edges = 0..enclosure.problem.edge().pieces().len();
+            let force = |edge| body.contact_force(&enclosure, edge);
+            let forces = edges
+                .map(|edge| Ok(force(edge)?.map(|force| (force.lower, force.upper))))
+                .collect::<Result<_, signorini::Error>>()?;
+            let (problem, solution) = (enclosure.problem.clone(), enclosure.solution.clone());
+            let supports = problem.supports(&solution)?;
+            return Ok(Solved { problem, solution, supports, bounds: Some(Bounds { enclosure, forces }) });
+        }
+        let mut problem = body.problem()?;
+        if !values.is_empty() {
+            let (mesh, components) = (problem.mesh(), problem.form().components());
+            if values.len() != components * mesh.nodes().len() {
+                let (given, expected) = (values.len(), components * mesh.nodes().len());
+                return Err(Failure::from(Error::LengthMismatch { name: "load", given, expected }));
             }
+            let load = consistent_load(mesh, components, &values);
+            problem.add_load(&load)?;
         }
         let solution = problem.solve(cone, Solver::ActiveSet)?;
-        Ok(Solved { problem, solution })
+        let supports = problem.supports(&solution)?;
+        Ok(Solved { problem, solution, supports, bounds: None })
     })
 }

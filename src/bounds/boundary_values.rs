@@ -38,8 +38,8 @@ impl Lift {
         if deviation <= LINEAR * largest {
             return Ok(None);
         }
-        let coefficients =
-            samples.map(|[low, middle, high]| [middle, high - low, 2.0 * (low + high - 2.0 * middle)]);
+        let coefficients = samples
+            .map(|[low, middle, high]| [middle, high - low, 2.0 * (low + high - 2.0 * middle)]);
         Ok(Some(Self { side, coefficients }))
     }
 

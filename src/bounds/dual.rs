@@ -60,7 +60,8 @@ impl Local {
 
     /// N C⁻¹ c − t₀.
     fn load(&self, row: usize) -> f64 {
-        (0..self.count).map(|i| self.forces[i][row] * self.offset[i]).sum::<f64>() - self.known_forces[row]
+        (0..self.count).map(|i| self.forces[i][row] * self.offset[i]).sum::<f64>()
+            - self.known_forces[row]
     }
 }
 
@@ -87,7 +88,8 @@ impl Setting<'_, '_> {
     fn forces(&self, field: &Linear, sides: &[Side; 3], of: &[SideOf; 3]) -> [f64; FORCES] {
         let mut forces = [0.0; FORCES];
         for k in 0..3 {
-            let [first, last] = [0, 1].map(|end| traction(self.components, field[k][end], &sides[k]));
+            let [first, last] =
+                [0, 1].map(|end| traction(self.components, field[k][end], &sides[k]));
             let half = 0.5 * sides[k].length;
             if self.components == 1 {
                 // The flux out of the triangle; on the other side of the edge it has the opposite sign.
@@ -159,7 +161,8 @@ impl Setting<'_, '_> {
         }
         let known_forces = self.forces(&known, &sides, &self.sides[t]);
         let what = "compliance of the stresses on one triangle";
-        let root = factor(compliance, count).ok_or_else(|| Error::not_positive_definite(what, t))?;
+        let root =
+            factor(compliance, count).ok_or_else(|| Error::not_positive_definite(what, t))?;
         let mut response = [[0.0; FORCES]; FIELDS];
         for row in 0..rows {
             let column = solve(&root, count, std::array::from_fn(|i| forces[i][row]));
@@ -178,7 +181,8 @@ impl Setting<'_, '_> {
     fn assembled(&self, locals: &[Local]) -> (BlockMatrix, Vec<f64>) {
         let c = self.per_edge();
         let chunk = |first: usize| {
-            let (mut lengths, mut columns, mut values) = (Vec::new(), Vec::<u32>::new(), Vec::<f64>::new());
+            let (mut lengths, mut columns, mut values) =
+                (Vec::new(), Vec::<u32>::new(), Vec::<f64>::new());
             let last = self.edges().min(first + CHUNK);
             let mut load = vec![0.0; c * (last - first)];
             for edge in first..last {
@@ -210,7 +214,8 @@ impl Setting<'_, '_> {
             (lengths, columns, values, load)
         };
         let chunks: Vec<_> = (0..self.edges()).into_par_iter().step_by(CHUNK).map(chunk).collect();
-        let (mut offsets, mut columns, mut values, mut load) = (vec![0], Vec::new(), Vec::new(), Vec::new());
+        let (mut offsets, mut columns, mut values, mut load) =
+            (vec![0], Vec::new(), Vec::new(), Vec::new());
         for (lengths, more_columns, more_values, more_load) in chunks {
             for length in lengths {
                 offsets.push(offsets[offsets.len() - 1] + length);
@@ -257,7 +262,11 @@ impl Setting<'_, '_> {
             // The forces that belong to the linear part of the traction.
             let given = match self.components {
                 1 => [0.5 * length * (first[0] + last[0]), 0.0, 0.0],
-                _ => [0.5 * length * first[0], 0.5 * length * last[0], 0.5 * length * (first[1] + last[1])],
+                _ => [
+                    0.5 * length * first[0],
+                    0.5 * length * last[0],
+                    0.5 * length * (first[1] + last[1]),
+                ],
             };
             match border.part {
                 Part::Dirichlet => {
@@ -301,7 +310,8 @@ impl Setting<'_, '_> {
                 residual[unknown] -= force;
             }
             let reduced = condensation.reduce(&residual);
-            let left: Vec<f64> = bound.iter().zip(&kept).map(|(g, &k)| g - multipliers[k]).collect();
+            let left: Vec<f64> =
+                bound.iter().zip(&kept).map(|(g, &k)| g - multipliers[k]).collect();
             let edge = EdgeProblem {
                 stiffness: condensation.schur(),
                 load: reduced.kept(),
@@ -331,7 +341,9 @@ impl Setting<'_, '_> {
                     .iter()
                     .enumerate()
                     .filter(|&(i, _)| !prescribed[i])
-                    .map(|(i, size)| (f64::EPSILON * (size + load[i].abs())).powi(2) / matrix.diagonal(i))
+                    .map(|(i, size)| {
+                        (f64::EPSILON * (size + load[i].abs())).powi(2) / matrix.diagonal(i)
+                    })
                     .sum();
                 rounding = work.sqrt() + hidden.sqrt();
             }

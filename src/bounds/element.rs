@@ -120,11 +120,13 @@ fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
             let g = [0, 1].map(|axis| -0.5 * length * (share[0] * gb[axis] + share[1] * ga[axis]));
             [g[1], -g[0], 0.0]
         };
-        let shares = |corner: usize| [f64::from(u8::from(corner == k)), f64::from(u8::from(corner == next))];
+        let shares =
+            |corner: usize| [f64::from(u8::from(corner == k)), f64::from(u8::from(corner == next))];
         [0, 1, 2].map(|piece| [at(shares(piece)), at(shares((piece + 1) % 3)), at([1.0 / 3.0; 2])])
     };
     let centre = middle(corners);
-    let radial = pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
+    let radial =
+        pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
     let fields = [constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]), radial, ZERO, ZERO, ZERO];
     Equilibrated { fields, count: if reaction { 3 } else { 2 }, slopes: [0, 1, 2].map(slope) }
 }
@@ -237,7 +239,9 @@ impl Geometry {
 /// The second derivative of a cubic in two directions, at a corner with the given ordinates around it.
 #[inline]
 fn second([aa, ab, ac, bb, bc, cc]: &[f64; 6], [u, v, w]: &[f64; 3], [p, q, r]: &[f64; 3]) -> f64 {
-    6.0 * (u * (aa * p + ab * q + ac * r) + v * (ab * p + bb * q + bc * r) + w * (ac * p + bc * q + cc * r))
+    6.0 * (u * (aa * p + ab * q + ac * r)
+        + v * (ab * p + bb * q + bc * r)
+        + w * (ac * p + bc * q + cc * r))
 }
 
 #[cfg(test)]
@@ -263,7 +267,10 @@ mod tests {
                     let slope = number.checked_sub(found.count) == Some(k);
                     let expected = if slope { 1.0 } else { 0.0 };
                     let of = if components == 1 { 0 } else { 1 };
-                    assert!((last[of] - first[of] - expected).abs() < 1e-13, "{components} {number} {k}");
+                    assert!(
+                        (last[of] - first[of] - expected).abs() < 1e-13,
+                        "{components} {number} {k}"
+                    );
                     let (a, b) = (CORNERS[k], CORNERS[(k + 1) % 3]);
                     // Simpson's rule is exact for the moment of a linear traction.
                     for (s, weight) in [(0.0, 1.0 / 6.0), (0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)] {
@@ -280,7 +287,10 @@ mod tests {
                         }
                     }
                 }
-                assert!(resultant.iter().all(|r| r.abs() < 1e-13), "{components} {number}: {resultant:?}");
+                assert!(
+                    resultant.iter().all(|r| r.abs() < 1e-13),
+                    "{components} {number}: {resultant:?}"
+                );
             }
         }
     }
@@ -294,7 +304,9 @@ mod tests {
                 let step = [centre[0] - CORNERS[i][0], centre[1] - CORNERS[i][1]];
                 let across = Side { length: 1.0, normal: [step[1], -step[0]], tangent: step };
                 // Corner i is the first of piece i and the second of piece i − 1.
-                for (a, b) in [(field[i][0], field[(i + 2) % 3][1]), (field[i][2], field[(i + 2) % 3][2])] {
+                for (a, b) in
+                    [(field[i][0], field[(i + 2) % 3][1]), (field[i][2], field[(i + 2) % 3][2])]
+                {
                     let (a, b) = (traction(2, a, &across), traction(2, b, &across));
                     assert!((a[0] - b[0]).abs() + (a[1] - b[1]).abs() < 1e-13, "{i}: {a:?} {b:?}");
                 }

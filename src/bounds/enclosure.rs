@@ -114,7 +114,8 @@ impl Enclosure {
     pub fn to_vtu(&self) -> Result<String> {
         let elastic = self.problem.form().components() == 2;
         let name = if elastic { "equilibrated_stress" } else { "equilibrated_flux" };
-        let further = [(name, 3, self.stress.as_flattened()), ("share_of_bound", 1, &self.shares[..])];
+        let further =
+            [(name, 3, self.stress.as_flattened()), ("share_of_bound", 1, &self.shares[..])];
         self.problem.to_vtu_with(&self.solution, &further)
     }
 }
@@ -149,7 +150,12 @@ impl Body<'_> {
 
 impl Setting<'_, '_> {
     /// The ends of the contact segments at which the discrete solution touches, by border.
-    fn touching(&self, problem: &ContactProblem, cone: Cone, solution: &ContactSolution) -> Vec<[bool; 2]> {
+    fn touching(
+        &self,
+        problem: &ContactProblem,
+        cone: Cone,
+        solution: &ContactSolution,
+    ) -> Vec<[bool; 2]> {
         // Without a Dirichlet edge too few constraints leave the stress undetermined.
         let mut active = vec![problem.floats; self.mesh.nodes().len()];
         if cone == Cone::Nodal && !problem.floats {
@@ -163,7 +169,12 @@ impl Setting<'_, '_> {
         self.borders.iter().map(|border| ends(border.triangle, border.side)).collect()
     }
 
-    fn conclude(&self, problem: ContactProblem, solution: ContactSolution, dual: Dual) -> Result<Enclosure> {
+    fn conclude(
+        &self,
+        problem: ContactProblem,
+        solution: ContactSolution,
+        dual: Dual,
+    ) -> Result<Enclosure> {
         let overlap = self.overlap(&problem, &solution.displacement)?;
         let largest = solution.displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         let penetrates = overlap.iter().any(|&off| off > ROUNDED * largest);
@@ -184,11 +195,14 @@ impl Setting<'_, '_> {
             let plain = self.parts(&solution.displacement, &dual)?;
             let (distance, off) =
                 (plain.distance.iter().sum::<f64>().sqrt() + dual.rounding, osc + dual.rounding);
-            let square =
-                distance * distance + correction * correction + 2.0 * work + 2.0 * off * of_admissible;
+            let square = distance * distance
+                + correction * correction
+                + 2.0 * work
+                + 2.0 * off * of_admissible;
             error = error.min(square.sqrt());
         }
-        let upper = if corrected.is_some() { problem.energy_of(&admissible) } else { solution.energy };
+        let upper =
+            if corrected.is_some() { problem.energy_of(&admissible) } else { solution.energy };
         let lifted = self.lift_energies(&admissible)?;
         let upper = upper + lifted.iter().map(|lift| lift.gained).sum::<f64>();
         // The bound is one of u^h + z, z the lift of u_D.
@@ -234,7 +248,8 @@ impl Setting<'_, '_> {
         let clamped = self.mesh.nodes_on(Part::Dirichlet);
         let largest = displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         for border in self.borders.iter().filter(|border| border.part == Part::Contact) {
-            let nodes = [0, 1].map(|end| self.mesh.triangles()[border.triangle][(border.side + end) % 3]);
+            let nodes =
+                [0, 1].map(|end| self.mesh.triangles()[border.triangle][(border.side + end) % 3]);
             let values = self.normal_at(border, displacement);
             let [a, b] = nodes.map(|node| self.mesh.nodes()[node]);
             let off = |s: f64| -> Result<f64> {
@@ -245,12 +260,15 @@ impl Setting<'_, '_> {
                 Ok((1.0 - s) * values[0] + s * values[1] - gap)
             };
             let is_free = nodes.map(|node| !clamped[node]);
-            let end = |k: usize, s: f64| Ok::<f64, Error>(if is_free[k] { off(s)?.max(0.0) } else { 0.0 });
+            let end = |k: usize, s: f64| {
+                Ok::<f64, Error>(if is_free[k] { off(s)?.max(0.0) } else { 0.0 })
+            };
             let ends = [end(0, 0.0)?, end(1, 1.0)?];
             let mut inside = 0.0_f64;
             for (s, _) in self.edge_rule.iter() {
                 let excess = off(s)? - (1.0 - s) * ends[0] - s * ends[1];
-                let share = if is_free[0] { 1.0 - s } else { 0.0 } + if is_free[1] { s } else { 0.0 };
+                let share =
+                    if is_free[0] { 1.0 - s } else { 0.0 } + if is_free[1] { s } else { 0.0 };
                 if share > 0.0 {
                     inside = inside.max(excess / share);
                 } else if excess > ROUNDED * largest {
@@ -288,7 +306,9 @@ impl Setting<'_, '_> {
             .iter()
             .zip(pressure)
             .filter(|(border, _)| border.part == Part::Contact)
-            .map(|(border, &pressure)| (place[self.mesh.triangles()[border.triangle][border.side]], pressure))
+            .map(|(border, &pressure)| {
+                (place[self.mesh.triangles()[border.triangle][border.side]], pressure)
+            })
             .collect();
         found.sort_by_key(|(start, _)| *start);
         found.into_iter().map(|(_, pressure)| pressure).collect()

@@ -38,14 +38,19 @@ impl Body<'_> {
     pub fn contact_force(&self, found: &Enclosure, edge: usize) -> Result<Option<Interval>> {
         let pieces = found.problem.edge().pieces();
         let Some(piece) = pieces.get(edge) else {
-            return Err(Error::count("number of a contact edge", edge, "[0, number of contact edges)"));
+            return Err(Error::count(
+                "number of a contact edge",
+                edge,
+                "[0, number of contact edges)",
+            ));
         };
         let clamped = found.problem.mesh().nodes_on(Part::Dirichlet);
         let nodes = found.problem.edge().nodes();
         if nodes[piece.clone()].iter().any(|&node| clamped[node]) {
             return Ok(None);
         }
-        let weights: Vec<f64> = (0..nodes.len()).map(|i| f64::from(u8::from(piece.contains(&i)))).collect();
+        let weights: Vec<f64> =
+            (0..nodes.len()).map(|i| f64::from(u8::from(piece.contains(&i)))).collect();
         self.weighted_force(found, &weights).map(Some)
     }
 
@@ -58,7 +63,11 @@ impl Body<'_> {
     /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) unless there is one value per node.
     pub fn weighted_force(&self, found: &Enclosure, weights: &[f64]) -> Result<Interval> {
         let problem = &found.problem;
-        crate::numeric::check::require_length("weights", weights.len(), problem.edge().nodes().len())?;
+        crate::numeric::check::require_length(
+            "weights",
+            weights.len(),
+            problem.edge().nodes().len(),
+        )?;
         let setting = Setting::new(self, problem.mesh())?;
         let w = problem.extension(weights)?;
         let size = problem.energy_norm(&w)?;
@@ -88,11 +97,13 @@ impl Setting<'_, '_> {
     fn pairing(&self, t: usize, found: &Enclosure, w: &[f64]) -> Result<f64> {
         let (inner, test) = (self.compliance(t), self.stress_of(t, w));
         let (field, stress) = (&found.fields[t], self.stress_of(t, &found.admissible));
-        let (corners, nodes, reaction) = (self.mesh.corners(t), self.mesh.triangles()[t], self.reaction());
+        let (corners, nodes, reaction) =
+            (self.mesh.corners(t), self.mesh.triangles()[t], self.reaction());
         let element = Element::new(corners);
         let mut sum = 0.0;
         for sample in self.samples(t) {
-            let (off, residual) = self.distance_at(t, &sample, (&found.admissible, &stress), field)?;
+            let (off, residual) =
+                self.distance_at(t, &sample, (&found.admissible, &stress), field)?;
             sum += sample.weight * inner(&off, &test);
             if reaction > 0.0 {
                 let at = element.barycentric(corners, sample.point);

@@ -64,12 +64,14 @@ pub(super) fn lifted(corners: [Point; 3], loads: &[Point; 3]) -> Result<Linear> 
         row += 1;
     }
     let normal = &matrix * matrix.transpose();
-    let factor = normal
-        .cholesky()
-        .ok_or_else(|| Error::not_positive_definite("equations of a stress on one triangle", EQUATIONS))?;
+    let factor = normal.cholesky().ok_or_else(|| {
+        Error::not_positive_definite("equations of a stress on one triangle", EQUATIONS)
+    })?;
     let solution = matrix.transpose() * factor.solve(&right);
     let mut field = [[[0.0; 3]; 3]; 3];
-    for (value, found) in field.as_flattened_mut().as_flattened_mut().iter_mut().zip(solution.iter()) {
+    for (value, found) in
+        field.as_flattened_mut().as_flattened_mut().iter_mut().zip(solution.iter())
+    {
         *value = *found;
     }
     Ok(field)

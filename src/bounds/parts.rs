@@ -140,7 +140,8 @@ impl Setting<'_, '_> {
             if border.part == Part::Dirichlet {
                 for (s, weight) in self.edge_rule.iter() {
                     let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-                    let [x, y] = self.body.displacement_at(self.mesh.group(border.number), point)?;
+                    let [x, y] =
+                        self.body.displacement_at(self.mesh.group(border.number), point)?;
                     if x == 0.0 && y == 0.0 {
                         continue;
                     }
@@ -186,12 +187,14 @@ impl Setting<'_, '_> {
         let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
         let element = Element::new(corners);
         let at = element.barycentric(corners, sample.point);
-        let mut v = if reaction > 0.0 { (0..3).map(|i| at[i] * displacement[nodes[i]]).sum() } else { 0.0 };
+        let mut v =
+            if reaction > 0.0 { (0..3).map(|i| at[i] * displacement[nodes[i]]).sum() } else { 0.0 };
         if let Some((own, values)) = self.lifted_at(t, at, &element) {
             (0..3).for_each(|c| off[c] += own[c]);
             v += values[0];
         }
-        let residual = if reaction > 0.0 { reaction * v - self.source(t, sample, field)? } else { 0.0 };
+        let residual =
+            if reaction > 0.0 { reaction * v - self.source(t, sample, field)? } else { 0.0 };
         Ok((off, residual))
     }
 
@@ -283,7 +286,8 @@ impl Setting<'_, '_> {
             None => (1.0, 1.0),
             Some(material) => {
                 // The smallest angle lies opposite to the shortest side; area = ½ a b sin α.
-                let shortest = (0..3).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
+                let shortest =
+                    (0..3).fold(0, |best, k| if lengths[k] < lengths[best] { k } else { best });
                 let (a, b) = (lengths[(shortest + 1) % 3], lengths[(shortest + 2) % 3]);
                 let angle = (2.0 * area / (a * b)).min(1.0).asin();
                 let korn = (1.0 + 2.0 / (0.25 * angle).sin().powi(2)).sqrt();
@@ -305,5 +309,9 @@ impl Setting<'_, '_> {
 fn divergence(corners: [Point; 3], field: &Linear) -> f64 {
     let piece = pieces(corners)[0];
     let element = Element::new(piece);
-    (0..3).map(|m| element.gradients[m][0] * field[0][m][0] + element.gradients[m][1] * field[0][m][1]).sum()
+    (0..3)
+        .map(|m| {
+            element.gradients[m][0] * field[0][m][0] + element.gradients[m][1] * field[0][m][1]
+        })
+        .sum()
 }

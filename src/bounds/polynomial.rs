@@ -47,14 +47,17 @@ impl Particular {
         let half = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
         let count = DEGREE + 5;
         let node = |j: usize| -(PI * (j as f64 + 0.5) / count as f64).cos();
-        let place =
-            |i: usize, j: usize| [low[0] + half[0] * (1.0 + node(i)), low[1] + half[1] * (1.0 + node(j))];
+        let place = |i: usize, j: usize| {
+            [low[0] + half[0] * (1.0 + node(i)), low[1] + half[1] * (1.0 + node(j))]
+        };
         let samples: Vec<Vec<Point>> =
             (0..count).map(|i| (0..count).map(|j| load(place(i, j))).collect()).collect();
         let mut parts = Vec::new();
         for component in 0..components {
-            let values: Vec<Vec<f64>> =
-                samples.iter().map(|row| row.iter().map(|value| value[component]).collect()).collect();
+            let values: Vec<Vec<f64>> = samples
+                .iter()
+                .map(|row| row.iter().map(|value| value[component]).collect())
+                .collect();
             let series = Series::through(&values)?;
             parts.push(series.minus_antiderivative(component, half[component]));
         }
@@ -114,7 +117,11 @@ impl Series {
         let transform = |rows: &[Vec<f64>]| -> Vec<Vec<f64>> {
             // Rows are transformed and become columns.
             (0..count)
-                .map(|k| rows.iter().map(|row| row.iter().zip(&wave[k]).map(|(v, w)| v * w).sum()).collect())
+                .map(|k| {
+                    rows.iter()
+                        .map(|row| row.iter().zip(&wave[k]).map(|(v, w)| v * w).sum())
+                        .collect()
+                })
                 .collect()
         };
         let mut coefficients = transform(&transform(values));

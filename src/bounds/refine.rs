@@ -88,7 +88,11 @@ impl Refinement {
     /// # Errors
     /// As for [`Body::enclose`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a tolerance that
     /// is not positive or a share outside of (0, 1].
-    pub fn run(&self, body: &Body<'_>, mut each: impl FnMut(&Enclosure)) -> Result<(Enclosure, Ended)> {
+    pub fn run(
+        &self,
+        body: &Body<'_>,
+        mut each: impl FnMut(&Enclosure),
+    ) -> Result<(Enclosure, Ended)> {
         Error::require("tolerance", self.tolerance, "(0, inf)", self.tolerance > 0.0)?;
         Error::require("share", self.share, "(0, 1]", self.share > 0.0 && self.share <= 1.0)?;
         let mut meshes = Hierarchy::new(body.mesh().clone());
@@ -101,7 +105,8 @@ impl Refinement {
             if found.relative_error() <= self.tolerance {
                 return Ok((found, Ended::Tolerance));
             }
-            if found.rounding > 0.1 * self.tolerance * found.norm.lower {
+            // On a coarse mesh the lower bound of |||u||| may be 0.
+            if found.rounding > 0.1 * self.tolerance * found.norm.upper {
                 return Ok((found, Ended::Rounding));
             }
             meshes.forget();
@@ -180,7 +185,8 @@ fn refined_set(meshes: &Hierarchy, found: &Enclosure) -> Result<ContactSet> {
     }
     for level in 1..meshes.levels().len() {
         let parents = meshes.parents(level);
-        let between = parents[active.len()..].iter().map(|&[a, b]| active[a as usize] && active[b as usize]);
+        let between =
+            parents[active.len()..].iter().map(|&[a, b]| active[a as usize] && active[b as usize]);
         let new: Vec<bool> = between.collect();
         active.extend(new);
     }

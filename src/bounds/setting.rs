@@ -140,7 +140,8 @@ impl<'s, 'b> Setting<'s, 'b> {
             let (triangle, side) = setting.around[edge][0].ok_or_else(no_triangle)?;
             setting.border_of[edge] = Some(setting.borders.len());
             let (linear, left_over) = setting.border_data(triangle, side, border.part, number)?;
-            let border = Border { edge, part: border.part, number, triangle, side, linear, left_over };
+            let border =
+                Border { edge, part: border.part, number, triangle, side, linear, left_over };
             if border.part == Part::Dirichlet {
                 let corners = mesh.corners(triangle);
                 let (a, b) = (corners[side], corners[(side + 1) % 3]);
@@ -206,8 +207,10 @@ impl<'s, 'b> Setting<'s, 'b> {
 
     /// The rule for a triangle.
     fn rule_for(&self, corners: [Point; 3]) -> &TriangleRule {
-        let diameter = (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])));
-        let points = self.particular.as_ref().map_or(2, |particular| points_for(particular, diameter));
+        let diameter =
+            (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])));
+        let points =
+            self.particular.as_ref().map_or(2, |particular| points_for(particular, diameter));
         &self.rules[points.max(self.fewest) - 2]
     }
 
@@ -226,7 +229,13 @@ impl<'s, 'b> Setting<'s, 'b> {
         (0..points.len())
             .map(|i| {
                 let (shares, weight) = rule.points[i % count];
-                Sample { piece: i / count, shares, point: points[i], weight: weight * share, exact: exact[i] }
+                Sample {
+                    piece: i / count,
+                    shares,
+                    point: points[i],
+                    weight: weight * share,
+                    exact: exact[i],
+                }
             })
             .collect()
     }
@@ -266,7 +275,8 @@ impl<'s, 'b> Setting<'s, 'b> {
         }
         let square = |a: f64, b: f64| (a / largest).powi(2) + (b / largest).powi(2);
         let norm = |mean: f64| largest * area.sqrt() * mean.sqrt();
-        let spread = values.iter().map(|(_, _, f)| (f[0] - overall[0]).abs().max((f[1] - overall[1]).abs()));
+        let spread =
+            values.iter().map(|(_, _, f)| (f[0] - overall[0]).abs().max((f[1] - overall[1]).abs()));
         let constant = spread.fold(0.0, f64::max) <= CONSTANT * largest;
         if constant || self.components == 1 {
             let field = pieces(corners).map(|piece| {
@@ -283,7 +293,8 @@ impl<'s, 'b> Setting<'s, 'b> {
                     }
                 })
             });
-            let off = |(_, w, f): &(Point, f64, Point)| w * square(f[0] - overall[0], f[1] - overall[1]);
+            let off =
+                |(_, w, f): &(Point, f64, Point)| w * square(f[0] - overall[0], f[1] - overall[1]);
             let left_over = if constant { 0.0 } else { norm(values.iter().map(off).sum()) };
             return Ok(Some(LocalLoad { field, left_over }));
         }
@@ -295,8 +306,10 @@ impl<'s, 'b> Setting<'s, 'b> {
             [(at[0] - centre[0]) / size, (at[1] - centre[1]) / size]
         });
         let moment = |z: Point, f: Point| z[0] * f[1] - z[1] * f[0];
-        let wanted: f64 =
-            values.iter().map(|(p, w, f)| w * moment([0, 1].map(|c| (p[c] - centre[c]) / size), *f)).sum();
+        let wanted: f64 = values
+            .iter()
+            .map(|(p, w, f)| w * moment([0, 1].map(|c| (p[c] - centre[c]) / size), *f))
+            .sum();
         let present: f64 = (0..3).map(|k| moment(arms[k], loads[k]) / 3.0).sum();
         let inertia: f64 = arms.iter().map(|z| (z[0] * z[0] + z[1] * z[1]) / 3.0).sum();
         let turn = (wanted - present) / inertia;
@@ -328,11 +341,16 @@ impl<'s, 'b> Setting<'s, 'b> {
         let mut samples = Vec::with_capacity(EDGE_POINTS);
         for (s, weight) in self.edge_rule.iter() {
             let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-            let mut value = traction(self.components, self.exact_at(&[point])[0], &side).map(|v| -v);
+            let mut value =
+                traction(self.components, self.exact_at(&[point])[0], &side).map(|v| -v);
             if part == Part::Neumann {
                 let [x, y] = self.body.traction_at(self.mesh.group(number), point)?;
                 let ([nx, ny], [tx, ty]) = (side.normal, side.tangent);
-                let given = if self.components == 1 { [x, 0.0] } else { [x * nx + y * ny, x * tx + y * ty] };
+                let given = if self.components == 1 {
+                    [x, 0.0]
+                } else {
+                    [x * nx + y * ny, x * tx + y * ty]
+                };
                 value = [value[0] + given[0], value[1] + given[1]];
             }
             samples.push((s, weight, value));
@@ -347,14 +365,16 @@ impl<'s, 'b> Setting<'s, 'b> {
         });
         let linear = [[ends[0][0], ends[1][0]], [ends[0][1], ends[1][1]]];
         // In units of the largest value, so that no square underflows.
-        let largest = samples.iter().flat_map(|(_, _, value)| value).fold(0.0, |m: f64, v| m.max(v.abs()));
+        let largest =
+            samples.iter().flat_map(|(_, _, value)| value).fold(0.0, |m: f64, v| m.max(v.abs()));
         if largest == 0.0 {
             return Ok((linear, 0.0));
         }
         let off: f64 = samples
             .iter()
             .map(|(s, w, value)| {
-                let rest = [0, 1].map(|c| (value[c] - (1.0 - s) * linear[0][c] - s * linear[1][c]) / largest);
+                let rest = [0, 1]
+                    .map(|c| (value[c] - (1.0 - s) * linear[0][c] - s * linear[1][c]) / largest);
                 w * (rest[0] * rest[0] + rest[1] * rest[1])
             })
             .sum();

@@ -82,7 +82,11 @@ impl Derivative {
             (zero, end) = (right, right);
             self.pieces.pop_front();
         }
-        self.pieces.push_front(Piece { left: f64::NEG_INFINITY, slope: -self.count, intercept: -self.shift });
+        self.pieces.push_front(Piece {
+            left: f64::NEG_INFINITY,
+            slope: -self.count,
+            intercept: -self.shift,
+        });
         zero
     }
 

@@ -261,7 +261,8 @@ mod tests {
         let w = [0.5, -1.0, 2.0, 0.25];
         for cone in Cone::ALL {
             for edge in [Ends::Open, Ends::Joined].map(|ends| cone.on(4, ends)) {
-                let multiplier: Vec<f64> = (0..edge.constraints()).map(|i| 1.0 + i as f64).collect();
+                let multiplier: Vec<f64> =
+                    (0..edge.constraints()).map(|i| 1.0 + i as f64).collect();
                 let means = edge.apply(&w);
                 let left: f64 = means.iter().zip(&multiplier).map(|(a, b)| a * b).sum();
                 let force = edge.apply_transposed(&multiplier).unwrap();

@@ -18,7 +18,10 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    pub(crate) fn nodes(self, modulus: usize) -> impl DoubleEndedIterator<Item = usize> + ExactSizeIterator {
+    pub(crate) fn nodes(
+        self,
+        modulus: usize,
+    ) -> impl DoubleEndedIterator<Item = usize> + ExactSizeIterator {
         (self.start..self.start + self.len).map(move |i| if i < modulus { i } else { i - modulus })
     }
 }
@@ -123,7 +126,8 @@ mod tests {
         let face = Face::new(Cone::Midpoint.on(7, Ends::Open), &active);
         assert_eq!(blocks(&face, true), [(0, 3), (4, 2)]);
         assert_eq!(blocks(&face, false), [(3, 1), (6, 1)]);
-        let face = Face::new(Cone::Nodal.on(6, Ends::Joined), &[true, false, false, true, true, true]);
+        let face =
+            Face::new(Cone::Nodal.on(6, Ends::Joined), &[true, false, false, true, true, true]);
         assert_eq!(blocks(&face, true), [(3, 4)]);
         assert_eq!(blocks(&face, false), [(1, 2)]);
         let whole = Face::new(Cone::Midpoint.on(6, Ends::Joined), &[true; 6]);

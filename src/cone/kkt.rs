@@ -126,13 +126,9 @@ impl KktTerms<'_> {
             balance: ratio(largest(&mut self.residual.iter().map(|r| r.abs())), self.force),
             sign: ratio(largest(&mut self.multiplier.iter().map(|&l| -l)), force_of_contact),
             gap: ratio(largest(&mut self.gap.iter().copied()), self.displacement),
-            complementarity: largest(
-                &mut self
-                    .multiplier
-                    .iter()
-                    .zip(self.gap)
-                    .map(|(&l, &g)| ratio(l.abs(), force_of_contact) * ratio(g.abs(), self.displacement)),
-            ),
+            complementarity: largest(&mut self.multiplier.iter().zip(self.gap).map(|(&l, &g)| {
+                ratio(l.abs(), force_of_contact) * ratio(g.abs(), self.displacement)
+            })),
         })
     }
 
@@ -192,7 +188,8 @@ mod tests {
 
     #[test]
     fn each_condition_has_its_residual() {
-        let kkt = candidate(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).residuals().unwrap();
+        let kkt =
+            candidate(&[0.2, -0.4], &[4.0, -1.0, 0.0], &[0.0, 0.0, -0.1]).residuals().unwrap();
         assert_eq!((kkt.balance, kkt.sign), (0.2, 0.25));
         assert_eq!((kkt.gap, kkt.complementarity), (0.0, 0.0));
         let kkt = candidate(&[], &[4.0, 2.0], &[0.1, -0.25]).residuals().unwrap();
@@ -211,8 +208,13 @@ mod tests {
     /// min w²/2 − 3 w over w ≤ 1: w = 1, λ = 2; with λ = 2.4 the balance w − 3 + λ is 0.4, relative to |w| + 3.
     #[test]
     fn a_wrong_multiplier_is_seen_in_the_balance() {
-        let exact =
-            KktTerms { residual: &[0.0], multiplier: &[2.0], gap: &[0.0], force: 4.0, displacement: 1.0 };
+        let exact = KktTerms {
+            residual: &[0.0],
+            multiplier: &[2.0],
+            gap: &[0.0],
+            force: 4.0,
+            displacement: 1.0,
+        };
         assert_eq!(exact.residuals().unwrap().worst(), 0.0);
         let wrong = KktTerms { residual: &[0.4], multiplier: &[2.4], ..exact };
         assert!((wrong.residuals().unwrap().balance - 0.1).abs() < 1e-15);

@@ -53,7 +53,10 @@ pub(crate) struct Weighted<W, G, F> {
 ///
 /// The minimiser of ½ Σ_i d_i (p_i − z_i)²: with λ ≥ 0 on the segments, d_i (z_i − p_i) = λ_{i−1} + λ_i and
 /// λ_i (p_i + p_{i+1} − 2 g_i) = 0. Two passes, forwards for the m_i and backwards for the p_i; O(n).
-pub(crate) fn project_weighted<W, G, F>(z: &[f64], data: &Weighted<W, G, F>) -> (Vec<f64>, Vec<bool>)
+pub(crate) fn project_weighted<W, G, F>(
+    z: &[f64],
+    data: &Weighted<W, G, F>,
+) -> (Vec<f64>, Vec<bool>)
 where
     W: Fn(usize) -> f64,
     G: Fn(usize) -> f64,
@@ -219,21 +222,31 @@ mod tests {
         let (mut random, mut proved) = (random(3), 0);
         for _ in 0..256 {
             let n = 3 + (37.0 * random()) as usize;
-            let z: Vec<[f64; 3]> =
-                (0..n).map(|_| [2.0 * random() - 1.0, 0.5 + 1.5 * random(), 0.4 * random() - 0.2]).collect();
-            let data =
-                Weighted { weight: |i: usize| z[i][1], bound: |i: usize| z[i][2], is_fixed: |_| false };
+            let z: Vec<[f64; 3]> = (0..n)
+                .map(|_| [2.0 * random() - 1.0, 0.5 + 1.5 * random(), 0.4 * random() - 0.2])
+                .collect();
+            let data = Weighted {
+                weight: |i: usize| z[i][1],
+                bound: |i: usize| z[i][2],
+                is_fixed: |_| false,
+            };
             let values: Vec<f64> = z.iter().map(|z| z[0]).collect();
             let (x, active) = project_ring(&values, &data, 0);
             let slack = |s: usize| x[s] + x[(s + 1) % n] - 2.0 * z[s][2];
             // All round even rings have a solution for compatible bounds only.
             let Some(cut) = active.iter().position(|a| !a) else { continue };
-            assert!((0..n).all(|s| slack(s) <= 1e-12 && (!active[s] || slack(s) > -1e-12)), "{z:?}");
+            assert!(
+                (0..n).all(|s| slack(s) <= 1e-12 && (!active[s] || slack(s) > -1e-12)),
+                "{z:?}"
+            );
             // d (z − x) = B'λ from an inactive segment on: λ ≥ 0 proves optimality.
             let mut multiplier = 0.0;
             for i in (0..n).map(|i| (cut + 1 + i) % n) {
                 multiplier = z[i][1] * (values[i] - x[i]) - multiplier;
-                assert!(multiplier > -1e-10 && (active[i] || multiplier < 1e-10), "{z:?}, {i}: {multiplier}");
+                assert!(
+                    multiplier > -1e-10 && (active[i] || multiplier < 1e-10),
+                    "{z:?}, {i}: {multiplier}"
+                );
             }
             proved += 1;
         }

@@ -34,12 +34,16 @@ impl EdgeCone {
     /// nodes g is assumed to be compatible.
     pub(crate) fn coordinates(self, active: &[bool], bound: &[f64], fixed: &[bool]) -> Coordinates {
         let nodes = self.nodes();
-        let mut free = Coordinates { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 };
+        let mut free =
+            Coordinates { offset: vec![0.0; nodes], amplitude: vec![None; nodes], count: 0 };
         for &block in Face::new(self, active).blocks() {
             match (block.is_run, self.kind()) {
                 (false, _) => block.nodes(nodes).filter(|&i| !fixed[i]).for_each(|i| free.add(i)),
                 (true, Cone::Nodal) => {
-                    block.nodes(nodes).filter(|&i| !fixed[i]).for_each(|i| free.offset[i] = bound[i]);
+                    block
+                        .nodes(nodes)
+                        .filter(|&i| !fixed[i])
+                        .for_each(|i| free.offset[i] = bound[i]);
                 }
                 (true, Cone::Midpoint) if self.ends() == Ends::Joined => {
                     let list: Vec<usize> = block.nodes(nodes).collect();

@@ -130,12 +130,15 @@ pub(crate) fn solve_on_edge(problem: &EdgeProblem<'_>, start: ContactSet) -> Res
 fn step(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState) -> Step {
     let w = &state.displacement;
     // S w = b − r.
-    let terms = w.iter().zip(problem.load).zip(problem.residual(w)).map(|((w, b), r)| -0.5 * w * (b + r));
+    let terms =
+        w.iter().zip(problem.load).zip(problem.residual(w)).map(|((w, b), r)| -0.5 * w * (b + r));
     let worst = |values: &[f64], inside: bool, sign: f64| {
-        let wrong = (0..values.len()).filter(|&i| set.contains(i) == inside).map(|i| sign * values[i]);
+        let wrong =
+            (0..values.len()).filter(|&i| set.contains(i) == inside).map(|i| sign * values[i]);
         wrong.fold(0.0, f64::max)
     };
-    let (penetration, tension) = (worst(&state.gap, false, 1.0), worst(&state.multiplier, true, -1.0));
+    let (penetration, tension) =
+        (worst(&state.gap, false, 1.0), worst(&state.multiplier, true, -1.0));
     Step { set: set.clone(), energy: terms.sum(), penetration, tension }
 }
 
@@ -157,13 +160,19 @@ pub(super) fn changed(set: &ContactSet, constraints: &[usize]) -> ContactSet {
 ///
 /// The maximum of (B w − g)_i over the penetrating constraints and of −λ_i/max S_kk over those with
 /// negative multiplier; both are lengths.
-fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wrong: &[usize]) -> usize {
+fn furthest(
+    problem: &EdgeProblem<'_>,
+    set: &ContactSet,
+    state: &EdgeState,
+    wrong: &[usize],
+) -> usize {
     let cone = problem.edge_cone();
     let off = |i: usize| {
         if !set.contains(i) {
             return state.gap[i];
         }
-        let stiffness = cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
+        let stiffness =
+            cone.support(i).map(|node| problem.stiffness[(node, node)]).fold(0.0, f64::max);
         state.gap[i].abs().max(-state.multiplier[i] / stiffness)
     };
     wrong.iter().copied().max_by(|&i, &j| off(i).total_cmp(&off(j))).unwrap_or(0)
@@ -176,9 +185,13 @@ fn furthest(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeState, wron
 fn projected_set(problem: &EdgeProblem<'_>, state: &EdgeState) -> Result<ContactSet> {
     let force = problem.edge_cone().apply_transposed(&state.multiplier)?;
     let weight = |i: usize| problem.stiffness[(i, i)];
-    let target: Vec<f64> = (0..force.len()).map(|i| state.displacement[i] + force[i] / weight(i)).collect();
-    let nearest =
-        Weighted { weight, bound: |i: usize| problem.bound[i], is_fixed: |i: usize| problem.fixed[i] };
+    let target: Vec<f64> =
+        (0..force.len()).map(|i| state.displacement[i] + force[i] / weight(i)).collect();
+    let nearest = Weighted {
+        weight,
+        bound: |i: usize| problem.bound[i],
+        is_fixed: |i: usize| problem.fixed[i],
+    };
     Ok(ContactSet::new(&match problem.ends {
         Ends::Open => project_weighted(&target, &nearest).1,
         Ends::Joined => active_on_ring(&target, &nearest),
@@ -193,7 +206,8 @@ fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeSt
     let sizes = problem.sizes(&state.displacement);
     let is_wrong = |&i: &usize| {
         if set.contains(i) {
-            state.multiplier[i] < -ROUNDING * sizes.force(i) || state.gap[i] != 0.0 && !problem.is_settled(i)
+            state.multiplier[i] < -ROUNDING * sizes.force(i)
+                || state.gap[i] != 0.0 && !problem.is_settled(i)
         } else {
             state.gap[i] > ROUNDING * sizes.gap(i) && !problem.is_settled(i)
         }
@@ -222,7 +236,8 @@ mod tests {
                 ends: Ends::Open,
             };
             for first in 0..8u32 {
-                let start = ContactSet::new(&(0..3).map(|i| first >> i & 1 == 1).collect::<Vec<_>>());
+                let start =
+                    ContactSet::new(&(0..3).map(|i| first >> i & 1 == 1).collect::<Vec<_>>());
                 let outcome = solve_on_edge(&problem, start).unwrap();
                 assert!(outcome.status.is_converged(), "{load:?} from {first}");
             }
@@ -259,14 +274,24 @@ mod tests {
         let fixed = [true, false, true];
         let (load, cone, ends) = (&[0.0, 1.0, 0.0][..], Cone::Midpoint, Ends::Open);
         for (bound, off) in [([0.1, 0.2], 0.1), ([0.2, 0.1], 0.1), ([0.2, 0.2], 0.0)] {
-            let problem =
-                EdgeProblem { stiffness: &stiffness, load, bound: &bound, fixed: &fixed, cone, ends };
+            let problem = EdgeProblem {
+                stiffness: &stiffness,
+                load,
+                bound: &bound,
+                fixed: &fixed,
+                cone,
+                ends,
+            };
             let state = problem.solve_with(&ContactSet::new(&[true; 2])).unwrap();
             let largest = state.gap.iter().fold(0.0, |m: f64, gap| m.max(gap.abs()));
             assert!((largest - off).abs() < 1e-15, "{bound:?}: {:?}", state.gap);
             for start in [[true, true], [true, false], [false, true], [false, false]] {
                 let outcome = solve_on_edge(&problem, ContactSet::new(&start)).unwrap();
-                assert!(outcome.status.is_converged(), "{bound:?} from {start:?}: {}", outcome.status);
+                assert!(
+                    outcome.status.is_converged(),
+                    "{bound:?} from {start:?}: {}",
+                    outcome.status
+                );
                 let least = 2.0 * f64::min(bound[0], bound[1]);
                 assert!((outcome.state.displacement[1] - least).abs() < 1e-15);
             }

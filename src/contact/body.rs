@@ -101,14 +101,20 @@ pub struct Body<'a> {
 
 impl std::fmt::Debug for Body<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Body of {} triangles with {} loads", self.mesh.triangles().len(), self.loads.len())
+        write!(
+            f,
+            "Body of {} triangles with {} loads",
+            self.mesh.triangles().len(),
+            self.loads.len()
+        )
     }
 }
 
 impl<'a> Body<'a> {
     /// The body without any load, with u = 0 on Γ_D and u_N ≤ 0 on Γ_C.
     pub fn new(mesh: Triangulation, form: Form) -> Self {
-        let (loads, tractions, displacements, gaps) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (loads, tractions, displacements, gaps) =
+            (Vec::new(), Vec::new(), Vec::new(), Vec::new());
         Self { mesh, form, loads, tractions, displacements, gaps, wrong: None }
     }
 
@@ -121,7 +127,11 @@ impl<'a> Body<'a> {
         let (given, expected) = (V::COMPONENTS, self.form.components());
         if given != expected {
             let name = "components of a load";
-            self.wrong.get_or_insert(Error::Toolkit(ToolkitError::LengthMismatch { name, given, expected }));
+            self.wrong.get_or_insert(Error::Toolkit(ToolkitError::LengthMismatch {
+                name,
+                given,
+                expected,
+            }));
         }
         Acting { place, density: Arc::new(move |point| density(point).pair()) }
     }
@@ -151,7 +161,11 @@ impl<'a> Body<'a> {
 
     /// Adds a volume load on the triangles of one region, by its name.
     #[must_use]
-    pub fn load_on<V: Value>(mut self, region: &str, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
+    pub fn load_on<V: Value>(
+        mut self,
+        region: &str,
+        f: impl Fn(Point) -> V + Send + Sync + 'a,
+    ) -> Self {
         let names = self.mesh.region_names();
         let number = names.iter().position(|name| name == region);
         if number.is_none() {
@@ -173,7 +187,11 @@ impl<'a> Body<'a> {
 
     /// Adds a traction on one group of Γ_N.
     #[must_use]
-    pub fn traction_on<V: Value>(mut self, group: &str, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
+    pub fn traction_on<V: Value>(
+        mut self,
+        group: &str,
+        f: impl Fn(Point) -> V + Send + Sync + 'a,
+    ) -> Self {
         let place = self.group("free boundary group", Part::Neumann, group);
         let acting = self.acting(place, f);
         self.tractions.push(acting);
@@ -252,8 +270,9 @@ impl<'a> Body<'a> {
         let none = vec![0.0; mesh.nodes().len() * components];
         let mut problem = ContactProblem::new(mesh.clone(), self.form.clone(), &none)?;
         let rule = Cubature::new(POINTS)?;
-        let load =
-            load_by_triangles(mesh, components, &rule, &|t, point| self.load_at(mesh.region(t), point))?;
+        let load = load_by_triangles(mesh, components, &rule, &|t, point| {
+            self.load_at(mesh.region(t), point)
+        })?;
         problem.add_load(&load)?;
         if !self.tractions.is_empty() {
             let traction = |edge, point, _| self.traction_at(mesh.group(edge), point);
@@ -266,10 +285,12 @@ impl<'a> Body<'a> {
             let mut gaps = vec![f64::INFINITY; mesh.nodes().len()];
             for (number, edge) in mesh.boundary().iter().enumerate() {
                 for node in edge.nodes.into_iter().filter(|_| edge.part == Part::Contact) {
-                    gaps[node] = gaps[node].min(self.gap_at(mesh.group(number), mesh.nodes()[node])?);
+                    gaps[node] =
+                        gaps[node].min(self.gap_at(mesh.group(number), mesh.nodes()[node])?);
                 }
             }
-            let at_nodes: Vec<f64> = problem.edge().nodes().iter().map(|&node| gaps[node]).collect();
+            let at_nodes: Vec<f64> =
+                problem.edge().nodes().iter().map(|&node| gaps[node]).collect();
             problem.set_gap_values(at_nodes)?;
         }
         Ok(problem)
@@ -346,7 +367,8 @@ impl<'a> Body<'a> {
 
     /// Whether a load acts, of those that act everywhere and of those on single regions.
     pub(crate) fn has_loads(&self) -> [bool; 2] {
-        [true, false].map(|everywhere| self.loads.iter().any(|load| load.place.is_none() == everywhere))
+        [true, false]
+            .map(|everywhere| self.loads.iter().any(|load| load.place.is_none() == everywhere))
     }
 
     /// F at a point of a group of Γ_N.
@@ -381,13 +403,17 @@ fn acting_on<'s, 'a, Place: Borrow<Name>, Name: PartialEq + ?Sized>(
 }
 
 /// The last one given for the group, or else the last one for all groups.
-fn one_on<'s, 'a>(all: &'s [Acting<'a, String>], group: &str) -> impl Iterator<Item = &'s Density<'a>> {
+fn one_on<'s, 'a>(
+    all: &'s [Acting<'a, String>],
+    group: &str,
+) -> impl Iterator<Item = &'s Density<'a>> {
     let own = all.iter().rfind(|one| one.place.as_deref() == Some(group));
     own.or_else(|| all.iter().rfind(|one| one.place.is_none())).map(|one| &one.density).into_iter()
 }
 
 fn sum<'s, 'a: 's>(acting: impl Iterator<Item = &'s Density<'a>>, point: Point) -> Result<Point> {
-    let total = acting.map(|density| density(point)).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
+    let total =
+        acting.map(|density| density(point)).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
     match total.into_iter().find(|v| !v.is_finite()) {
         Some(value) => {
             let name = "value of a load or of a function";

@@ -57,7 +57,8 @@ impl ContactProblem {
         let normal: Vec<f64> = normals.iter().map(|&unknown| u[unknown]).collect();
         let gap = gap_of(self, cone, &normal);
         let c = self.form.components();
-        let radius: Vec<f64> = self.mesh.nodes().iter().map(|&node| distance(centre, node)).collect();
+        let radius: Vec<f64> =
+            self.mesh.nodes().iter().map(|&node| distance(centre, node)).collect();
         let place: Vec<f64> = (0..gap.len())
             .map(|i| cone.support(i).map(|k| radius[normals[k] / c]).fold(0.0, f64::max))
             .collect();
@@ -66,7 +67,9 @@ impl ContactProblem {
             let unknowns: Vec<usize> =
                 (0..u.len()).filter(|&i| !self.prescribed[i] && inside(radius[i / c])).collect();
             let constraints: Vec<usize> = (0..gap.len()).filter(|&i| inside(place[i])).collect();
-            let pick = |values: &[f64], from: &[usize]| from.iter().map(|&i| values[i]).collect::<Vec<f64>>();
+            let pick = |values: &[f64], from: &[usize]| {
+                from.iter().map(|&i| values[i]).collect::<Vec<f64>>()
+            };
             KktTerms {
                 residual: &pick(&residual, &unknowns),
                 multiplier: &pick(&solution.multiplier, &constraints),

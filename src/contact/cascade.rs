@@ -52,12 +52,20 @@ pub(super) fn guess(problem: &EdgeProblem<'_>) -> Result<ContactSet> {
         (0..m).map(|a| support(a).map(|(i, weight)| weight * problem.load[i]).sum()).collect();
     let bound: Vec<f64> = match problem.cone {
         Cone::Nodal => stays.iter().map(|&i| problem.bound[i]).collect(),
-        Cone::Midpoint => {
-            problem.bound.chunks(2).map(|pair| pair.iter().sum::<f64>() / pair.len() as f64).collect()
-        }
+        Cone::Midpoint => problem
+            .bound
+            .chunks(2)
+            .map(|pair| pair.iter().sum::<f64>() / pair.len() as f64)
+            .collect(),
     };
     let fixed: Vec<bool> = stays.iter().map(|&i| problem.fixed[i]).collect();
-    let coarse = EdgeProblem { stiffness: &stiffness, load: &load, bound: &bound, fixed: &fixed, ..*problem };
+    let coarse = EdgeProblem {
+        stiffness: &stiffness,
+        load: &load,
+        bound: &bound,
+        fixed: &fixed,
+        ..*problem
+    };
     let set = solve_on_edge(&coarse, guess(&coarse)?)?.set;
     let is_active = |i: usize| match problem.cone {
         Cone::Nodal if i + 1 == n && !is_ring => set.contains(m - 1),
@@ -81,10 +89,13 @@ mod tests {
             };
             let stiffness = Mat::from_fn(nodes, nodes, |i, j| {
                 let own = if i == j { 1e-3 } else { 0.0 };
-                own + (0..nodes - 1).map(|k| (k as f64 + 0.5) * wave(k, i) * wave(k, j)).sum::<f64>()
+                own + (0..nodes - 1)
+                    .map(|k| (k as f64 + 0.5) * wave(k, i) * wave(k, j))
+                    .sum::<f64>()
                     / nodes as f64
             });
-            let load: Vec<f64> = (0..nodes).map(|i| (9.0 * i as f64 / nodes as f64).sin() - 0.2).collect();
+            let load: Vec<f64> =
+                (0..nodes).map(|i| (9.0 * i as f64 / nodes as f64).sin() - 0.2).collect();
             let rings = [(Cone::Nodal, Ends::Joined), (Cone::Midpoint, Ends::Joined)];
             for (cone, ends) in Cone::ALL.into_iter().map(|cone| (cone, Ends::Open)).chain(rings) {
                 let fixed: Vec<bool> = (0..nodes).map(|i| i == 0 && ends == Ends::Open).collect();

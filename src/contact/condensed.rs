@@ -25,7 +25,8 @@ impl ContactProblem {
     /// Cost: a factorization.
     pub(crate) fn extension(&self, normal: &[f64]) -> Result<Vec<f64>> {
         let normals = self.normal_unknowns();
-        let condensation = Condensation::new(self.matrix(), self.mesh.nodes(), &self.prescribed, &normals)?;
+        let condensation =
+            Condensation::new(self.matrix(), self.mesh.nodes(), &self.prescribed, &normals)?;
         let values: Vec<f64> = normals
             .iter()
             .zip(normal)
@@ -61,7 +62,11 @@ const NO_EQUILIBRIUM: &str = "a body without Dirichlet edge is not in equilibriu
                               with a resultant that they can carry without friction";
 
 /// The solution by the active set method from the given initial guess.
-pub(super) fn solve(problem: &ContactProblem, cone: Cone, guess: ContactSet) -> Result<ContactSolution> {
+pub(super) fn solve(
+    problem: &ContactProblem,
+    cone: Cone,
+    guess: ContactSet,
+) -> Result<ContactSolution> {
     let off = || Error::Solver { reason: NO_EQUILIBRIUM.into() };
     let found = by_edge(problem, cone, |edge| match solve_on_edge(edge, guess) {
         // Too few constraints to keep the body in place: start from those of the interior point method.

@@ -143,7 +143,8 @@ impl ContactProblem {
         let mut values = vec![0.0; self.values.len()];
         for node in 0..self.mesh.nodes().len() {
             if self.prescribed[node * c] {
-                values[node * c..(node + 1) * c].copy_from_slice(&data.at(self.mesh.nodes()[node])?[..c]);
+                values[node * c..(node + 1) * c]
+                    .copy_from_slice(&data.at(self.mesh.nodes()[node])?[..c]);
             }
         }
         self.set_dirichlet_values(&values)

@@ -100,14 +100,16 @@ impl<'a> Iterate<'a> {
         if n > 0 {
             let part = Mat::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
             let what = "condensed stiffness matrix on the contact edge";
-            let factor = part.llt(Side::Lower).map_err(|_| Error::not_positive_definite(what, n))?;
+            let factor =
+                part.llt(Side::Lower).map_err(|_| Error::not_positive_definite(what, n))?;
             let mut w = Mat::from_fn(n, 1, |i, _| problem.load[free[i]]);
             factor.solve_in_place(&mut w);
             free.iter().enumerate().for_each(|(i, &node)| displacement[node] = w[(i, 0)]);
             solve_upper_triangular_in_place(factor.L().transpose(), inverse.as_mut(), Par::Seq);
         }
         let basis = (0..n).map(|j| (0..n).map(|i| inverse[(i, j)]).collect()).collect();
-        let (held, triangle, norm, cone) = (Vec::new(), Vec::new(), Vec::new(), problem.edge_cone());
+        let (held, triangle, norm, cone) =
+            (Vec::new(), Vec::new(), Vec::new(), problem.edge_cone());
         let mut iterate = Self { problem, cone, free, displacement, held, basis, triangle, norm };
         let norm = |i| iterate.image(i).iter().map(|d| d * d).sum::<f64>().sqrt();
         iterate.norm = (0..problem.bound.len()).map(norm).collect();
@@ -119,7 +121,10 @@ impl<'a> Iterate<'a> {
         let place = |node: usize| self.free.binary_search(&node).ok();
         let places: Vec<usize> = self.cone.support(constraint).filter_map(place).collect();
         let weight = self.cone.weight();
-        self.basis.iter().map(|column| weight * places.iter().map(|&i| column[i]).sum::<f64>()).collect()
+        self.basis
+            .iter()
+            .map(|column| weight * places.iter().map(|&i| column[i]).sum::<f64>())
+            .collect()
     }
 
     /// c'w − g.
@@ -134,7 +139,9 @@ impl<'a> Iterate<'a> {
         self.held.iter().for_each(|&(i, _)| held[i] = true);
         let sizes = self.problem.sizes(&self.displacement);
         (0..self.norm.len())
-            .filter(|&i| !held[i] && !self.problem.is_settled(i) && self.off(i) > CLOSED * sizes.gap(i))
+            .filter(|&i| {
+                !held[i] && !self.problem.is_settled(i) && self.off(i) > CLOSED * sizes.gap(i)
+            })
             .max_by(|&i, &j| (self.off(i) / self.norm[i]).total_cmp(&(self.off(j) / self.norm[j])))
     }
 
@@ -149,7 +156,8 @@ impl<'a> Iterate<'a> {
         let (along, rest) = image.split_at(count);
         let left: f64 = rest.iter().map(|d| d * d).sum();
         let shares = self.shares(along);
-        let falls = (0..count).filter(|&k| shares[k] > 0.0).map(|k| (k, self.held[k].1 / shares[k]));
+        let falls =
+            (0..count).filter(|&k| shares[k] > 0.0).map(|k| (k, self.held[k].1 / shares[k]));
         let first = falls.min_by(|a, b| a.1.total_cmp(&b.1));
         let is_dependent = left.sqrt() <= DEPENDENT * self.norm[constraint];
         let closes = if is_dependent { f64::INFINITY } else { self.off(constraint) / left };
@@ -159,7 +167,10 @@ impl<'a> Iterate<'a> {
         }
         if !is_dependent {
             for (column, d) in self.basis[count..].iter().zip(rest) {
-                self.free.iter().zip(column).for_each(|(&i, v)| self.displacement[i] -= length * d * v);
+                self.free
+                    .iter()
+                    .zip(column)
+                    .for_each(|(&i, v)| self.displacement[i] -= length * d * v);
             }
         }
         self.held.iter_mut().zip(&shares).for_each(|(held, share)| held.1 -= length * share);
@@ -268,13 +279,15 @@ mod tests {
             let nodes = 3 + between(0.0, 12.0) as usize;
             let a = Mat::from_fn(nodes, nodes, |_, _| between(-1.0, 1.0));
             let shift = 10f64.powf(between(-3.0, 1.0));
-            let stiffness =
-                &a * a.transpose() + Mat::from_fn(nodes, nodes, |i, j| if i == j { shift } else { 0.0 });
+            let stiffness = &a * a.transpose()
+                + Mat::from_fn(nodes, nodes, |i, j| if i == j { shift } else { 0.0 });
             let load: Vec<f64> = (0..nodes).map(|_| between(-1.0, 1.0)).collect();
-            let fixed: Vec<bool> =
-                (0..nodes).map(|i| i == 0 && trial % 2 == 1 || i + 1 == nodes && trial % 4 > 1).collect();
+            let fixed: Vec<bool> = (0..nodes)
+                .map(|i| i == 0 && trial % 2 == 1 || i + 1 == nodes && trial % 4 > 1)
+                .collect();
             for cone in Cone::ALL {
-                let bound: Vec<f64> = (0..cone.constraints(nodes)).map(|_| between(0.0, 0.3)).collect();
+                let bound: Vec<f64> =
+                    (0..cone.constraints(nodes)).map(|_| between(0.0, 0.3)).collect();
                 let (load, fixed, bound) = (&load[..], &fixed[..], &bound[..]);
                 let ends = Ends::Open;
                 let problem = EdgeProblem { stiffness: &stiffness, load, bound, fixed, cone, ends };
@@ -282,7 +295,11 @@ mod tests {
                 let state = problem.solve_with(&set).unwrap();
                 let case = format!("{trial} {cone}: {set:?}");
                 assert!(changes >= set.count(), "{case}");
-                assert!(state.multiplier.iter().all(|&l| l >= -1e-10), "{case} {:?}", state.multiplier);
+                assert!(
+                    state.multiplier.iter().all(|&l| l >= -1e-10),
+                    "{case} {:?}",
+                    state.multiplier
+                );
                 let open = |i: usize| !problem.is_settled(i) && state.gap[i] > 1e-12;
                 assert!(!(0..bound.len()).any(open), "{case} {:?}", state.gap);
             }
@@ -301,7 +318,8 @@ mod tests {
             own + (0..nodes - 1).map(|k| (k as f64 + 0.5) * wave(k, i) * wave(k, j)).sum::<f64>()
                 / nodes as f64
         });
-        let load: Vec<f64> = (0..nodes).map(|i| if i < 3 * nodes / 10 { 1.0 } else { -1.0 }).collect();
+        let load: Vec<f64> =
+            (0..nodes).map(|i| if i < 3 * nodes / 10 { 1.0 } else { -1.0 }).collect();
         let (bound, fixed) = (vec![0.0; nodes - 1], (0..nodes).map(|i| i == 0).collect::<Vec<_>>());
         let (load, bound, fixed) = (&load[..], &bound[..], &fixed[..]);
         let (cone, ends) = (Cone::Midpoint, Ends::Open);

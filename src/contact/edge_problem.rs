@@ -60,8 +60,10 @@ impl EdgeProblem<'_> {
         let multiplier = cone.multipliers(set.as_slice(), &residual, |node| self.fixed[node]);
         let mut gap = cone.apply(&displacement);
         for (i, gap) in gap.iter_mut().enumerate() {
-            let size =
-                cone.support(i).map(|node| displacement[node].abs()).fold(self.bound[i].abs(), f64::max);
+            let size = cone
+                .support(i)
+                .map(|node| displacement[node].abs())
+                .fold(self.bound[i].abs(), f64::max);
             let off = *gap - self.bound[i];
             let holds = set.contains(i) && !self.is_settled(i) && off.abs() <= HELD * size;
             *gap = if holds { 0.0 } else { off };
@@ -205,8 +207,9 @@ mod tests {
                     ends: Ends::Open,
                 };
                 for pattern in 0..1u32 << (constraints - 1) {
-                    let set =
-                        ContactSet::new(&(0..constraints).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>());
+                    let set = ContactSet::new(
+                        &(0..constraints).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>(),
+                    );
                     check(&problem, &set);
                 }
             }
@@ -232,8 +235,14 @@ mod tests {
         }
     }
 
-    fn project(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> (Vec<f64>, ContactSet) {
-        let nearest = Weighted { weight: |i| weights[i], bound: |i| bound[i], is_fixed: |i| fixed[i] };
+    fn project(
+        target: &[f64],
+        weights: &[f64],
+        bound: &[f64],
+        fixed: &[bool],
+    ) -> (Vec<f64>, ContactSet) {
+        let nearest =
+            Weighted { weight: |i| weights[i], bound: |i| bound[i], is_fixed: |i| fixed[i] };
         let (p, active) = project_weighted(target, &nearest);
         (p, ContactSet::new(&active))
     }
@@ -248,11 +257,14 @@ mod tests {
         let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone, ends };
         (0..1_u32 << bound.len())
             .map(|pattern| {
-                ContactSet::new(&(0..bound.len()).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>())
+                ContactSet::new(
+                    &(0..bound.len()).map(|i| pattern >> i & 1 == 1).collect::<Vec<_>>(),
+                )
             })
             .map(|set| problem.solve_with(&set).unwrap())
             .find(|state| {
-                let admissible = (0..bound.len()).all(|i| state.gap[i] <= 1e-13 || problem.is_settled(i));
+                let admissible =
+                    (0..bound.len()).all(|i| state.gap[i] <= 1e-13 || problem.is_settled(i));
                 admissible && state.multiplier.iter().all(|&l| l >= -1e-13)
             })
             .unwrap()
@@ -278,7 +290,10 @@ mod tests {
             let (p, active) = project(&target, &weights, &bound, &fixed);
             let expected = exhaustive(&target, &weights, &bound, &fixed);
             for i in 0..nodes {
-                assert!((p[i] - expected[i]).abs() < 1e-12, "{trial}: {p:?}, expected {expected:?}");
+                assert!(
+                    (p[i] - expected[i]).abs() < 1e-12,
+                    "{trial}: {p:?}, expected {expected:?}"
+                );
             }
             for i in active.indices() {
                 let slack = 2.0 * bound[i] - p[i] - p[i + 1];

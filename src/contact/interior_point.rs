@@ -7,7 +7,9 @@
 //! 16 steps.
 
 use super::problem::ContactProblem;
-use super::solution::{ACCEPTED, Candidate, ContactSolution, Seconds, conclude, force_scale, gap_of};
+use super::solution::{
+    ACCEPTED, Candidate, ContactSolution, Seconds, conclude, force_scale, gap_of,
+};
 use super::solver::Solver;
 use crate::cone::{Cone, ContactSet, EdgeCone, Status};
 use crate::error::{Error, Result};
@@ -104,7 +106,8 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
     }
     let loads = problem.load.iter().map(|force| force.abs()).sum::<f64>();
     let forces = [solution.contact_force, solution.reaction[0], solution.reaction[1]];
-    let rounding = solution.force_rounding / forces.iter().fold(loads, |most, force| most.max(force.abs()));
+    let rounding =
+        solution.force_rounding / forces.iter().fold(loads, |most, force| most.max(force.abs()));
     if solution.status.is_converged() && solution.balance > BALANCED.max(ROUNDINGS * rounding) {
         solution.status = Status::Stalled { residual: solution.balance };
     }
@@ -121,7 +124,8 @@ pub(super) fn solve(problem: &ContactProblem, cone: Cone) -> Result<ContactSolut
 /// One of the two tends to zero, so that their ratio is far from 1 and the precise stiffness is irrelevant.
 fn dominant(problem: &ContactProblem, cone: EdgeCone, answer: &Answer, gap: &[f64]) -> ContactSet {
     let normals = problem.normal_unknowns();
-    let stiff = |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);
+    let stiff =
+        |i: usize| cone.support(i).map(|node| problem.diagonal(normals[node])).fold(0.0, f64::max);
     ContactSet::new(
         &(0..gap.len()).map(|i| answer.multiplier[i] > stiff(i) * gap[i].abs()).collect::<Vec<_>>(),
     )
@@ -222,7 +226,9 @@ fn constraint_matrix(
 ) -> CscMatrix<f64> {
     let mut entries: Vec<(usize, usize)> = Vec::new();
     for (row, &i) in constraints.iter().enumerate() {
-        entries.extend(cone.support(i).filter_map(|node| number[normals[node]]).map(|column| (column, row)));
+        entries.extend(
+            cone.support(i).filter_map(|node| number[normals[node]]).map(|column| (column, row)),
+        );
     }
     entries.sort_unstable();
     let mut starts = vec![0; columns + 1];

@@ -39,7 +39,8 @@ impl ContactProblem {
 
     /// Seconds spent so far on load, edge and matrix.
     pub(super) fn assembly_seconds(&self) -> f64 {
-        self.preparation_seconds + self.operator.assembled.get().map_or(0.0, |assembled| assembled.1)
+        self.preparation_seconds
+            + self.operator.assembled.get().map_or(0.0, |assembled| assembled.1)
     }
 
     /// Number of unknowns, prescribed ones included.

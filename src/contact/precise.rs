@@ -49,7 +49,11 @@ const STEPS: usize = 20;
 impl ContactProblem {
     /// The solution in double-double where rounding may be noticed, that of binary64 elsewhere; a solution whose J is
     /// rounded by more than the tolerance is not converged.
-    pub(super) fn completed(&self, cone: Cone, found: Result<ContactSolution>) -> Result<ContactSolution> {
+    pub(super) fn completed(
+        &self,
+        cone: Cone,
+        found: Result<ContactSolution>,
+    ) -> Result<ContactSolution> {
         if self.unknowns() > MOST_UNKNOWNS {
             return found;
         }
@@ -87,7 +91,9 @@ impl ContactProblem {
         Ok(match found {
             // Where contact keeps u = 0 a residue of 1e-32 has no scale: the zeros of binary64 are better.
             Ok(found) if found.status.is_converged() && !precise.status.is_converged() => found,
-            Ok(found) => ContactSolution { seconds: found.seconds, multigrid: found.multigrid, ..precise },
+            Ok(found) => {
+                ContactSolution { seconds: found.seconds, multigrid: found.multigrid, ..precise }
+            }
             Err(_) => precise,
         })
     }
@@ -159,7 +165,9 @@ impl<'a> System<'a> {
         if products + 2.0 * m * profile + m * m * m > MOST_WORK {
             return None;
         }
-        let factor = Profile::new(&first, |i, j| rows[free[i]].get(&free[j]).copied().unwrap_or(Quad::ZERO))?;
+        let factor = Profile::new(&first, |i, j| {
+            rows[free[i]].get(&free[j]).copied().unwrap_or(Quad::ZERO)
+        })?;
         let weight = Quad::from(cone.weight());
         let mut entries = Vec::new();
         let mut bound = Vec::new();
@@ -176,7 +184,16 @@ impl<'a> System<'a> {
             entries.push(row);
             bound.push(g);
         }
-        Some(Self { problem, rows, free, factor, constraints, entries, bound, count: cone.constraints() })
+        Some(Self {
+            problem,
+            rows,
+            free,
+            factor,
+            constraints,
+            entries,
+            bound,
+            count: cone.constraints(),
+        })
     }
 
     /// `None` if no contact set is found.
@@ -201,7 +218,8 @@ impl<'a> System<'a> {
             (0..m).map(|i| dot_sparse(&self.entries[i], &unloaded) - self.bound[i]).collect();
         let start: Vec<bool> =
             self.constraints.iter().map(|&i| guess.is_some_and(|set| set.contains(i))).collect();
-        let (set, found) = SIGNS.iter().find_map(|&sign| complementarity(&matrix, &open, &start, sign))?;
+        let (set, found) =
+            SIGNS.iter().find_map(|&sign| complementarity(&matrix, &open, &start, sign))?;
         let mut free = unloaded;
         for (image, &l) in images.iter().zip(&found) {
             free.iter_mut().zip(image).for_each(|(u, &s)| *u -= s * l);
@@ -210,7 +228,8 @@ impl<'a> System<'a> {
         self.free.iter().zip(&free).for_each(|(&i, &u)| unknowns[i] = u);
         let residual = self.residual(&unknowns, &found);
         let correction = self.factor.solve(&residual);
-        let before = residual.iter().zip(&correction).fold(Quad::ZERO, |sum, (&r, &d)| sum + r * d).0.abs();
+        let before =
+            residual.iter().zip(&correction).fold(Quad::ZERO, |sum, (&r, &d)| sum + r * d).0.abs();
         self.free.iter().zip(&correction).for_each(|(&i, &d)| unknowns[i] += d);
         let stress: Vec<Quad> = self.rows.iter().map(|row| product(row, &unknowns)).collect();
         let half = Quad::from(0.5);
@@ -220,8 +239,9 @@ impl<'a> System<'a> {
             .zip(&problem.load)
             .fold(Quad::ZERO, |sum, ((&u, &k), &f)| sum + u * (half * k - Quad::from(f)));
         let free: Vec<Quad> = self.free.iter().map(|&i| unknowns[i]).collect();
-        let left: f64 =
-            (0..m).map(|i| ((dot_sparse(&self.entries[i], &free) - self.bound[i]) * found[i]).0.abs()).sum();
+        let left: f64 = (0..m)
+            .map(|i| ((dot_sparse(&self.entries[i], &free) - self.bound[i]) * found[i]).0.abs())
+            .sum();
         let strain = dot(&unknowns, &stress).0;
         let data = self.work_of_data(&unknowns, &stress) + strain.abs() + energy.0.abs();
         let rounding = 2.0 * f64::EPSILON * data + before + left;
@@ -263,8 +283,10 @@ impl<'a> System<'a> {
     fn work_of_data(&self, unknowns: &[Quad], stress: &[Quad]) -> f64 {
         let size = |values: &[f64]| values.iter().copied().fold(0.0, f64::hypot);
         let is_known = self.problem.form.components() == 1 || self.problem.frames.are_along_axes();
-        let reach = self.problem.edge.points().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let shortest = self.problem.edge.segment_lengths().into_iter().fold(f64::INFINITY, f64::min);
+        let reach =
+            self.problem.edge.points().iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let shortest =
+            self.problem.edge.segment_lengths().into_iter().fold(f64::INFINITY, f64::min);
         let direction = if is_known { 1.0 } else { 1.0 + reach / shortest };
         let at = |start: usize| {
             let range = start..start + self.problem.form.components();
@@ -295,8 +317,9 @@ fn complementarity(
     let (mut fewest, mut in_vain) = (usize::MAX, 0);
     for _ in 0..STEPS * (m + 1) {
         let multiplier = equations(matrix, open, &mut set);
-        let terms =
-            |i: usize| (0..m).fold(open[i].0.abs(), |sum, j| sum + (matrix[i][j] * multiplier[j]).0.abs());
+        let terms = |i: usize| {
+            (0..m).fold(open[i].0.abs(), |sum, j| sum + (matrix[i][j] * multiplier[j]).0.abs())
+        };
         let gap = |i: usize| (0..m).fold(open[i], |sum, j| sum - matrix[i][j] * multiplier[j]).0;
         let is_wrong = |&i: &usize| match set[i] {
             true => multiplier[i].0 < -sign * terms(i) / matrix[i][i].0,
@@ -358,7 +381,8 @@ fn ordered(problem: &ContactProblem, rows: &[PreciseRow]) -> Vec<usize> {
         seen[start] = true;
         let mut next = 0;
         while next < order.len() {
-            let mut found: Vec<usize> = neighbours(order[next]).filter(|&node| !seen[node]).collect();
+            let mut found: Vec<usize> =
+                neighbours(order[next]).filter(|&node| !seen[node]).collect();
             found.sort_by_key(|&node| degree[node]);
             for node in found {
                 seen[node] = true;

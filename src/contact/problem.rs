@@ -201,9 +201,10 @@ impl ContactProblem {
     pub(super) fn smallest_modulus(&self) -> f64 {
         match &self.form {
             Form::Scalar { .. } => 1.0,
-            Form::Elastic { materials } => {
-                materials.iter().map(|m| m.mu().min(m.lambda() + m.mu())).fold(f64::INFINITY, f64::min)
-            }
+            Form::Elastic { materials } => materials
+                .iter()
+                .map(|m| m.mu().min(m.lambda() + m.mu()))
+                .fold(f64::INFINITY, f64::min),
         }
     }
 
@@ -319,16 +320,25 @@ impl ContactProblem {
 /// Whether some body (triangles connected by nodes) has no Dirichlet edge; [`Error::NotHeld`] if its floors cannot keep
 /// it in place either: in the scalar problem one contact edge can, for an elastic body two that are not parallel can.
 /// Checked before any matrix is assembled.
-fn require_held(mesh: &Triangulation, held: &[bool], edge: &ContactEdge, components: usize) -> Result<bool> {
+fn require_held(
+    mesh: &Triangulation,
+    held: &[bool],
+    edge: &ContactEdge,
+    components: usize,
+) -> Result<bool> {
     let bodies = mesh.bodies();
     let mut is_held = vec![false; bodies.len()];
     bodies.iter().zip(held).for_each(|(&body, &held)| is_held[body] |= held);
     let floating = |&node: &usize| !is_held[bodies[node]];
     let Some(node) = (0..bodies.len()).find(floating) else { return Ok(false) };
-    let normals = if components == 2 { edge.normals()? } else { vec![[0.0; 2]; edge.pieces().len()] };
+    let normals =
+        if components == 2 { edge.normals()? } else { vec![[0.0; 2]; edge.pieces().len()] };
     let floors_of = |body: usize| -> Vec<Point> {
         let pieces = edge.pieces().into_iter().zip(&normals);
-        pieces.filter(|(piece, _)| bodies[edge.nodes()[piece.start]] == body).map(|(_, n)| *n).collect()
+        pieces
+            .filter(|(piece, _)| bodies[edge.nodes()[piece.start]] == body)
+            .map(|(_, n)| *n)
+            .collect()
     };
     let is_kept = |body: usize| {
         let floors = floors_of(body);
@@ -337,11 +347,14 @@ fn require_held(mesh: &Triangulation, held: &[bool], edge: &ContactEdge, compone
     };
     match (0..bodies.len()).find(|node| floating(node) && !is_kept(bodies[*node])) {
         None => Ok(true),
-        Some(_) if !held.contains(&true) && edge.pieces().len() == 1 => {
-            Err(Error::count("Dirichlet edges", 0, "[1, inf), the range for a form without reaction term"))
-        }
+        Some(_) if !held.contains(&true) && edge.pieces().len() == 1 => Err(Error::count(
+            "Dirichlet edges",
+            0,
+            "[1, inf), the range for a form without reaction term",
+        )),
         Some(_) => {
-            let triangles = mesh.triangles().iter().filter(|t| bodies[t[0]] == bodies[node]).count();
+            let triangles =
+                mesh.triangles().iter().filter(|t| bodies[t[0]] == bodies[node]).count();
             Err(Error::NotHeld { triangles, node: mesh.number(node), place: mesh.nodes()[node] })
         }
     }

@@ -210,7 +210,8 @@ pub(super) fn conclude_with(
     };
     let lengths = problem.edge.nodal_lengths();
     let traction = tractions(problem, stress_force, &lengths);
-    let mut residual: Vec<f64> = stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
+    let mut residual: Vec<f64> =
+        stress_force.iter().zip(&problem.load).map(|(k, f)| k - f).collect();
     normals.iter().zip(&edge_force).for_each(|(&unknown, force)| residual[unknown] += force);
     let gap = gap_of(problem, edge_cone, &normal_displacement);
     let free: Vec<f64> =
@@ -218,7 +219,8 @@ pub(super) fn conclude_with(
     // Sums over all unknowns in the same order on one thread each: digits do not depend on the number of threads.
     let balance = || global_balance(problem, u, &residual, &edge_force);
     let of_energy = || {
-        let terms = rayon::join(|| 0.5 * careful_dot(u, stress_force), || careful_dot(u, &problem.load));
+        let terms =
+            rayon::join(|| 0.5 * careful_dot(u, stress_force), || careful_dot(u, &problem.load));
         (terms.0 - terms.1, terms.0.abs() + terms.1.abs())
     };
     let of_sizes = || {
@@ -233,12 +235,16 @@ pub(super) fn conclude_with(
         (largest_free(problem, &sizes), roundings)
     };
     let scales = || rayon::join(of_sizes, || displacement_scale(problem, u));
-    let ((reaction, balance), ((energy, energy_scale), ((force_scale, roundings), displacement_scale))) =
-        rayon::join(balance, || rayon::join(of_energy, scales));
+    let (
+        (reaction, balance),
+        ((energy, energy_scale), ((force_scale, roundings), displacement_scale)),
+    ) = rayon::join(balance, || rayon::join(of_energy, scales));
     let energy_scale = energy_scale + problem.smallest_modulus() * displacement_scale.powi(2);
-    let [energy_rounding, force_rounding] = [roundings.0, roundings.1].map(|root| f64::EPSILON * root);
-    let (energy, energy_rounding) =
-        evaluated.as_ref().map_or((energy, energy_rounding), |found| (found.energy, found.rounding));
+    let [energy_rounding, force_rounding] =
+        [roundings.0, roundings.1].map(|root| f64::EPSILON * root);
+    let (energy, energy_rounding) = evaluated
+        .as_ref()
+        .map_or((energy, energy_rounding), |found| (found.energy, found.rounding));
     require_values("energy J", &[energy, energy_rounding], 2)?;
     let terms = KktTerms {
         residual: &free,
@@ -255,7 +261,9 @@ pub(super) fn conclude_with(
     };
     let margins = free_margins(problem, edge_cone, &terms, &candidate.contact_set)?;
     let status = match candidate.status {
-        Status::Converged if kkt.worst() > candidate.accepted => Status::Stalled { residual: kkt.worst() },
+        Status::Converged if kkt.worst() > candidate.accepted => {
+            Status::Stalled { residual: kkt.worst() }
+        }
         Status::Converged if energy_rounding > ACCEPTED * energy_scale => {
             Status::Stalled { residual: energy_rounding / energy_scale }
         }
@@ -312,7 +320,9 @@ fn energy_terms_by_node(problem: &ContactProblem, u: &[f64]) -> f64 {
     let at = |node: usize| {
         let terms = matrix.neighbours(node).iter().zip(matrix.blocks(node).chunks_exact(4));
         let stress: f64 = terms
-            .map(|(&column, block)| size(block) * size(&u[2 * column as usize..2 * column as usize + 2]))
+            .map(|(&column, block)| {
+                size(block) * size(&u[2 * column as usize..2 * column as usize + 2])
+            })
             .sum();
         size(&u[2 * node..2 * node + 2]) * (stress + size(&problem.load[2 * node..2 * node + 2]))
     };
@@ -363,7 +373,11 @@ fn free_margins(
 }
 
 /// B u − g.
-pub(super) fn gap_of(problem: &ContactProblem, cone: EdgeCone, normal_displacement: &[f64]) -> Vec<f64> {
+pub(super) fn gap_of(
+    problem: &ContactProblem,
+    cone: EdgeCone,
+    normal_displacement: &[f64],
+) -> Vec<f64> {
     let bound = cone.apply(&problem.gap);
     let means = cone.apply(normal_displacement);
     means.iter().zip(bound).map(|(mean, g)| mean - g).collect()
@@ -399,7 +413,12 @@ fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
 }
 
 /// The total reaction and the relative imbalance of all forces.
-fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_force: &[f64]) -> (Point, f64) {
+fn global_balance(
+    problem: &ContactProblem,
+    u: &[f64],
+    residual: &[f64],
+    edge_force: &[f64],
+) -> (Point, f64) {
     let c = problem.form.components();
     let mut reactions = vec![0.0; residual.len()];
     for i in (0..residual.len()).filter(|&i| problem.prescribed[i]) {
@@ -411,7 +430,8 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
     }
     let absolute = |values: &[f64]| compensated(values.iter().map(|v| v.abs()));
     let along = |axis: usize| {
-        let unit: Vec<f64> = (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
+        let unit: Vec<f64> =
+            (0..residual.len()).map(|i| f64::from(u8::from(i % c == axis))).collect();
         let direction = problem.to_frame(&unit);
         let reaction = careful_dot(&direction, &reactions);
         let inner = problem.multiply(&direction);
@@ -422,7 +442,8 @@ fn global_balance(problem: &ContactProblem, u: &[f64], residual: &[f64], edge_fo
         (reaction, size, sum.abs())
     };
     let of_forces = || (absolute(&problem.load) + absolute(&reactions)).max(absolute(&contact));
-    let (found, forces) = rayon::join(|| (0..c).into_par_iter().map(along).collect::<Vec<_>>(), of_forces);
+    let (found, forces) =
+        rayon::join(|| (0..c).into_par_iter().map(along).collect::<Vec<_>>(), of_forces);
     let (mut reaction, mut worst, mut scale) = ([0.0; 2], 0.0_f64, forces);
     for (axis, (along, size, sum)) in found.into_iter().enumerate() {
         reaction[axis] = along;

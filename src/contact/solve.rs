@@ -75,7 +75,9 @@ impl ContactProblem {
             _ if self.floats && solver != Solver::InteriorPoint => {
                 condensed::solve(self, cone, self.first_set(cone, start)?)
             }
-            Solver::Multigrid | Solver::Auto => self.by_multigrid(cone, hierarchy, accuracy, progress),
+            Solver::Multigrid | Solver::Auto => {
+                self.by_multigrid(cone, hierarchy, accuracy, progress)
+            }
             Solver::InteriorPoint => interior_point::solve(self, cone),
         };
         self.completed(cone, found)
@@ -90,7 +92,8 @@ impl ContactProblem {
             Start::Set(set) => Ok(set),
             Start::Coarse(coarse) if coarse.cone != cone => {
                 let (given, with) = (coarse.cone.to_string(), "a solution in the other cone");
-                let (what, expected) = ("initial guess for cone", "an initial guess for the same cone");
+                let (what, expected) =
+                    ("initial guess for cone", "an initial guess for the same cone");
                 Err(Error::Toolkit(ToolkitError::Incompatible { what, given, with, expected }))
             }
             Start::Coarse(coarse) => {

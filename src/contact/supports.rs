@@ -56,7 +56,9 @@ impl ContactProblem {
             }
         }
         for part in [Part::Dirichlet, Part::Contact] {
-            for (number, edge) in mesh.boundary().iter().enumerate().filter(|(_, edge)| edge.part == part) {
+            for (number, edge) in
+                mesh.boundary().iter().enumerate().filter(|(_, edge)| edge.part == part)
+            {
                 let support = found.iter().position(|one| one.group == mesh.group(number));
                 edge.nodes.into_iter().for_each(|node| owner[node] = owner[node].or(support));
             }

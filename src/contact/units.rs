@@ -81,8 +81,11 @@ impl ContactSolution {
 
 impl MultigridReport {
     fn scaled_by(mut self, unit: f64) -> Self {
-        let scaled =
-            |found: Estimate| Estimate { value: found.value * unit, error: found.error * unit, ..found };
+        let scaled = |found: Estimate| Estimate {
+            value: found.value * unit,
+            error: found.error * unit,
+            ..found
+        };
         self.error = self.error.map(scaled);
         self.discretisation = self.discretisation.map(|error| error * unit);
         for level in &mut self.levels {

@@ -46,8 +46,9 @@ impl ContactProblem {
         for (&node, &value) in edge.iter().zip(&solution.pressure) {
             (pressure[node], marker[node]) = (value, 1.0);
         }
-        let planar =
-            |values: &[f64]| -> Vec<f64> { values.chunks(2).flat_map(|v| [v[0], v[1], 0.0]).collect() };
+        let planar = |values: &[f64]| -> Vec<f64> {
+            values.chunks(2).flat_map(|v| [v[0], v[1], 0.0]).collect()
+        };
         let (displacement, width, on_triangles) = if components == 2 {
             let stress = stresses(mesh, self.form(), &solution.displacement)?;
             let values: Vec<f64> = stress.iter().flat_map(|s| [s.xx, s.yy, s.xy]).collect();
@@ -60,7 +61,10 @@ impl ContactProblem {
         let mut text = String::from("<?xml version=\"1.0\"?>\n");
         text += "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n";
         let (count, cells) = (nodes.len(), triangles.len());
-        let _ = writeln!(text, "<Piece NumberOfPoints=\"{count}\" NumberOfCells=\"{cells}\">\n<PointData>");
+        let _ = writeln!(
+            text,
+            "<Piece NumberOfPoints=\"{count}\" NumberOfCells=\"{cells}\">\n<PointData>"
+        );
         array(&mut text, "Float64", "displacement", width, &displacement);
         array(&mut text, "Float64", "pressure", 1, &pressure);
         array(&mut text, "Float64", "contact_edge", 1, &marker);
@@ -82,9 +86,19 @@ impl ContactProblem {
 }
 
 /// One array, twelve numbers a line.
-fn array(text: &mut String, kind: &str, name: &str, components: usize, values: &[impl std::fmt::Debug]) {
+fn array(
+    text: &mut String,
+    kind: &str,
+    name: &str,
+    components: usize,
+    values: &[impl std::fmt::Debug],
+) {
     // Readers take a number of components for a second index, which scalars do not have.
-    let width = if components > 1 { format!(" NumberOfComponents=\"{components}\"") } else { String::new() };
+    let width = if components > 1 {
+        format!(" NumberOfComponents=\"{components}\"")
+    } else {
+        String::new()
+    };
     let _ = writeln!(text, "<DataArray type=\"{kind}\" Name=\"{name}\"{width} format=\"ascii\">");
     for line in values.chunks(12) {
         for value in line {
@@ -116,7 +130,9 @@ mod tests {
             numbers(&text, "displacement").chunks(3).flat_map(|v| [v[0], v[1]]).collect();
         assert_eq!(displacement, u.displacement);
         let pressure = numbers(&text, "pressure");
-        assert!(problem.edge().nodes().iter().zip(&u.pressure).all(|(&node, p)| pressure[node] == *p));
+        assert!(
+            problem.edge().nodes().iter().zip(&u.pressure).all(|(&node, p)| pressure[node] == *p)
+        );
         assert_eq!(numbers(&text, "contact_edge").iter().sum::<f64>(), u.pressure.len() as f64);
         let connectivity = numbers(&text, "connectivity");
         assert_eq!(connectivity.len(), 3 * problem.mesh().triangles().len());

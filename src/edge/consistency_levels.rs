@@ -70,7 +70,8 @@ fn midpoint(edge_data: &EdgeData) -> Vec<(usize, f64)> {
             for sums in [&mut held, &mut open] {
                 *sums = sums.chunks(2).map(|pair| pair.iter().sum()).collect();
             }
-            let products = held.iter().zip(&open).fold(0.0, |sum, (force, area)| sum + force * area);
+            let products =
+                held.iter().zip(&open).fold(0.0, |sum, (force, area)| sum + force * area);
             (cells, products * cells as f64)
         })
         .collect()

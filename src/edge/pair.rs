@@ -131,7 +131,11 @@ impl ContactPair {
             _ => 0.5 * (data[i + 1] - data[i - 1]) * n,
         };
         let value = |i: usize| {
-            if i == 0 || i == cells { data[i] } else { 0.25 * (data[i - 1] + 2.0 * data[i] + data[i + 1]) }
+            if i == 0 || i == cells {
+                data[i]
+            } else {
+                0.25 * (data[i - 1] + 2.0 * data[i] + data[i + 1])
+            }
         };
         let values: Vec<f64> = (0..=cells).map(value).collect();
         let pressure = |i: usize| {
@@ -170,7 +174,8 @@ impl ContactPair {
         Error::require("tau", tau, "[2, 5/2)", (2.0..2.5).contains(&tau))?;
         let n = cells as f64;
         let place = |i: usize| i as f64 / n - a;
-        let values = (0..=cells).map(|i| 0.0 - place(i).max(0.0).powf(tau - 1.0)).collect::<Vec<_>>();
+        let values =
+            (0..=cells).map(|i| 0.0 - place(i).max(0.0).powf(tau - 1.0)).collect::<Vec<_>>();
         let force = |i: usize| {
             let share = if i == 0 || i == cells { 0.5 } else { 1.0 };
             if place(i) < 0.0 { share * (-place(i)).powf(tau - 2.0) / n } else { 0.0 }
@@ -251,9 +256,12 @@ mod tests {
 
     #[test]
     fn pairs_are_complementary_at_every_point_and_keep_the_force() {
-        for (name, tau) in
-            [("transition", 1.75), ("transitions:5", 1.6), ("fat-cantor:6", 1.8), ("cantor:0.3", 2.0)]
-        {
+        for (name, tau) in [
+            ("transition", 1.75),
+            ("transitions:5", 1.6),
+            ("fat-cantor:6", 1.8),
+            ("cantor:0.3", 2.0),
+        ] {
             for sides in [LateralCondition::Natural, LateralCondition::Periodic] {
                 let source: StripData = name.parse().unwrap();
                 let edge_data = source.data(tau, 1 << 10, sides).unwrap();
@@ -261,16 +269,24 @@ mod tests {
                     let pair = ContactPair::of_data(&edge_data, traces).unwrap();
                     let edge = pair.segment(0, pair.cells());
                     for i in 0..pair.cells() {
-                        let open =
-                            edge.values[i] != 0.0 || edge.values[i + 1] != 0.0 || edge.slopes[i] != [0.0; 2];
-                        assert!(edge.values[i] <= 0.0 && edge.pressures[i].iter().all(|&p| p >= 0.0));
-                        assert!(!open || edge.pressures[i] == [0.0; 2], "{name} {traces:?} cell {i}");
+                        let open = edge.values[i] != 0.0
+                            || edge.values[i + 1] != 0.0
+                            || edge.slopes[i] != [0.0; 2];
+                        assert!(
+                            edge.values[i] <= 0.0 && edge.pressures[i].iter().all(|&p| p >= 0.0)
+                        );
+                        assert!(
+                            !open || edge.pressures[i] == [0.0; 2],
+                            "{name} {traces:?} cell {i}"
+                        );
                     }
                     let total: f64 =
                         edge.pressures.iter().map(|p| 0.5 * (p[0] + p[1])).sum::<f64>() * edge.cell;
                     let force: f64 = edge_data.forces().iter().sum();
                     match traces {
-                        Traces::Constants => assert!((total - force).abs() < 1e-12 * force, "{name}"),
+                        Traces::Constants => {
+                            assert!((total - force).abs() < 1e-12 * force, "{name}")
+                        }
                         Traces::Linears => assert!(total <= force && total > 0.0, "{name}"),
                     }
                 }

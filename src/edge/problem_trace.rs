@@ -75,7 +75,13 @@ impl EdgeTrace {
         }
         problem.contact_mesh()?; // one piece
         let values = solution.normal_displacement.clone();
-        discrete_trace(edge.arc(), values, &solution.multiplier, &solution.contact_set, solution.cone)
+        discrete_trace(
+            edge.arc(),
+            values,
+            &solution.multiplier,
+            &solution.contact_set,
+            solution.cone,
+        )
     }
 
     /// The trace of a discrete solution on a strip with natural sides, on (0, 1).

@@ -88,8 +88,11 @@ impl TraceNorms {
             sums[2] += 0.5 * (a + b);
         }
         let mean = sums[2] / ends.len() as f64;
-        let deviation: f64 =
-            ends.iter().map(|&[a, b]| [a - mean, b - mean]).map(|[a, b]| (a * a + a * b + b * b) / 3.0).sum();
+        let deviation: f64 = ends
+            .iter()
+            .map(|&[a, b]| [a - mean, b - mean])
+            .map(|[a, b]| (a * a + a * b + b * b) / 3.0)
+            .sum();
         Ok(Self {
             l2: (cell * sums[0]).sqrt(),
             lq: (cell * sums[1]).powf(1.0 / q),
@@ -185,8 +188,14 @@ impl ContactPair {
     /// # Errors
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) unless n divides N;
     /// [`ToolkitError::InfiniteNorm`](crate::ToolkitError::InfiniteNorm) for piecewise constants and ν ≥ 1/2.
-    pub fn norms(&self, segments: usize, order: impl Given<Order>, q: f64) -> Result<Vec<SegmentNorms>> {
-        let form = SeminormForm::new(self.traces(), order.given()?, self.cells() / segments.max(1))?;
+    pub fn norms(
+        &self,
+        segments: usize,
+        order: impl Given<Order>,
+        q: f64,
+    ) -> Result<Vec<SegmentNorms>> {
+        let form =
+            SeminormForm::new(self.traces(), order.given()?, self.cells() / segments.max(1))?;
         self.norms_by(&form, segments, q)
     }
 
@@ -206,7 +215,8 @@ impl ContactPair {
     ) -> Result<impl Iterator<Item = Result<Vec<SegmentNorms>>>> {
         let none = ToolkitError::CountOutOfRange { name: "pairs", value: 0, range: "[1, inf)" };
         let first = pairs.first().ok_or(none)?;
-        let form = SeminormForm::new(first.traces(), order.given()?, first.cells() / segments.max(1))?;
+        let form =
+            SeminormForm::new(first.traces(), order.given()?, first.cells() / segments.max(1))?;
         Ok(pairs.iter().map(move |pair| pair.norms_by(&form, segments, q)))
     }
 
@@ -238,7 +248,8 @@ impl Integrals {
         let means = means(segment);
         let mut sums = Self::default();
         for i in 0..cells {
-            let ([v, w], [p, r], u_left) = (segment.slopes[i], segment.pressures[i], segment.values[i]);
+            let ([v, w], [p, r], u_left) =
+                (segment.slopes[i], segment.pressures[i], segment.values[i]);
             let u_at = |t: f64| u_left + cell * t * (v + 0.5 * t * (w - v));
             for (t, weight) in rule.iter() {
                 let (s, u) = (p + t * (r - p), u_at(t));
@@ -289,8 +300,9 @@ fn zero_distances(segment: &Segment<'_>) -> Option<[usize; 2]> {
 /// |∫ u_N'| over that many cells at either vertex.
 fn increments(segment: &Segment<'_>, [left, right]: [usize; 2]) -> [f64; 2] {
     let cells = segment.slopes.len();
-    let integral =
-        |slopes: &[[f64; 2]]| (segment.cell * slopes.iter().map(|v| 0.5 * (v[0] + v[1])).sum::<f64>()).abs();
+    let integral = |slopes: &[[f64; 2]]| {
+        (segment.cell * slopes.iter().map(|v| 0.5 * (v[0] + v[1])).sum::<f64>()).abs()
+    };
     [integral(&segment.slopes[..left]), integral(&segment.slopes[cells - right..])]
 }
 

@@ -56,7 +56,8 @@ impl SeminormForm {
         let product = operator.apply(&x)?;
         // The form vanishes on constants: subtracting the mean is exact and reduces rounding errors.
         let form: f64 = product.iter().zip(&x).map(|(y, v)| y * (v - mean)).sum();
-        let size: f64 = operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
+        let size: f64 =
+            operator.diagonal()?.iter().zip(&x).map(|(a, v)| a * (v - mean).powi(2)).sum();
         let scale = segment.length().powf(-2.0 * self.order.offset());
         Ok(Estimate::new(scale * form.max(0.0), scale * PRODUCT * size, Work::default())?)
     }
@@ -94,7 +95,9 @@ mod tests {
                 let pair = ContactPair::of_data(&edge_data, traces).unwrap();
                 let all = pair.norms(8, order, 2.0).unwrap();
                 for (segment, norms) in pair.segments(8).unwrap().zip(all) {
-                    for (ends, trace) in [(segment.pressures, norms.stress), (segment.slopes, norms.slope)] {
+                    for (ends, trace) in
+                        [(segment.pressures, norms.stress), (segment.slopes, norms.slope)]
+                    {
                         // Nearly constant traces: the seminorm is known absolutely.
                         let scale = trace.seminorm_squared.value.max(1e-6 * trace.l2.powi(2));
                         if scale > 0.0 {

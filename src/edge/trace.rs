@@ -74,7 +74,8 @@ impl EdgeTrace {
         }
         let largest_u = displacement.iter().fold(0.0f64, |m, u| m.max(u.abs()));
         let largest_force = force.iter().fold(0.0f64, |m, f| m.max(f.abs()));
-        let force_rounding = if largest_u > 0.0 { rounding / largest_u * largest_force } else { 0.0 };
+        let force_rounding =
+            if largest_u > 0.0 { rounding / largest_u * largest_force } else { 0.0 };
         let contact = runs(nodes, |i| displacement[i] >= -rounding);
         let pressed = runs(nodes, |i| force[i] > force_rounding);
         Ok(Self {

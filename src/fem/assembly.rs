@@ -117,7 +117,8 @@ fn push_row(
         let i = (0..3).find(|&i| corners[i] == node).unwrap_or(0);
         for j in 0..3 {
             let block = element.block(form, mesh.region(t), i, j);
-            let at = rows.columns[start..].partition_point(|&column| (column as usize) < corners[j]);
+            let at =
+                rows.columns[start..].partition_point(|&column| (column as usize) < corners[j]);
             let block = if c == 1 { block } else { frames.turn_block(block, node, corners[j]) };
             for a in 0..c {
                 for b in 0..c {

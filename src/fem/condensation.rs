@@ -95,7 +95,9 @@ impl Condensation {
         let mut unknowns = Vec::with_capacity(matrix.unknowns());
         let mut number = |nodes: &[u32]| {
             let first = unknowns.len();
-            unknowns.extend(nodes.iter().flat_map(|&node| interior_at(node as usize)).map(|u| u as u32));
+            unknowns.extend(
+                nodes.iter().flat_map(|&node| interior_at(node as usize)).map(|u| u as u32),
+            );
             first..unknowns.len()
         };
         let tree = NumberedTree::new(tree, &mut number);
@@ -106,7 +108,8 @@ impl Condensation {
         for (position, &unknown) in unknowns.iter().enumerate() {
             positions[unknown as usize] = position as u32;
         }
-        let ordering = Ordering { matrix, positions: &positions, unknowns: &unknowns, pool: Pool::default() };
+        let ordering =
+            Ordering { matrix, positions: &positions, unknowns: &unknowns, pool: Pool::default() };
         let (mut fronts, update) = tree.eliminate(&ordering)?;
         let rows: Vec<u32> = (interior as u32..unknowns.len() as u32).collect();
         let (front, root) = Front::eliminate(&ordering, last, Some(rows), vec![update])?;
@@ -125,7 +128,8 @@ impl Condensation {
     ///
     /// One pass from the leaves to the root of the elimination tree: O(N log N) operations for N unknowns.
     pub(crate) fn reduce(&self, load: &[f64]) -> Reduced {
-        let mut values: Vec<f64> = self.unknowns.iter().map(|&unknown| load[unknown as usize]).collect();
+        let mut values: Vec<f64> =
+            self.unknowns.iter().map(|&unknown| load[unknown as usize]).collect();
         self.fronts.iter().for_each(|front| front.forward(&mut values));
         Reduced { values, interior: self.interior }
     }
@@ -138,7 +142,8 @@ impl Condensation {
         let mut values = reduced.values.clone();
         values[self.interior..].copy_from_slice(kept);
         self.fronts.iter().rev().for_each(|front| front.backward(&mut values));
-        let at = |&position: &u32| if position == PRESCRIBED { 0.0 } else { values[position as usize] };
+        let at =
+            |&position: &u32| if position == PRESCRIBED { 0.0 } else { values[position as usize] };
         self.positions.iter().map(at).collect()
     }
 }
@@ -178,7 +183,8 @@ impl NumberedTree {
         let done = match (children.pop(), children.pop()) {
             (Some(one), Some(two)) if one.size.min(two.size) >= TASK => {
                 // Popped in reverse: `two` comes first in the elimination order.
-                let (two, one) = rayon::join(|| two.eliminate(ordering), || one.eliminate(ordering));
+                let (two, one) =
+                    rayon::join(|| two.eliminate(ordering), || one.eliminate(ordering));
                 vec![two?, one?]
             }
             (one, two) => {

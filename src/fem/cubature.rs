@@ -74,7 +74,11 @@ impl Cubature {
     ///
     /// # Errors
     /// The error returned by `visit`.
-    pub fn on(&self, triangle: [Point; 3], visit: &mut dyn FnMut(Point, f64) -> Result<()>) -> Result<()> {
+    pub fn on(
+        &self,
+        triangle: [Point; 3],
+        visit: &mut dyn FnMut(Point, f64) -> Result<()>,
+    ) -> Result<()> {
         self.graded(triangle, DEPTH, visit)
     }
 
@@ -96,7 +100,11 @@ impl Cubature {
     }
 
     /// Σ 2A w_k f(a + s_k ((b − a) + t_k (c − b))), w_k with the factor s_k of the Jacobian.
-    fn plain(&self, triangle: [Point; 3], visit: &mut dyn FnMut(Point, f64) -> Result<()>) -> Result<()> {
+    fn plain(
+        &self,
+        triangle: [Point; 3],
+        visit: &mut dyn FnMut(Point, f64) -> Result<()>,
+    ) -> Result<()> {
         let [a, b, c] = triangle;
         let doubled = doubled_area(triangle);
         for &[s, t, weight] in &self.points {
@@ -115,7 +123,9 @@ fn middle(a: Point, b: Point) -> Point {
 fn contains(triangle: [Point; 3], point: Point) -> bool {
     let [a, b, c] = triangle;
     let margin = -MARGIN * doubled_area(triangle);
-    [[a, b, point], [b, c, point], [c, a, point]].into_iter().all(|part| doubled_area(part) >= margin)
+    [[a, b, point], [b, c, point], [c, a, point]]
+        .into_iter()
+        .all(|part| doubled_area(part) >= margin)
 }
 
 #[cfg(test)]

@@ -52,14 +52,16 @@ impl Halves<'_> {
     fn halve(&self, mut nodes: Vec<u32>) -> Option<(Vec<u32>, Vec<u32>)> {
         let extent = |axis: usize| {
             let along = nodes.iter().map(|&node| self.points[node as usize][axis]);
-            let (low, high) =
-                along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            let (low, high) = along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            });
             high - low
         };
         let axis = usize::from(extent(1) > extent(0));
         let at = |node: u32| self.points[node as usize][axis];
         let middle = nodes.len() / 2;
-        let (_, &mut median, _) = nodes.select_nth_unstable_by(middle, |&a, &b| at(a).total_cmp(&at(b)));
+        let (_, &mut median, _) =
+            nodes.select_nth_unstable_by(middle, |&a, &b| at(a).total_cmp(&at(b)));
         let cut = at(median);
         let (left, right): (Vec<u32>, Vec<u32>) = nodes.iter().partition(|&&node| at(node) <= cut);
         if !right.is_empty() {

@@ -35,7 +35,12 @@ impl Lame {
     pub fn new(lambda: f64, mu: f64) -> Result<Self> {
         let in_plane = lambda + mu;
         Error::require("mu", mu, "(0, inf)", mu > 0.0 && mu.is_finite())?;
-        Error::require("lambda + mu", in_plane, "(0, inf)", in_plane > 0.0 && in_plane.is_finite())?;
+        Error::require(
+            "lambda + mu",
+            in_plane,
+            "(0, inf)",
+            in_plane > 0.0 && in_plane.is_finite(),
+        )?;
         Ok(Self { lambda, mu })
     }
 

@@ -93,7 +93,12 @@ impl Frames {
     }
 
     /// The block of two nodes in the unknowns of their frames, in double-double.
-    pub(super) fn turn_precisely(&self, block: [[Quad; 2]; 2], row: usize, column: usize) -> [[Quad; 2]; 2] {
+    pub(super) fn turn_precisely(
+        &self,
+        block: [[Quad; 2]; 2],
+        row: usize,
+        column: usize,
+    ) -> [[Quad; 2]; 2] {
         let (row, column) = (self.at(row), self.at(column));
         let [first, second] = block.map(|row| column.to_frame_precisely(row));
         let [a, b] = [0, 1].map(|k| row.to_frame_precisely([first[k], second[k]]));
@@ -108,7 +113,12 @@ impl Frames {
     }
 
     /// The block of two nodes in the unknowns of their frames.
-    pub(super) fn turn_block(&self, block: [[f64; 2]; 2], row: usize, column: usize) -> [[f64; 2]; 2] {
+    pub(super) fn turn_block(
+        &self,
+        block: [[f64; 2]; 2],
+        row: usize,
+        column: usize,
+    ) -> [[f64; 2]; 2] {
         match self.common() {
             Some(frame) => frame.turn_block(block),
             None => self.at(row).turn_between(block, self.at(column)),

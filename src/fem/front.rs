@@ -99,13 +99,19 @@ impl Front {
             let par = if operations > PARALLEL { Par::rayon(0) } else { Par::Seq };
             let panel = MatMut::from_column_major_slice_mut(&mut self.panel, p + r, p);
             let (mut top, mut bottom) = panel.split_at_row_mut(p);
-            let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(p, par, Default::default()));
+            let mut memory =
+                MemBuffer::new(cholesky_in_place_scratch::<f64>(p, par, Default::default()));
             let stack = MemStack::new(&mut memory);
             cholesky_in_place(top.rb_mut(), Default::default(), par, stack, Default::default())
                 .map_err(|_| self.pivots.start)
-                .and_then(|_| vanishing_pivot(ordering, &self.pivots, |j| top[(j, j)]).map_or(Ok(()), Err))
+                .and_then(|_| {
+                    vanishing_pivot(ordering, &self.pivots, |j| top[(j, j)]).map_or(Ok(()), Err)
+                })
                 .map_err(|position| {
-                    Error::not_positive_definite("stiffness matrix", ordering.unknowns[position] as usize)
+                    Error::not_positive_definite(
+                        "stiffness matrix",
+                        ordering.unknowns[position] as usize,
+                    )
                 })?;
             solve_lower_triangular_in_place(top.rb(), bottom.rb_mut().transpose_mut(), par);
             matmul(
@@ -167,8 +173,11 @@ impl Front {
 fn rows_of(ordering: &Ordering<'_>, pivots: &Range<usize>, children: &[Update]) -> Vec<u32> {
     let end = pivots.end as u32;
     let limit = ordering.unknowns.len() as u32;
-    let mut rows: Vec<u32> =
-        children.iter().flat_map(|child| child.rows.iter().copied()).filter(|&row| row >= end).collect();
+    let mut rows: Vec<u32> = children
+        .iter()
+        .flat_map(|child| child.rows.iter().copied())
+        .filter(|&row| row >= end)
+        .collect();
     for position in pivots.clone() {
         let touched = ordering.matrix.row(ordering.unknowns[position] as usize);
         let after = touched.map(|(column, _)| ordering.positions[column]);

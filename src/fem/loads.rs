@@ -33,7 +33,11 @@ pub(crate) fn consistent_load(mesh: &Triangulation, components: usize, values: &
 ///
 /// # Errors
 /// [`ToolkitError::NotFiniteAt`](crate::ToolkitError::NotFiniteAt) if f is not finite at a point of the rule.
-pub(crate) fn volume_load(mesh: &Triangulation, density: &Field<'_>, rule: &Cubature) -> Result<Vec<f64>> {
+pub(crate) fn volume_load(
+    mesh: &Triangulation,
+    density: &Field<'_>,
+    rule: &Cubature,
+) -> Result<Vec<f64>> {
     load_by_triangles(mesh, density.components(), rule, &|_, point| density.at(point))
 }
 

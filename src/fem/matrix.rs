@@ -21,7 +21,12 @@ pub(crate) struct BlockMatrix {
 }
 
 impl BlockMatrix {
-    pub(crate) fn new(components: usize, offsets: Vec<usize>, columns: Vec<u32>, values: Vec<f64>) -> Self {
+    pub(crate) fn new(
+        components: usize,
+        offsets: Vec<usize>,
+        columns: Vec<u32>,
+        values: Vec<f64>,
+    ) -> Self {
         Self { components, offsets, columns, values }
     }
 
@@ -35,7 +40,9 @@ impl BlockMatrix {
             for node in neighbours {
                 columns.push(node as u32);
                 for row in block {
-                    values.extend((node * c..(node + 1) * c).map(|k| row.get(&k).copied().unwrap_or(0.0)));
+                    values.extend(
+                        (node * c..(node + 1) * c).map(|k| row.get(&k).copied().unwrap_or(0.0)),
+                    );
                 }
             }
             offsets.push(columns.len());
@@ -101,7 +108,9 @@ impl BlockMatrix {
     fn multiply_blocks<const C: usize>(&self, x: &[f64], out: &mut [f64]) {
         out.par_chunks_mut(C).enumerate().with_min_len(CHUNK).for_each(|(node, out)| {
             let mut sum = [0.0; C];
-            for (&column, block) in self.neighbours(node).iter().zip(self.blocks(node).chunks_exact(C * C)) {
+            for (&column, block) in
+                self.neighbours(node).iter().zip(self.blocks(node).chunks_exact(C * C))
+            {
                 let x = &x[column as usize * C..(column as usize + 1) * C];
                 for a in 0..C {
                     for b in 0..C {

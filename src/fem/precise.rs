@@ -14,7 +14,11 @@ pub(crate) type PreciseRow = BTreeMap<usize, Quad>;
 
 /// The rows of K in the unknowns of the frames, node-major, boundary rows included. Relative error about 1e-30 of
 /// each term. Cost: about 10⁴ operations per triangle.
-pub(crate) fn precise_stiffness(mesh: &Triangulation, form: &Form, frames: &Frames) -> Vec<PreciseRow> {
+pub(crate) fn precise_stiffness(
+    mesh: &Triangulation,
+    form: &Form,
+    frames: &Frames,
+) -> Vec<PreciseRow> {
     let c = form.components();
     let mut rows = vec![PreciseRow::new(); mesh.nodes().len() * c];
     for (t, corners) in mesh.triangles().iter().enumerate() {
@@ -33,7 +37,8 @@ pub(crate) fn precise_stiffness(mesh: &Triangulation, form: &Form, frames: &Fram
                 let product = g[0] * h[0] + g[1] * h[1];
                 let block = match (form, form.material(mesh.region(t))) {
                     (Form::Elastic { .. }, Some(material)) => {
-                        let (lambda, mu) = (Quad::from(material.lambda()), Quad::from(material.mu()));
+                        let (lambda, mu) =
+                            (Quad::from(material.lambda()), Quad::from(material.mu()));
                         let entry = |a: usize, b: usize| {
                             let shear = if a == b { mu * product } else { Quad::ZERO };
                             area * (lambda * g[a] * h[b] + mu * g[b] * h[a] + shear)
@@ -50,8 +55,9 @@ pub(crate) fn precise_stiffness(mesh: &Triangulation, form: &Form, frames: &Fram
                 };
                 for a in 0..c {
                     for b in 0..c {
-                        *rows[corners[i] * c + a].entry(corners[j] * c + b).or_insert(Quad::ZERO) +=
-                            block[a][b];
+                        *rows[corners[i] * c + a]
+                            .entry(corners[j] * c + b)
+                            .or_insert(Quad::ZERO) += block[a][b];
                     }
                 }
             }

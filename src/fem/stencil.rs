@@ -53,16 +53,25 @@ impl Stencils {
         let mut blocks = [[[[0.0; 2]; 2]; 7]; 9];
         for (kind, blocks) in blocks.iter_mut().enumerate() {
             let rows = cells(kind / 3);
-            for (x, y) in cells(kind % 3).into_iter().flat_map(|x| rows.iter().map(move |&y| (x, y))) {
+            for (x, y) in
+                cells(kind % 3).into_iter().flat_map(|x| rows.iter().map(move |&y| (x, y)))
+            {
                 let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(p, q)| (x + p, y + q));
                 for corners in [[a, b, c], [a, c, d]] {
-                    let Some(own) = corners.iter().position(|&corner| corner == (0, 0)) else { continue };
+                    let Some(own) = corners.iter().position(|&corner| corner == (0, 0)) else {
+                        continue;
+                    };
                     let element = Element::new(corners.map(at));
                     for (j, corner) in corners.into_iter().enumerate() {
-                        let Some(k) = NEIGHBOURS.iter().position(|&n| n == corner) else { continue };
+                        let Some(k) = NEIGHBOURS.iter().position(|&n| n == corner) else {
+                            continue;
+                        };
                         let block = element.block(form, region, own, j);
-                        let block = if form.components() == 1 { block } else { frame.turn_block(block) };
-                        for (sum, term) in blocks[k].as_flattened_mut().iter_mut().zip(block.as_flattened()) {
+                        let block =
+                            if form.components() == 1 { block } else { frame.turn_block(block) };
+                        for (sum, term) in
+                            blocks[k].as_flattened_mut().iter_mut().zip(block.as_flattened())
+                        {
                             *sum += term;
                         }
                     }
@@ -86,7 +95,8 @@ impl Stencils {
         let c = self.components;
         let (node, a) = (unknown / c, unknown % c);
         let width = self.grid.nx + 1;
-        let stencil = &self.blocks[3 * kind(node / width, self.grid.ny) + kind(node % width, self.grid.nx)];
+        let stencil =
+            &self.blocks[3 * kind(node / width, self.grid.ny) + kind(node % width, self.grid.nx)];
         NEIGHBOURS.iter().zip(stencil).flat_map(move |(&(i, j), block)| {
             let column = node.wrapping_add_signed(j * width as isize + i);
             (0..c)
@@ -149,7 +159,8 @@ mod tests {
     #[test]
     fn stencils_are_the_assembled_matrix() {
         let mesh =
-            mapped_grid(8, 4, SideParts::HANGING, |[x, y]| [2.0 * x + 0.5 * y, x - y + 3.0 * y]).unwrap();
+            mapped_grid(8, 4, SideParts::HANGING, |[x, y]| [2.0 * x + 0.5 * y, x - y + 3.0 * y])
+                .unwrap();
         let elastic = Form::elastic(Lame::new(2.0, 0.75).unwrap());
         for (form, frame) in [
             (Form::Scalar { reaction: 1.5 }, Frame::cartesian()),

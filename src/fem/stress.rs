@@ -87,8 +87,14 @@ pub fn stresses(mesh: &Triangulation, form: &Form, displacement: &[f64]) -> Resu
     require_length("nodal values", displacement.len(), 2 * mesh.nodes().len())?;
     (0..mesh.triangles().len())
         .map(|t| {
-            let scalar =
-                || Error::incompatible("form", "scalar", "the computation of stresses", "an elastic form");
+            let scalar = || {
+                Error::incompatible(
+                    "form",
+                    "scalar",
+                    "the computation of stresses",
+                    "an elastic form",
+                )
+            };
             let material = form.material(mesh.region(t)).ok_or_else(scalar)?;
             let element = Element::new(mesh.corners(t));
             let along = |axis: usize| {

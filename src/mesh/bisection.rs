@@ -28,8 +28,9 @@ pub(super) fn bisect(coarse: &Triangulation, marked: &[bool]) -> Result<Refined>
 /// Triangle (a, b, c) with edge midpoints p, q, r of ab, bc, ca becomes (a, p, r), (p, b, q), (r, q, c), (p, q, r).
 pub(super) fn red(coarse: &Triangulation) -> Result<Refined> {
     let edges = Edges::new(coarse.nodes().len(), coarse.triangles());
-    let sides =
-        |&[a, b, c]: &[usize; 3]| Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]));
+    let sides = |&[a, b, c]: &[usize; 3]| {
+        Ok(([a, b, c], [edges.find(a, b)?, edges.find(b, c)?, edges.find(c, a)?]))
+    };
     let triangles = coarse.triangles().iter().map(sides).collect::<Result<Vec<_>>>()?;
     refined(
         coarse,
@@ -181,10 +182,12 @@ mod tests {
     fn names_pass_to_the_halves() {
         // The diagonal is a curve inside; regions are the two sides of it.
         let square = unit_square(1, SideParts::HANGING).unwrap();
-        let [a, c] = [[0.0, 0.0], [1.0, 1.0]].map(|p| square.nodes().iter().position(|&q| q == p).unwrap());
+        let [a, c] =
+            [[0.0, 0.0], [1.0, 1.0]].map(|p| square.nodes().iter().position(|&q| q == p).unwrap());
         let diagonal = Interface { name: "weld".to_owned(), edges: vec![[a, c]] };
         let square = square.with_groups(&["floor", "right", "ceiling", "left"]).unwrap();
-        let square = square.with_regions(&[0, 1]).unwrap().with_region_names(&["low", "high"]).unwrap();
+        let square =
+            square.with_regions(&[0, 1]).unwrap().with_region_names(&["low", "high"]).unwrap();
         let mut hierarchy = Hierarchy::new(square.with_interfaces(vec![diagonal]));
         hierarchy.refine().unwrap();
         hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&[0.0, 0.0])).unwrap();
@@ -216,13 +219,15 @@ mod tests {
         let mut hierarchy = Hierarchy::new(unit_square(2, SideParts::HANGING).unwrap());
         for _ in 0..4 {
             let on = hierarchy.finest().nodes_on(Part::Contact);
-            let touches = |mesh: &Triangulation, t: usize| mesh.triangles()[t].iter().any(|&node| on[node]);
+            let touches =
+                |mesh: &Triangulation, t: usize| mesh.triangles()[t].iter().any(|&node| on[node]);
             hierarchy.refine_where(touches).unwrap();
         }
         let mesh = hierarchy.finest();
         assert_sound(mesh);
-        let affine =
-            |mesh: &Triangulation| -> Vec<f64> { mesh.nodes().iter().map(|&[x, y]| 2.0 * x - y).collect() };
+        let affine = |mesh: &Triangulation| -> Vec<f64> {
+            mesh.nodes().iter().map(|&[x, y]| 2.0 * x - y).collect()
+        };
         let prolonged = hierarchy.prolong(0, 4, 1, &affine(&hierarchy.levels()[0])).unwrap();
         assert_eq!(prolonged, affine(mesh));
     }

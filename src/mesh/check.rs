@@ -16,18 +16,23 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
     }
     for (index, point) in nodes.iter().enumerate() {
         if let Some(&value) = point.iter().find(|x| !x.is_finite()) {
-            return Err(Error::Toolkit(ToolkitError::NotFinite { name: "node coordinate", index, value }));
+            return Err(Error::Toolkit(ToolkitError::NotFinite {
+                name: "node coordinate",
+                index,
+                value,
+            }));
         }
     }
     let mut used = vec![false; nodes.len()];
     for (t, triangle) in triangles.iter().enumerate() {
         for &node in triangle {
-            *used
-                .get_mut(node)
-                .ok_or_else(|| bad_triangle(t, "refers to a node that does not exist:", node as f64))? = true;
+            *used.get_mut(node).ok_or_else(|| {
+                bad_triangle(t, "refers to a node that does not exist:", node as f64)
+            })? = true;
         }
         let corners = triangle.map(|node| nodes[node]);
-        let diameter = (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
+        let diameter =
+            (0..3).fold(0.0, |d: f64, k| d.max(distance(corners[k], corners[(k + 1) % 3])));
         // Divided by the diameter first, so that the shape of tiny and huge triangles is computed accurately.
         let doubled = doubled_area(
             corners.map(|[x, y]| [(x - corners[0][0]) / diameter, (y - corners[0][1]) / diameter]),
@@ -40,7 +45,10 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         }
         // Gradients are of the size of diameter/area, entries of the stiffness matrix of their squares times area.
         let area = doubled_area(corners);
-        if !area.is_normal() || !(diameter / area).powi(2).is_finite() || !(diameter * diameter).is_finite() {
+        if !area.is_normal()
+            || !(diameter / area).powi(2).is_finite()
+            || !(diameter * diameter).is_finite()
+        {
             return Err(bad_triangle(
                 t,
                 "is too small, too large or too thin for double precision: twice its area is",
@@ -49,7 +57,9 @@ pub(super) fn nodes_and_triangles(nodes: &[Point], triangles: &[[usize; 3]]) -> 
         }
     }
     match used.iter().position(|&used| !used) {
-        Some(node) => Err(Error::Toolkit(ToolkitError::Node { node, reason: "belongs to no triangle" })),
+        Some(node) => {
+            Err(Error::Toolkit(ToolkitError::Node { node, reason: "belongs to no triangle" }))
+        }
         None => Ok(()),
     }
 }
@@ -73,7 +83,12 @@ pub(super) fn boundary(labels: &mut [BoundaryEdge], triangles: &[[usize; 3]]) ->
         match group {
             [only] => outer.push(*only),
             [one, two] if one.1 != two.1 => {}
-            _ => return bad(group[0].0, "is shared by more than two triangles or by two that overlap"),
+            _ => {
+                return bad(
+                    group[0].0,
+                    "is shared by more than two triangles or by two that overlap",
+                );
+            }
         }
     }
     let mut labelled = vec![false; outer.len()];
@@ -105,7 +120,10 @@ mod tests {
         Triangulation::new(
             &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, top]],
             &[[0, 1, 2], [0, 2, 3]],
-            &edges.iter().map(|&nodes| BoundaryEdge { nodes, part: Part::Neumann }).collect::<Vec<_>>(),
+            &edges
+                .iter()
+                .map(|&nodes| BoundaryEdge { nodes, part: Part::Neumann })
+                .collect::<Vec<_>>(),
         )
     }
 

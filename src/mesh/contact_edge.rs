@@ -77,8 +77,12 @@ impl ContactEdge {
     /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) for a closed piece together with other pieces, or for pieces
     /// that touch.
     pub fn in_pieces(mesh: &Triangulation) -> Result<Self> {
-        let edges: Vec<[usize; 2]> =
-            mesh.boundary().iter().filter(|edge| edge.part == Part::Contact).map(|edge| edge.nodes).collect();
+        let edges: Vec<[usize; 2]> = mesh
+            .boundary()
+            .iter()
+            .filter(|edge| edge.part == Part::Contact)
+            .map(|edge| edge.nodes)
+            .collect();
         if edges.is_empty() {
             return Err(Error::count("contact edges", 0, "[1, inf)"));
         }
@@ -88,7 +92,9 @@ impl ContactEdge {
             starts.push(nodes.len());
             arc.push(arc.last().copied().unwrap_or(0.0));
             for pair in chain.windows(2) {
-                arc.push(arc[arc.len() - 1] + distance(mesh.nodes()[pair[0]], mesh.nodes()[pair[1]]));
+                arc.push(
+                    arc[arc.len() - 1] + distance(mesh.nodes()[pair[0]], mesh.nodes()[pair[1]]),
+                );
             }
             nodes.extend_from_slice(chain);
         }
@@ -223,7 +229,8 @@ impl ContactEdge {
             let d = [points[i][0] - first[0], points[i][1] - first[1]];
             let off = (d[0] * normal[0] + d[1] * normal[1]).abs();
             // Negated so that a closed chain (length zero, normal NaN) fails as well.
-            let straight = off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
+            let straight =
+                off <= allowed && arc[i] - arc[0] <= length * (1.0 + STRAIGHTNESS) + rounded;
             if !straight {
                 return Err(Error::Toolkit(ToolkitError::Edge {
                     nodes: [self.numbers[piece.start + i - 1], self.numbers[piece.start + i]],
@@ -240,7 +247,10 @@ impl ContactEdge {
 /// that closes (`true`). Cost: O(N log N).
 fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
     let pinched = |&nodes: &[usize; 2]| {
-        Error::Toolkit(ToolkitError::Edge { nodes, reason: "touches another piece of the contact edge" })
+        Error::Toolkit(ToolkitError::Edge {
+            nodes,
+            reason: "touches another piece of the contact edge",
+        })
     };
     let (mut after, mut ends) = (BTreeMap::new(), BTreeSet::new());
     for edge in edges {
@@ -249,7 +259,8 @@ fn chains(edges: &[[usize; 2]]) -> Result<Vec<(Vec<usize>, bool)>> {
         }
     }
     let heads = edges.iter().map(|edge| edge[0]).filter(|start| !ends.contains(start));
-    let mut found: Vec<(Vec<usize>, bool)> = heads.map(|head| (follow(&mut after, head), false)).collect();
+    let mut found: Vec<(Vec<usize>, bool)> =
+        heads.map(|head| (follow(&mut after, head), false)).collect();
     // Every edge belongs to a chain with a first node, or to a closed one.
     let Some(closed) = edges.iter().find(|edge| after.contains_key(&edge[0])) else {
         return Ok(found);
@@ -295,8 +306,13 @@ mod tests {
         let opposite = unit_square(3, opposite).unwrap();
         assert!(ContactEdge::of(&opposite).is_err());
         let both = ContactEdge::in_pieces(&opposite).unwrap();
-        assert_eq!((both.pieces(), both.normals()), (vec![0..4, 4..8], Ok(vec![[0.0, -1.0], [0.0, 1.0]])));
-        assert!(both.normal().is_err() && both.segment_lengths().len() == 6 && both.arc()[7] == 2.0);
+        assert_eq!(
+            (both.pieces(), both.normals()),
+            (vec![0..4, 4..8], Ok(vec![[0.0, -1.0], [0.0, 1.0]]))
+        );
+        assert!(
+            both.normal().is_err() && both.segment_lengths().len() == 6 && both.arc()[7] == 2.0
+        );
         assert_eq!(both.nodal_lengths().iter().sum::<f64>(), 2.0);
         let bent = mapped_grid(4, 4, SideParts::HANGING, |[x, y]| [x, y - 0.1 * x * x]).unwrap();
         assert!(ContactEdge::of(&bent).unwrap().normal().is_err());
@@ -308,8 +324,9 @@ mod tests {
     fn a_short_piece_is_straight_to_the_rounding_of_the_body() {
         for step in 0..50 {
             let (sin, cos) = (0.1 + 0.12 * f64::from(step)).sin_cos();
-            let turned =
-                |[x, y]: Point| [cos * (x + 1.0) - sin * (y + 1.0), sin * (x + 1.0) + cos * (y + 1.0)];
+            let turned = |[x, y]: Point| {
+                [cos * (x + 1.0) - sin * (y + 1.0), sin * (x + 1.0) + cos * (y + 1.0)]
+            };
             let origin = turned([0.0, 0.0]);
             let made = |bulge: f64| {
                 mapped_grid(4, 4, SideParts::HANGING, |[x, y]| {

@@ -53,13 +53,18 @@ impl Edges {
             .iter()
             .position(|&partner| partner == a.max(b))
             .map(|k| start + k)
-            .ok_or(Error::Toolkit(ToolkitError::Edge { nodes: [a, b], reason: "belongs to no triangle" }))
+            .ok_or(Error::Toolkit(ToolkitError::Edge {
+                nodes: [a, b],
+                reason: "belongs to no triangle",
+            }))
     }
 
     /// The ends of every edge, in order.
     pub(crate) fn pairs(&self) -> Vec<[usize; 2]> {
         (0..self.offsets.len() - 1)
-            .flat_map(|a| self.partners[self.offsets[a]..self.offsets[a + 1]].iter().map(move |&b| [a, b]))
+            .flat_map(|a| {
+                self.partners[self.offsets[a]..self.offsets[a + 1]].iter().map(move |&b| [a, b])
+            })
             .collect()
     }
 }

@@ -109,7 +109,8 @@ impl Grid {
         let mut regions = Vec::with_capacity(2 * coarse.nx * coarse.ny);
         for j in 0..coarse.ny {
             for i in 0..coarse.nx {
-                let [a, b, c, d] = [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(p, q)| cell(2 * i + p, 2 * j + q));
+                let [a, b, c, d] =
+                    [(0, 0), (1, 0), (1, 1), (0, 1)].map(|(p, q)| cell(2 * i + p, 2 * j + q));
                 for four in [[a, b, b + 1, c], [a + 1, d, d + 1, c + 1]] {
                     let region = mesh.regions()[four[0]];
                     if four.iter().any(|&t| mesh.regions()[t] != region) {

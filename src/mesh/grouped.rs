@@ -85,12 +85,15 @@ impl Grouped<'_> {
         let turned = turn_clockwise(&mut triangles, &nodes);
         let (boundary, names, interfaces) = self.sorted_edges(place)?;
         let in_given = |cause: Error| (in_numbers(cause, |node| numbers[node], |t| t), None);
-        let mesh =
-            Triangulation::new(&nodes, &triangles, &boundary).map_err(|cause| in_given(say_group(cause)))?;
+        let mesh = Triangulation::new(&nodes, &triangles, &boundary)
+            .map_err(|cause| in_given(say_group(cause)))?;
         let mut remarks = Vec::new();
         if turned > 0 && turned < triangles.len() {
-            let are =
-                if turned == 1 { "is listed clockwise and was" } else { "are listed clockwise and were" };
+            let are = if turned == 1 {
+                "is listed clockwise and was"
+            } else {
+                "are listed clockwise and were"
+            };
             remarks.push(format!("{turned} of {} triangles {are} turned", triangles.len()));
         }
         let named = || {
@@ -120,12 +123,18 @@ impl Grouped<'_> {
             }
         }
         let key = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
-        let mut sides: Vec<[usize; 2]> =
-            self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(key).collect();
+        let mut sides: Vec<[usize; 2]> = self
+            .triangles
+            .iter()
+            .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+            .map(key)
+            .collect();
         sides.sort_unstable();
-        let (mut boundary, mut names, mut interfaces) = (Vec::new(), Vec::new(), Vec::<Interface>::new());
+        let (mut boundary, mut names, mut interfaces) =
+            (Vec::new(), Vec::new(), Vec::<Interface>::new());
         for (row, &(nodes, name)) in self.edges.iter().enumerate() {
-            let bad = |reason| Err((Error::Toolkit(ToolkitError::Edge { nodes, reason }), Some(row)));
+            let bad =
+                |reason| Err((Error::Toolkit(ToolkitError::Edge { nodes, reason }), Some(row)));
             let first = sides.partition_point(|side| *side < key(nodes));
             let triangles = sides[first..].iter().take_while(|side| **side == key(nodes)).count();
             let part = self.part(name).map_err(|cause| (cause, Some(row)));
@@ -136,11 +145,15 @@ impl Grouped<'_> {
             if triangles > 1 {
                 match part {
                     Ok(Part::Dirichlet | Part::Contact) => {
-                        return bad("is inside the body: its group must not be called clamped or contact");
+                        return bad(
+                            "is inside the body: its group must not be called clamped or contact",
+                        );
                     }
                     _ => match interfaces.iter_mut().find(|interface| interface.name == name) {
                         Some(interface) => interface.edges.push(nodes),
-                        None => interfaces.push(Interface { name: name.to_owned(), edges: vec![nodes] }),
+                        None => {
+                            interfaces.push(Interface { name: name.to_owned(), edges: vec![nodes] })
+                        }
                     },
                 }
                 continue;
@@ -155,15 +168,17 @@ impl Grouped<'_> {
     fn part(&self, name: &str) -> Result<Part> {
         let given = self.parts.iter().find(|(group, _)| same(group, name)).map(|&(_, part)| part);
         match (given, Part::named(name)) {
-            (Some(given), Some(named)) if given != named => Err(Error::Toolkit(ToolkitError::UnknownName {
-                what: "boundary part",
-                given: format!(
-                    "{} for the group {}",
-                    given.name(),
-                    name.chars().take(40).collect::<String>()
-                ),
-                expected: "the part that the name of the group states",
-            })),
+            (Some(given), Some(named)) if given != named => {
+                Err(Error::Toolkit(ToolkitError::UnknownName {
+                    what: "boundary part",
+                    given: format!(
+                        "{} for the group {}",
+                        given.name(),
+                        name.chars().take(40).collect::<String>()
+                    ),
+                    expected: "the part that the name of the group states",
+                }))
+            }
             (Some(part), _) | (None, Some(part)) => Ok(part),
             (None, None) => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "boundary part",
@@ -209,8 +224,12 @@ pub(super) fn in_numbers(
 ) -> Error {
     let Error::Toolkit(cause) = error else { return error };
     Error::Toolkit(match cause {
-        ToolkitError::Node { node, reason } => ToolkitError::Node { node: node_number(node), reason },
-        ToolkitError::Edge { nodes, reason } => ToolkitError::Edge { nodes: nodes.map(node_number), reason },
+        ToolkitError::Node { node, reason } => {
+            ToolkitError::Node { node: node_number(node), reason }
+        }
+        ToolkitError::Edge { nodes, reason } => {
+            ToolkitError::Edge { nodes: nodes.map(node_number), reason }
+        }
         ToolkitError::Triangle { triangle, reason, value } => {
             ToolkitError::Triangle { triangle: triangle_number(triangle), reason, value }
         }

@@ -197,7 +197,13 @@ impl Hierarchy {
     /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for levels that do not exist or are in
     /// the wrong order, [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch) for a wrong number of
     /// values.
-    pub fn prolong(&self, from: usize, to: usize, components: usize, values: &[f64]) -> Result<Vec<f64>> {
+    pub fn prolong(
+        &self,
+        from: usize,
+        to: usize,
+        components: usize,
+        values: &[f64],
+    ) -> Result<Vec<f64>> {
         if from > to || to >= self.levels.len() {
             return Err(Error::count("target level", to, "[source level, finest level]"));
         }
@@ -207,7 +213,8 @@ impl Hierarchy {
             values.reserve(parents.len() * components);
             for &[a, b] in parents {
                 for c in 0..components {
-                    values.push(0.5 * values[a * components + c] + 0.5 * values[b * components + c]);
+                    values
+                        .push(0.5 * values[a * components + c] + 0.5 * values[b * components + c]);
                 }
             }
         }
@@ -226,7 +233,8 @@ mod tests {
         let key = |mesh: &Triangulation| {
             let mut corners: Vec<_> = (0..mesh.triangles().len())
                 .map(|t| {
-                    let mut corners = mesh.corners(t).map(|[x, y]| ((x * 8.0) as usize, (y * 8.0) as usize));
+                    let mut corners =
+                        mesh.corners(t).map(|[x, y]| ((x * 8.0) as usize, (y * 8.0) as usize));
                     corners.sort_unstable();
                     corners
                 })
@@ -247,7 +255,8 @@ mod tests {
     fn shells_around_a_point_are_the_same_but_for_scale() {
         let mut hierarchy = Hierarchy::new(unit_square(16, SideParts::HANGING).unwrap());
         hierarchy.refine_around([1.0, 0.0], 0.25, 30).unwrap();
-        let counts: Vec<usize> = hierarchy.levels().iter().map(|mesh| mesh.triangles().len()).collect();
+        let counts: Vec<usize> =
+            hierarchy.levels().iter().map(|mesh| mesh.triangles().len()).collect();
         let added: Vec<usize> = counts.windows(2).map(|pair| pair[1] - pair[0]).collect();
         assert!(added[4..].windows(3).all(|three| three[0] == three[2]), "{added:?}");
         for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {

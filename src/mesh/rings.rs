@@ -46,7 +46,12 @@ pub(crate) fn polar_rings(
         let range = "{4, 8, 12, ..., 512}";
         return Err(Error::count("angles per ring", angles, range));
     }
-    Error::require("logarithmic step of the rings", step, "[1e-3, 2]", (1e-3..=2.0).contains(&step))?;
+    Error::require(
+        "logarithmic step of the rings",
+        step,
+        "[1e-3, 2]",
+        (1e-3..=2.0).contains(&step),
+    )?;
     let admissible = (SMALLEST..=0.5).contains(&smallest);
     Error::require(
         "smallest radius",
@@ -73,7 +78,11 @@ pub(crate) fn polar_rings(
         for j in 0..angles {
             let [a, b, c, d] = [node(k, j), node(k - 1, j), node(k - 1, j + 1), node(k, j + 1)];
             // Diagonals reflected at the vertical axis.
-            triangles.extend(if j < angles / 2 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] });
+            triangles.extend(if j < angles / 2 {
+                [[a, b, c], [a, c, d]]
+            } else {
+                [[a, b, d], [b, c, d]]
+            });
         }
     }
     triangles.extend((0..angles).map(|j| [tip, node(rings - 1, j), node(rings - 1, j + 1)]));
@@ -115,12 +124,14 @@ mod tests {
     fn rings_pass_the_check_of_foreign_meshes() {
         for outline in [Outline::HalfDisc, Outline::Rectangle] {
             let mesh = polar_rings(outline, 8, 0.5, 1e-100).unwrap();
-            let parts = (mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
+            let parts =
+                (mesh.nodes().to_vec(), mesh.triangles().to_vec(), mesh.boundary().to_vec());
             assert_eq!(Triangulation::new(&parts.0, &parts.1, &parts.2).unwrap(), mesh);
             let edge = ContactEdge::of(&mesh).unwrap();
             assert_eq!((edge.points()[0], edge.normal().unwrap()), ([0.0, 0.0], [0.0, -1.0]));
             assert!(edge.arc()[1] <= 1e-100 && *edge.arc().last().unwrap() == 1.0);
-            let area: f64 = (0..mesh.triangles().len()).map(|t| doubled_area(mesh.corners(t)) / 2.0).sum();
+            let area: f64 =
+                (0..mesh.triangles().len()).map(|t| doubled_area(mesh.corners(t)) / 2.0).sum();
             let whole = if outline == Outline::Rectangle { 2.0 } else { 4.0 * (PI / 8.0).sin() };
             assert!((area - whole).abs() < 1e-14, "{outline:?}: {area} {whole}");
         }

@@ -33,8 +33,12 @@ const BYTES_OF_CELL: usize = 100;
 
 impl SideParts {
     /// Contact at the bottom, Dirichlet at the top, free sides, as in the test problems `block` and `membrane`.
-    pub const HANGING: SideParts =
-        SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Dirichlet, left: Part::Neumann };
+    pub const HANGING: SideParts = SideParts {
+        bottom: Part::Contact,
+        right: Part::Neumann,
+        top: Part::Dirichlet,
+        left: Part::Neumann,
+    };
 }
 
 /// The triangulation of the unit square by `nx` × `ny` rectangles, each cut from bottom left to top right;
@@ -52,8 +56,9 @@ pub(crate) fn rectangles(nx: usize, ny: usize, sides: SideParts) -> Result<Trian
     }
     require_memory("cells", nx.saturating_mul(ny), BYTES_OF_CELL)?;
     let node = |i: usize, j: usize| j * (nx + 1) + i;
-    let nodes =
-        (0..=ny).flat_map(|j| (0..=nx).map(move |i| [i as f64 / nx as f64, j as f64 / ny as f64])).collect();
+    let nodes = (0..=ny)
+        .flat_map(|j| (0..=nx).map(move |i| [i as f64 / nx as f64, j as f64 / ny as f64]))
+        .collect();
     let triangles = (0..ny)
         .flat_map(|j| (0..nx).map(move |i| (i, j)))
         .flat_map(|(i, j)| {
@@ -115,7 +120,11 @@ pub fn mapped_grid(
 /// # Errors
 /// [`ToolkitError::CountOutOfRange`](crate::ToolkitError::CountOutOfRange) for a count outside 1 ... 4096, or without
 /// squares; if two squares coincide, an error of [`Triangulation::new`].
-pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part) -> Result<Triangulation> {
+pub fn unit_squares(
+    n: usize,
+    places: &[[i32; 2]],
+    part: impl Fn(Point) -> Part,
+) -> Result<Triangulation> {
     for (name, value) in [("cells of a square", n), ("squares", places.len())] {
         if !(1..=4096).contains(&value) {
             return Err(Error::count(name, value, "[1, 4096]"));
@@ -141,7 +150,8 @@ pub fn unit_squares(n: usize, places: &[[i32; 2]], part: impl Fn(Point) -> Part)
         let [p, q] = ends.map(|node| nodes[node]);
         BoundaryEdge { nodes: *ends, part: part([0.5 * (p[0] + q[0]), 0.5 * (p[1] + q[1])]) }
     };
-    let boundary = all.iter().filter(|[a, b]| !all.contains(&[*b, *a])).map(labelled).collect::<Vec<_>>();
+    let boundary =
+        all.iter().filter(|[a, b]| !all.contains(&[*b, *a])).map(labelled).collect::<Vec<_>>();
     Triangulation::new(&nodes, &triangles, &boundary)
 }
 
@@ -158,7 +168,10 @@ mod tests {
         // Three squares around a reentrant corner: 3 n² cells, 8 n edges; one square is the structured grid.
         let free = |_| Part::Neumann;
         let around = unit_squares(3, &[[0, 0], [0, 1], [-1, 1]], free).unwrap();
-        assert_eq!((around.nodes().len(), around.triangles().len(), around.boundary().len()), (40, 54, 24));
+        assert_eq!(
+            (around.nodes().len(), around.triangles().len(), around.boundary().len()),
+            (40, 54, 24)
+        );
         assert_eq!(unit_squares(2, &[[0, 0]], free).unwrap().triangles().len(), 8);
         assert!(unit_squares(0, &[[0, 0]], free).is_err() && unit_squares(1, &[], free).is_err());
         assert!(unit_squares(1, &[[0, 0]; 2], free).is_err());

@@ -41,7 +41,11 @@ impl Triangulation {
     /// An empty list of triangles, or the first invalid node, triangle or edge: coordinates that are not
     /// finite, node numbers out of range, inverted or degenerate triangles, edges shared by more than two
     /// triangles, labels on interior edges, boundary edges without a label or with two, nodes in no triangle.
-    pub fn new(nodes: &[Point], triangles: &[[usize; 3]], boundary: &[BoundaryEdge]) -> Result<Self> {
+    pub fn new(
+        nodes: &[Point],
+        triangles: &[[usize; 3]],
+        boundary: &[BoundaryEdge],
+    ) -> Result<Self> {
         let mut mesh = Self::trusted(nodes.to_vec(), triangles.to_vec(), boundary.to_vec());
         check::nodes_and_triangles(&mesh.nodes, &mesh.triangles)?;
         check::boundary(&mut mesh.boundary, &mesh.triangles)?;
@@ -54,7 +58,14 @@ impl Triangulation {
         triangles: Vec<[usize; 3]>,
         boundary: Vec<BoundaryEdge>,
     ) -> Self {
-        Self { nodes, triangles, boundary, regions: Vec::new(), numbers: Vec::new(), names: Names::default() }
+        Self {
+            nodes,
+            triangles,
+            boundary,
+            regions: Vec::new(),
+            numbers: Vec::new(),
+            names: Names::default(),
+        }
     }
 
     /// The same triangulation with a region number for every triangle (for piecewise constant materials).
@@ -140,7 +151,8 @@ impl Triangulation {
     ///
     /// Refinements keep the names.
     pub fn group(&self, edge: usize) -> &str {
-        let named = self.names.of_edges.get(edge).and_then(|&group| self.names.groups.get(group as usize));
+        let named =
+            self.names.of_edges.get(edge).and_then(|&group| self.names.groups.get(group as usize));
         named
             .map(String::as_str)
             .unwrap_or_else(|| self.boundary.get(edge).map_or("", |edge| edge.part.name()))
@@ -149,7 +161,10 @@ impl Triangulation {
     /// The names of the boundary groups, in the order in which they appear among the boundary edges.
     pub fn groups(&self) -> Vec<&str> {
         let mut seen = std::collections::HashSet::new();
-        (0..self.boundary.len()).map(|edge| self.group(edge)).filter(|&name| seen.insert(name)).collect()
+        (0..self.boundary.len())
+            .map(|edge| self.group(edge))
+            .filter(|&name| seen.insert(name))
+            .collect()
     }
 
     /// The names of the regions by their numbers: the names of the Physical Surfaces in a mesh of Gmsh. Without names

@@ -52,7 +52,9 @@ pub(crate) fn require_entry(
     match (value.is_nan(), admissible) {
         (true, _) => Err(Error::Toolkit(ToolkitError::NotFinite { name, index, value })),
         (false, true) => Ok(()),
-        (false, false) => Err(Error::Toolkit(ToolkitError::EntryOutOfRange { name, index, value, range })),
+        (false, false) => {
+            Err(Error::Toolkit(ToolkitError::EntryOutOfRange { name, index, value, range }))
+        }
     }
 }
 

@@ -119,7 +119,8 @@ mod tests {
     #[test]
     fn identities_hold_to_thirty_digits() {
         let one = Complex::new(Quad::ONE, Quad::ZERO);
-        for (x, y) in [(0.3, 0.0), (1.0, 0.2), (3.1, -0.9), (-7.7, 1.3), (25.0, 2.5), (37.2, -0.01)] {
+        for (x, y) in [(0.3, 0.0), (1.0, 0.2), (3.1, -0.9), (-7.7, 1.3), (25.0, 2.5), (37.2, -0.01)]
+        {
             let z = Complex::new(Quad::from(x), Quad::from(y));
             let (s, c) = sine_cosine(z);
             let size = (1.0f64 + y.abs()).cosh().powi(2);
@@ -128,12 +129,21 @@ mod tests {
             // The double angle by the functions themselves.
             let (double, _) = sine_cosine(z + z);
             let off = double - (s * c + s * c);
-            assert!(off.re.0.abs().max(off.im.0.abs()) < 10.0 * ROUNDING * size, "{x} {y}: {off:?}");
+            assert!(
+                off.re.0.abs().max(off.im.0.abs()) < 10.0 * ROUNDING * size,
+                "{x} {y}: {off:?}"
+            );
             let exact = Complex::new(x, y).sin();
-            assert!((s.re.0 - exact.re).abs().max((s.im.0 - exact.im).abs()) < 1e-14 * size, "{x} {y}");
+            assert!(
+                (s.re.0 - exact.re).abs().max((s.im.0 - exact.im).abs()) < 1e-14 * size,
+                "{x} {y}"
+            );
             let root = square_root(z);
             let off = root * root - z;
-            assert!(off.re.0.abs().max(off.im.0.abs()) < ROUNDING * z.re.0.abs(), "{x} {y}: {off:?}");
+            assert!(
+                off.re.0.abs().max(off.im.0.abs()) < ROUNDING * z.re.0.abs(),
+                "{x} {y}: {off:?}"
+            );
         }
     }
 

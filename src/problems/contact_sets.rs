@@ -77,7 +77,8 @@ fn split(
     }
     let middle = 0.5 * (start + end);
     let half = 0.5 * length(generation, end - start);
-    let gap = Gap { left: (middle - half).round() as usize, right: (middle + half).round() as usize };
+    let gap =
+        Gap { left: (middle - half).round() as usize, right: (middle + half).round() as usize };
     let has_free_node = gap.right > gap.left + 1;
     let pieces_have_cells = gap.left > start.round() as usize && gap.right < end.round() as usize;
     if !has_free_node || !pieces_have_cells {

@@ -150,7 +150,8 @@ pub(super) fn regularity_with_ends(
             first = SideCondition::Closed;
         }
         let wedge = Wedge::new(angle, SideConditions(first, second), medium(problem, node)?)?;
-        let known = corners.iter().find(|corner| corner.wedge == wedge).map(|c| c.regularity.clone());
+        let known =
+            corners.iter().find(|corner| corner.wedge == wedge).map(|c| c.regularity.clone());
         let regularity = match known {
             Some(regularity) => regularity,
             None => wedge.regularity()?,
@@ -158,7 +159,8 @@ pub(super) fn regularity_with_ends(
         corners.push(CornerSingularity { place, wedge, regularity });
     }
     corners.sort_by(|a, b| a.regularity.tau.total_cmp(&b.regularity.tau));
-    let tau = corners.first().map_or(1.0 + crate::singular::LARGEST, |corner| corner.regularity.tau);
+    let tau =
+        corners.first().map_or(1.0 + crate::singular::LARGEST, |corner| corner.regularity.tau);
     Ok(SolutionRegularity { tau, corners })
 }
 
@@ -176,7 +178,11 @@ pub(super) fn is_closed_at(problem: &ContactProblem, solution: &ContactSolution,
     closed_edges(problem, solution, [None; 2]).edges.contains(&node)
 }
 
-fn closed_edges(problem: &ContactProblem, solution: &ContactSolution, ends: [Option<bool>; 2]) -> Closed {
+fn closed_edges(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+    ends: [Option<bool>; 2],
+) -> Closed {
     let (nodes, is_loop) = (problem.edge().nodes(), problem.edge().is_closed());
     let (count, set) = (nodes.len(), &solution.contact_set);
     let segments = if is_loop { count } else { count - 1 };
@@ -223,7 +229,8 @@ fn medium(problem: &ContactProblem, node: usize) -> Result<Medium> {
     let regions: Vec<usize> = match materials.len() {
         1 => vec![0],
         _ => {
-            let around = (0..mesh.triangles().len()).filter(|&t| mesh.triangles()[t].contains(&node));
+            let around =
+                (0..mesh.triangles().len()).filter(|&t| mesh.triangles()[t].contains(&node));
             around.map(|t| mesh.region(t)).collect()
         }
     };

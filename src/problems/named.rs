@@ -76,7 +76,11 @@ impl FromStr for NamedProblem {
 
 /// The error for a text that is not the name of a test problem; `expected` lists the known names.
 pub(super) fn unknown(text: &str, expected: &'static str) -> Error {
-    Error::Toolkit(ToolkitError::UnknownName { what: "test problem", given: text.to_owned(), expected })
+    Error::Toolkit(ToolkitError::UnknownName {
+        what: "test problem",
+        given: text.to_owned(),
+        expected,
+    })
 }
 
 #[cfg(test)]
@@ -92,13 +96,16 @@ mod tests {
         };
         text.parse::<TestProblem>().is_err_and(|error| is_unknown(TestProblem::names(), error))
             && text.parse::<StripData>().is_err_and(|error| is_unknown(StripData::names(), error))
-            && text.parse::<NamedProblem>().is_err_and(|error| is_unknown(NamedProblem::names(), error))
+            && text
+                .parse::<NamedProblem>()
+                .is_err_and(|error| is_unknown(NamedProblem::names(), error))
     }
 
     #[test]
     fn every_problem_is_read_back_and_wrong_names_are_refused() {
         let meshes = TestProblem::all().into_iter().map(NamedProblem::from);
-        let all: Vec<NamedProblem> = meshes.chain(StripData::all().into_iter().map(Into::into)).collect();
+        let all: Vec<NamedProblem> =
+            meshes.chain(StripData::all().into_iter().map(Into::into)).collect();
         assert_eq!(all.len(), NamedProblem::names().split(", ").count());
         for problem in all {
             let written = problem.to_string();
@@ -111,7 +118,10 @@ mod tests {
             assert_eq!(written.parse(), Ok(problem.clone()));
             assert_eq!(name.parse(), Ok(problem), "parameters with their default values");
             // One parameter too many, an empty one in each place, one that is no number.
-            assert!(is_refused(&format!("{written}:1")) && is_refused(&format!("{written}:")), "{written}");
+            assert!(
+                is_refused(&format!("{written}:1")) && is_refused(&format!("{written}:")),
+                "{written}"
+            );
             for place in 1..written.split(':').count() {
                 for wrong in ["", " ", "x", "1,5", "NaN", "inf", "1e400"] {
                     let mut words: Vec<&str> = written.split(':').collect();

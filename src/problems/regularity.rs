@@ -70,7 +70,11 @@ impl TestProblem {
         hierarchy.refine_around(place, RADIUS, LEVELS)?;
         let problem = self.on_with(hierarchy.finest().clone(), setting)?;
         let solution = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
-        Ok(is_closed_at(&problem, &solution, if last { length * (1.0 - READ) } else { length * READ }))
+        Ok(is_closed_at(
+            &problem,
+            &solution,
+            if last { length * (1.0 - READ) } else { length * READ },
+        ))
     }
 }
 
@@ -88,7 +92,9 @@ mod tests {
         for test_problem in TestProblem::all() {
             let typed = match test_problem {
                 // 1 + the root of Williams' equation at a right angle and ratio 1/4, by bisection.
-                TestProblem::Block | TestProblem::Free | TestProblem::Closed => 1.744_749_698_597_720_7,
+                TestProblem::Block | TestProblem::Free | TestProblem::Closed => {
+                    1.744_749_698_597_720_7
+                }
                 TestProblem::Corner => 1.75,
                 TestProblem::Incompressible => continue,
                 // To twelve digits by the count of `singular`.
@@ -117,8 +123,9 @@ mod tests {
     fn a_sharp_corner_has_a_blunt_one_opposite() {
         // Typed was 1 + 90/ω, at most 2: for ω < 90 the clamped side meets the free top at 180 − ω.
         for angle in [30.0, 60.0, 80.0, 100.0, 135.0, 150.0] {
-            let found =
-                TestProblem::Corner.regularity(&Parameters { angle, ..Parameters::default() }).unwrap();
+            let found = TestProblem::Corner
+                .regularity(&Parameters { angle, ..Parameters::default() })
+                .unwrap();
             let blunt = f64::max(angle, 180.0 - angle);
             assert!((found.tau - (1.0 + 90.0 / blunt)).abs() < DIGITS, "{angle}: {found:?}");
         }

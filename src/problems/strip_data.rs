@@ -150,9 +150,8 @@ impl StripData {
     /// [`EdgeData::from_samples`].
     pub fn data(&self, tau: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
         match self {
-            StripData::Samples { file } => {
-                EdgeData::from_samples(&read_text(file)?, sides).map_err(|fault| Error::file(file, fault))
-            }
+            StripData::Samples { file } => EdgeData::from_samples(&read_text(file)?, sides)
+                .map_err(|fault| Error::file(file, fault)),
             _ => self.powers(tau, 0.0, cells, sides),
         }
     }
@@ -177,14 +176,25 @@ impl StripData {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) unless 0 ≤ α < ∞;
     /// [`ToolkitError::Incompatible`](crate::ToolkitError::Incompatible) for samples; the errors of
     /// [`StripData::data`].
-    pub fn damped_data(&self, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
+    pub fn damped_data(
+        &self,
+        logarithm: f64,
+        cells: usize,
+        sides: LateralCondition,
+    ) -> Result<EdgeData> {
         let is_in = logarithm >= 0.0 && logarithm.is_finite();
         Error::require("alpha", logarithm, "[0, inf)", is_in)?;
         self.powers(2.0, logarithm, cells, sides)
     }
 
     /// The pair of powers of the distance to the ends of gaps, multiplied by ℓ^{−α}, α = `logarithm`.
-    fn powers(&self, tau: f64, logarithm: f64, cells: usize, sides: LateralCondition) -> Result<EdgeData> {
+    fn powers(
+        &self,
+        tau: f64,
+        logarithm: f64,
+        cells: usize,
+        sides: LateralCondition,
+    ) -> Result<EdgeData> {
         sides.check_cells(cells)?;
         let (range, is_inside) = match self {
             // d = 4 − 2τ > 0
@@ -199,7 +209,8 @@ impl StripData {
         };
         // Up to τ = 3/2 σ_N has no trace in L² in general.
         Error::require("tau", tau, range, tau > 1.5 && is_inside)?;
-        let transitions = |gaps| Gaps { gaps, dimension: 0.0, pressure: tau - 2.0, logarithm, advance: 0.0 };
+        let transitions =
+            |gaps| Gaps { gaps, dimension: 0.0, pressure: tau - 2.0, logarithm, advance: 0.0 };
         let gaps = match *self {
             StripData::Transition { position } => {
                 Error::require("position", position, "(0, 1)", position > 0.0 && position < 1.0)?;
@@ -226,7 +237,12 @@ impl StripData {
             }
             StripData::Samples { .. } => {
                 let expected = "a test problem whose data are powers";
-                return Err(Error::incompatible("test problem", self, "a logarithmic factor", expected));
+                return Err(Error::incompatible(
+                    "test problem",
+                    self,
+                    "a logarithmic factor",
+                    expected,
+                ));
             }
         };
         gaps.pair(tau, cells, sides)
@@ -296,7 +312,9 @@ mod tests {
     #[test]
     fn a_logarithm_damps_both_data() {
         let (cells, alpha) = (1 << 10, 0.75);
-        for source in [StripData::Transitions { gaps: 5 }, StripData::Cantor { ratio: 0.3, depth: 9 }] {
+        for source in
+            [StripData::Transitions { gaps: 5 }, StripData::Cantor { ratio: 0.3, depth: 9 }]
+        {
             let plain = source.data(2.0, cells, LateralCondition::Natural).unwrap();
             assert_eq!(
                 source.damped_data(0.0, cells, LateralCondition::Natural).unwrap().values(),
@@ -322,7 +340,9 @@ mod tests {
         let samples = StripData::Samples { file: "edge.txt".into() };
         assert!(samples.damped_data(1.0, cells, LateralCondition::Natural).is_err());
         assert!(
-            StripData::FatCantor { depth: 9 }.damped_data(1.0, cells, LateralCondition::Natural).is_err()
+            StripData::FatCantor { depth: 9 }
+                .damped_data(1.0, cells, LateralCondition::Natural)
+                .is_err()
         );
     }
 }

@@ -165,11 +165,19 @@ impl Default for Parameters {
     }
 }
 
-const ALL_CONTACT: SideParts =
-    SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+const ALL_CONTACT: SideParts = SideParts {
+    bottom: Part::Contact,
+    right: Part::Contact,
+    top: Part::Contact,
+    left: Part::Contact,
+};
 
-const LEFT_HELD: SideParts =
-    SideParts { bottom: Part::Contact, right: Part::Neumann, top: Part::Neumann, left: Part::Dirichlet };
+const LEFT_HELD: SideParts = SideParts {
+    bottom: Part::Contact,
+    right: Part::Neumann,
+    top: Part::Neumann,
+    left: Part::Dirichlet,
+};
 
 impl TestProblem {
     /// One test problem of each kind.
@@ -213,7 +221,9 @@ impl TestProblem {
                 load: |[x, _]| -(PI * x).cos() - 0.5,
                 ..ELASTIC
             },
-            TestProblem::Raised => Body { load: |[x, _]| (PI * x).cos(), ..TestProblem::Leaning.body() },
+            TestProblem::Raised => {
+                Body { load: |[x, _]| (PI * x).cos(), ..TestProblem::Leaning.body() }
+            }
             TestProblem::Taper => Body {
                 mesh: |n, setting| taper(n, setting.angle),
                 load: |[x, _]| -(PI * x).cos() - 0.5,
@@ -372,14 +382,18 @@ mod tests {
     #[test]
     fn every_problem_has_the_contact_it_is_named_for() {
         for test_problem in TestProblem::all() {
-            let solution = test_problem.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+            let solution =
+                test_problem.problem(16).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
             let (count, all) = (solution.contact_set.count(), solution.contact_set.constraints());
             match test_problem {
                 TestProblem::Free => assert_eq!(count, 0, "{test_problem}"),
                 TestProblem::Closed => assert_eq!(count, all, "{test_problem}"),
                 _ => assert!(0 < count && count < all, "{test_problem}: {count} of {all}"),
             }
-            assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-13, "{test_problem}");
+            assert!(
+                solution.status.is_converged() && solution.kkt.worst() < 1e-13,
+                "{test_problem}"
+            );
         }
         let setting = Parameters { angle: 10.0, ..Parameters::default() };
         for test_problem in

@@ -116,6 +116,9 @@ mod tests {
         let missing = 0.4f64.powf(0.75) / 0.75 - total;
         assert!(missing.abs() < 1e-12, "{missing}");
         let bad = TransitionPowers { pressure: -1.0, ..TransitionPowers::of_regularity(1.75) };
-        assert!(bad.data(0.4, 64).is_err() && TransitionPowers::of_regularity(1.75).data(1.0, 64).is_err());
+        assert!(
+            bad.data(0.4, 64).is_err()
+                && TransitionPowers::of_regularity(1.75).data(1.0, 64).is_err()
+        );
     }
 }

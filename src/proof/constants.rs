@@ -2,8 +2,8 @@
 
 use crate::error::{Error, Result, ToolkitError};
 use fractional_sobolev::{
-    Constraint, Domain, ErrorNorm, Order, Tolerance, embedding_bound, gamma, interpolation_constant,
-    projection_constant,
+    Constraint, Domain, ErrorNorm, Order, Tolerance, embedding_bound, gamma,
+    interpolation_constant, projection_constant,
 };
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -82,8 +82,9 @@ impl ProofConstants {
             (q, embedding_bound(Order::HALF, q)?)
         };
         let (gammas, factors) = if tau > 2.0 {
-            let constant =
-                upper(gamma(order, Constraint::vanishing_at(0.0), Tolerance::new(GAMMA)?)?.constant);
+            let constant = upper(
+                gamma(order, Constraint::vanishing_at(0.0), Tolerance::new(GAMMA)?)?.constant,
+            );
             (HashMap::new(), TwoLaws { printed: constant, corrected: constant })
         } else {
             let gammas = zone_constants(order, thetas)?;
@@ -91,7 +92,8 @@ impl ProofConstants {
             (gammas, factors)
         };
         let unit = Domain::Interval(1.0);
-        let interpolation = interpolation_constant(unit.clone(), ErrorNorm::L2, order, tolerance)?.constant;
+        let interpolation =
+            interpolation_constant(unit.clone(), ErrorNorm::L2, order, tolerance)?.constant;
         let projection = |norm, r: f64| {
             projection_constant(unit.clone(), norm, r, tolerance).map(|found| upper(found.constant))
         };
@@ -180,7 +182,8 @@ fn laws(tau: f64, theta: f64) -> TwoLaws {
 
 /// γ_θ(ν) plus its estimated error, for the given zones and the powers of 1/2.
 fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
-    let mut zones: Vec<f64> = (0..=LAW).map(|k| 0.5f64.powi(k)).chain(thetas.iter().copied()).collect();
+    let mut zones: Vec<f64> =
+        (0..=LAW).map(|k| 0.5f64.powi(k)).chain(thetas.iter().copied()).collect();
     zones.sort_by(f64::total_cmp);
     zones.dedup();
     let tolerance = Tolerance::new(GAMMA)?;

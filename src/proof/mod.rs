@@ -6,5 +6,6 @@ mod segment_constants;
 
 pub use constants::{ProofConstants, TwoLaws};
 pub use segment_constants::{
-    SegmentConstant, consistency_constant, midpoint_bound, one_gap_ratio, product_bound, product_constant,
+    SegmentConstant, consistency_constant, midpoint_bound, one_gap_ratio, product_bound,
+    product_constant,
 };

@@ -152,7 +152,10 @@ pub fn consistency_constant(
 ///
 /// # Errors
 /// As for [`product_constant`].
-pub fn midpoint_bound(order: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<SegmentConstant> {
+pub fn midpoint_bound(
+    order: impl Given<Order>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<SegmentConstant> {
     largest_product(order.given()?, Moment::Mass, Moment::FromZone, tolerance.given()?)
 }
 
@@ -277,7 +280,10 @@ mod tests {
             let of = |e: f64| 0.5 * (e * (1.0 - e) / (g(e) * g(1.0 - e))).sqrt();
             assert!((of(0.5) / product_bound(order) - 1.0).abs() < 1e-13, "{nu}");
             let values: Vec<f64> = (1..2000).map(|j| of(f64::from(j) / 2000.0)).collect();
-            assert!(values[..1000].windows(2).all(|pair| pair[0] < pair[1] * (1.0 + 1e-14)), "{nu}");
+            assert!(
+                values[..1000].windows(2).all(|pair| pair[0] < pair[1] * (1.0 + 1e-14)),
+                "{nu}"
+            );
             assert!(values[999..].windows(2).all(|pair| pair[1] < pair[0] * (1.0 + 1e-14)), "{nu}");
         }
     }
@@ -298,8 +304,12 @@ mod tests {
             for k in 1..40 {
                 let gap = f64::from(k) / 40.0;
                 let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();
-                assert!(ratio.value - ratio.error <= kappa.value.value, "{nu} {gap}: {ratio} {kappa:?}");
-                let (k, _) = product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
+                assert!(
+                    ratio.value - ratio.error <= kappa.value.value,
+                    "{nu} {gap}: {ratio} {kappa:?}"
+                );
+                let (k, _) =
+                    product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
                 assert!(k.value - k.error <= largest.value, "{nu} {gap}: {k} {largest}");
             }
         }

@@ -31,7 +31,12 @@ pub(super) fn fields(lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 4] {
 }
 
 /// The two conditions of a side at θ.
-pub(super) fn conditions(side: SideCondition, lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 2] {
+pub(super) fn conditions(
+    side: SideCondition,
+    lambda: c64,
+    kappa: f64,
+    theta: f64,
+) -> [[c64; 4]; 2] {
     let [radial, tangential, normal, shear] = fields(lambda, kappa, theta);
     match side {
         SideCondition::Clamped => [radial, tangential],
@@ -55,7 +60,9 @@ mod tests {
     /// The determinant of the four conditions on the four functions: zero at the exponents.
     fn determinant(rows: [[c64; 4]; 4]) -> c64 {
         // Laplace: pairs of columns of the upper two rows times the complementary pairs of the lower two.
-        let minor = |r: usize, i: usize, j: usize| rows[r][i] * rows[r + 1][j] - rows[r][j] * rows[r + 1][i];
+        let minor = |r: usize, i: usize, j: usize| {
+            rows[r][i] * rows[r + 1][j] - rows[r][j] * rows[r + 1][i]
+        };
         minor(0, 0, 1) * minor(2, 2, 3) - minor(0, 0, 2) * minor(2, 1, 3)
             + minor(0, 0, 3) * minor(2, 1, 2)
             + minor(0, 1, 2) * minor(2, 0, 3)
@@ -76,9 +83,12 @@ mod tests {
                 let kappa = wedge.kappa();
                 let ([first, second], _) = wedge.ordered();
                 let quotient = |lambda: c64| {
-                    let ([a, b], [c, d]) =
-                        (conditions(first, lambda, kappa, 0.0), conditions(second, lambda, kappa, angle));
-                    let product: c64 = wedge.factors().iter().map(|f| f.values(lambda)[0]).product();
+                    let ([a, b], [c, d]) = (
+                        conditions(first, lambda, kappa, 0.0),
+                        conditions(second, lambda, kappa, angle),
+                    );
+                    let product: c64 =
+                        wedge.factors().iter().map(|f| f.values(lambda)[0]).product();
                     determinant([a, b, c, d]) / product
                 };
                 let expected = quotient(c64::new(0.37, 0.21));
@@ -101,7 +111,12 @@ mod tests {
         // σ_rr + σ_θθ = 4 Re φ′ in the basis: 4λ (a₁ c − a₂ s).
         let trace = |theta: f64| {
             let inner = (lambda - 1.0) * theta;
-            [4.0 * lambda * inner.cos(), -4.0 * lambda * inner.sin(), c64::new(0.0, 0.0), c64::new(0.0, 0.0)]
+            [
+                4.0 * lambda * inner.cos(),
+                -4.0 * lambda * inner.sin(),
+                c64::new(0.0, 0.0),
+                c64::new(0.0, 0.0),
+            ]
         };
         let (theta, h) = (0.9, 1e-5);
         let [at, before, after] = [theta, theta - h, theta + h].map(|t| fields(lambda, kappa, t));
@@ -115,7 +130,8 @@ mod tests {
             assert!(first.norm() < 1e-8 && second.norm() < 1e-8, "{k}: {first} {second}");
             // σ_rθ = μ (u_r' + (λ−1) u_θ), μ = 1/2; σ_rr + σ_θθ = (u_r (λ+1) + u_θ')·2/(κ−1)
             let law = 0.5 * (slope(0) + (lambda - 1.0) * at[1][k]) - shear;
-            let volume = ((lambda + 1.0) * at[0][k] + slope(1)) * (2.0 / (kappa - 1.0)) - trace(theta)[k];
+            let volume =
+                ((lambda + 1.0) * at[0][k] + slope(1)) * (2.0 / (kappa - 1.0)) - trace(theta)[k];
             assert!(law.norm() < 1e-8 && volume.norm() < 1e-8, "{k}: {law} {volume}");
         }
     }

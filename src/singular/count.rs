@@ -57,7 +57,8 @@ impl Rectangle {
 /// |f''| is bounded on the rectangle, so no turn is missed.
 pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<usize> {
     let Rectangle { left, right, bottom, top } = *area;
-    let corners = [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| c64::new(x, y));
+    let corners =
+        [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| c64::new(x, y));
     let bend = f.bend(area.reach(), area.height());
     let mut angle = 0.0;
     for side in 0..4 {
@@ -80,7 +81,8 @@ fn turn(f: &Factor, from: c64, to: c64, bend: f64, points: &mut u64) -> Option<f
         *points += 1;
         let (size, steep) = (value.norm(), slope.norm());
         // The positive root of b t + M t²/2 = 7a/10, without a difference.
-        let step = 2.0 * CHANGE * size / (steep + (steep * steep + 2.0 * bend * CHANGE * size).sqrt());
+        let step =
+            2.0 * CHANGE * size / (steep + (steep * steep + 2.0 * bend * CHANGE * size).sqrt());
         let is_clear = size > ROUNDINGS * f64::EPSILON * f.terms(at);
         if !is_clear || step.is_nan() || step < SHORTEST * length {
             return None;

@@ -83,10 +83,15 @@ impl Factor {
             }
             Shape::Mixed { kappa, excess, sine } => {
                 let (s, c) = sine_cosine(z * w);
-                let (k, e, b) = (number(4.0) * real(kappa), real(excess), number(4.0) * real(sine * sine));
+                let (k, e, b) =
+                    (number(4.0) * real(kappa), real(excess), number(4.0) * real(sine * sine));
                 let two = number(2.0);
                 let first = -(two * k * w * s * c) - two * b * z;
-                [k * c * c + e * e - b * z * z, first, -(two * k * w * w * (c * c - s * s)) - two * b]
+                [
+                    k * c * c + e * e - b * z * z,
+                    first,
+                    -(two * k * w * w * (c * c - s * s)) - two * b,
+                ]
             }
         }
     }
@@ -95,7 +100,9 @@ impl Factor {
     pub(super) fn bend(&self, reach: f64, height: f64) -> f64 {
         let w = self.angle.0;
         match self.shape {
-            Shape::Sine { height: p, shift, .. } => p.0.abs() * w * w * largest_sine(w, reach, shift, height),
+            Shape::Sine { height: p, shift, .. } => {
+                p.0.abs() * w * w * largest_sine(w, reach, shift, height)
+            }
             Shape::Cosine => w * w * (w * height).cosh(),
             Shape::Mixed { kappa, sine, .. } => {
                 8.0 * kappa.0 * w * w * (2.0 * w * height).cosh() + 8.0 * sine.0 * sine.0

@@ -66,7 +66,8 @@ impl Mode {
             Fields::Clamped => {
                 // u = 0 at θ = 0: b₁ = (κ−λ) a₁, b₂ = −(κ+λ) a₂
                 let (even, odd) = (kappa - lambda, -(kappa + lambda));
-                let reduced = far(wedge.angle()).map(|row| [row[0] + even * row[2], row[1] + odd * row[3]]);
+                let reduced =
+                    far(wedge.angle()).map(|row| [row[0] + even * row[2], row[1] + odd * row[3]]);
                 let [a, b] = kernel(reduced);
                 ([a, b, even * a, odd * b], 0.0)
             }
@@ -137,6 +138,10 @@ impl Mode {
         let theta = if is_second { self.wedge.angle() } else { 0.0 };
         let outward = if is_second { 1.0 } else { -1.0 };
         let [u, v, normal, _] = self.rows(theta);
-        if self.wedge.medium() == Medium::Scalar { (u, normal * outward) } else { (v * outward, normal) }
+        if self.wedge.medium() == Medium::Scalar {
+            (u, normal * outward)
+        } else {
+            (v * outward, normal)
+        }
     }
 }

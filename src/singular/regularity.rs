@@ -110,7 +110,10 @@ impl Wedge {
                 continue;
             }
             if !exponent.is_polynomial() {
-                return Ok(CornerRegularity { tau: 1.0 + exponent.re.value, exponent: Some(exponent) });
+                return Ok(CornerRegularity {
+                    tau: 1.0 + exponent.re.value,
+                    exponent: Some(exponent),
+                });
             }
             // A polynomial with a strict sign may lead, and the following terms are then free of conditions.
             is_decided |= condition == SignCondition::Signed;

@@ -90,11 +90,16 @@ impl FromStr for SideConditions {
     /// Two of the letters D, N, C, O, as in `D-N`.
     fn from_str(text: &str) -> Result<Self> {
         let side = |letter: &str| {
-            let all =
-                [SideCondition::Clamped, SideCondition::Free, SideCondition::Closed, SideCondition::Open];
+            let all = [
+                SideCondition::Clamped,
+                SideCondition::Free,
+                SideCondition::Closed,
+                SideCondition::Open,
+            ];
             all.into_iter().find(|side| letter.eq_ignore_ascii_case(&side.letter().to_string()))
         };
-        let sides = text.split_once('-').and_then(|(a, b)| Some(SideConditions(side(a)?, side(b)?)));
+        let sides =
+            text.split_once('-').and_then(|(a, b)| Some(SideConditions(side(a)?, side(b)?)));
         sides.ok_or_else(|| {
             Error::Toolkit(ToolkitError::UnknownName {
                 what: "pair of sides",
@@ -156,7 +161,12 @@ impl Wedge {
         let is_opening = (SMALLEST..=std::f64::consts::TAU).contains(&angle);
         Error::require("opening angle", angle, "[1e-5, 2 pi]", is_opening)?;
         if let Medium::PlaneStrain(poisson) = medium {
-            Error::require("Poisson's ratio", poisson, "(-1, 1/2)", poisson > -1.0 && poisson < 0.5)?;
+            Error::require(
+                "Poisson's ratio",
+                poisson,
+                "(-1, 1/2)",
+                poisson > -1.0 && poisson < 0.5,
+            )?;
         }
         Ok(Self { angle, sides, medium })
     }
@@ -205,11 +215,15 @@ impl Wedge {
         let ([first, second], _) = self.ordered();
         let one = Quad::ONE;
         let angle = Quad::from(self.angle);
-        let sine = |fields, height, angle: Quad, slope| Factor::sine(fields, height, 0.0, angle, slope);
+        let sine =
+            |fields, height, angle: Quad, slope| Factor::sine(fields, height, 0.0, angle, slope);
         let Medium::PlaneStrain(poisson) = self.medium else {
             let equal = first == second;
-            let factor =
-                if equal { sine(Fields::Scalar, one, angle, Quad::ZERO) } else { Factor::cosine(angle) };
+            let factor = if equal {
+                sine(Fields::Scalar, one, angle, Quad::ZERO)
+            } else {
+                Factor::cosine(angle)
+            };
             return vec![factor];
         };
         let excess = Quad::from(2.0) - Quad::from(4.0) * Quad::from(poisson);
@@ -226,10 +240,16 @@ impl Wedge {
             }
             (SideCondition::Closed, _) => vec![sine(Fields::Reflected, one, doubled, reflected)],
             (SideCondition::Clamped, SideCondition::Clamped) => {
-                vec![sine(Fields::Even, kappa, angle, -opening), sine(Fields::Odd, kappa, angle, opening)]
+                vec![
+                    sine(Fields::Even, kappa, angle, -opening),
+                    sine(Fields::Odd, kappa, angle, opening),
+                ]
             }
             (SideCondition::Clamped, _) => vec![Factor::mixed(angle, excess)],
-            _ => vec![sine(Fields::Even, one, angle, opening), sine(Fields::Odd, one, angle, -opening)],
+            _ => vec![
+                sine(Fields::Even, one, angle, opening),
+                sine(Fields::Odd, one, angle, -opening),
+            ],
         }
     }
 }

@@ -68,7 +68,13 @@ fn lost() -> Error {
     Error::out_of_reach("zeros of a characteristic function", SAME, 1.0, why)
 }
 
-fn search(f: &Factor, area: Rectangle, count: usize, points: &mut u64, found: &mut Vec<Zero>) -> Result<()> {
+fn search(
+    f: &Factor,
+    area: Rectangle,
+    count: usize,
+    points: &mut u64,
+    found: &mut Vec<Zero>,
+) -> Result<()> {
     if count == 0 {
         return Ok(());
     }
@@ -112,7 +118,10 @@ fn lying(area: Rectangle, cut: f64) -> [Rectangle; 2] {
     let Rectangle { bottom, top, .. } = area;
     if area.is_symmetric() {
         let middle = cut * top;
-        return [Rectangle { bottom: -middle, top: middle, ..area }, Rectangle { bottom: middle, ..area }];
+        return [
+            Rectangle { bottom: -middle, top: middle, ..area },
+            Rectangle { bottom: middle, ..area },
+        ];
     }
     let middle = bottom + cut * (top - bottom);
     [Rectangle { top: middle, ..area }, Rectangle { bottom: middle, ..area }]
@@ -182,7 +191,8 @@ fn converge(f: &Factor, start: Wide, area: &Rectangle) -> Option<Wide> {
         place += step;
         let size = narrow(step).norm();
         if !size.is_finite()
-            || narrow(place - start).norm() > 4.0 * (area.top - area.bottom + area.right - area.left)
+            || narrow(place - start).norm()
+                > 4.0 * (area.top - area.bottom + area.right - area.left)
         {
             return None;
         }

@@ -54,7 +54,12 @@ impl EdgeData {
     /// [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a wrong sign;
     /// [`Error::NotComplementary`] if both are nonzero at a node; [`Error::EmptyContact`] if u_N < 0 at all
     /// nodes.
-    pub fn new(cells: usize, sides: LateralCondition, values: &[f64], forces: &[f64]) -> Result<Self> {
+    pub fn new(
+        cells: usize,
+        sides: LateralCondition,
+        values: &[f64],
+        forces: &[f64],
+    ) -> Result<Self> {
         sides.check_cells(cells)?;
         for (name, field) in [("u_N", values), ("lambda", forces)] {
             require_values(name, field, sides.nodes(cells))?;
@@ -65,7 +70,13 @@ impl EdgeData {
         if values.iter().all(|&v| v != 0.0) {
             return Err(Error::EmptyContact { nodes: values.len() });
         }
-        Ok(Self { cells, sides, values: values.to_vec(), forces: forces.to_vec(), regularity: None })
+        Ok(Self {
+            cells,
+            sides,
+            values: values.to_vec(),
+            forces: forces.to_vec(),
+            regularity: None,
+        })
     }
 
     /// The same data, declared to be of regularity `tau`.

@@ -47,8 +47,9 @@ impl Strip {
     pub fn scalar(cells: usize, layers: usize) -> Result<Self> {
         LateralCondition::Natural.check_cells(cells)?;
         check_layers(layers)?;
-        let symbol: Vec<f64> =
-            (0..=cells).map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64)).collect();
+        let symbol: Vec<f64> = (0..=cells)
+            .map(|k| scalar_symbol(PI * k as f64 / cells as f64, layers as f64))
+            .collect();
         let operator = EdgeOperator::new(cells, LateralCondition::Natural, &symbol)?;
         Ok(Self { operator, layers, elastic: None })
     }
@@ -111,7 +112,9 @@ impl Strip {
     pub fn condense(&self, f: impl Fn(f64, f64) -> [f64; 2]) -> Result<(Vec<f64>, f64)> {
         match &self.elastic {
             None => scalar::condense(&self.operator, self.layers, |x, y| f(x, y)[0]),
-            Some((lame, matrices)) => elastic::condense(&self.operator, self.layers, (*lame, matrices), f),
+            Some((lame, matrices)) => {
+                elastic::condense(&self.operator, self.layers, (*lame, matrices), f)
+            }
         }
     }
 }

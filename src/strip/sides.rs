@@ -39,7 +39,9 @@ impl LateralCondition {
     pub fn check_cells(self, cells: usize) -> Result<()> {
         let (admissible, range) = match self {
             LateralCondition::Natural => (cells >= 2, "[2, 2^26]"),
-            LateralCondition::Periodic => (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}"),
+            LateralCondition::Periodic => {
+                (cells >= 2 && cells.is_multiple_of(2), "{2, 4, 6, ..., 2^26}")
+            }
         };
         Error::require_count("cells", cells, range, admissible && cells <= 1 << 26)
     }

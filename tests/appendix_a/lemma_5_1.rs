@@ -42,8 +42,10 @@ fn no_piecewise_linear_function_goes_below_alpha() {
         for theta in [0.1, 0.5] {
             let zone = Constraint::mean_zero_on(0.0..theta);
             let alpha = 1.0 / gamma(nu, zone, 1e-8).unwrap().constant.value.hypot(1.0);
-            let mesh = Mesh::from_nodes(&[0.0, 0.5 * theta, theta, 0.5 * (1.0 + theta), 1.0]).unwrap();
-            for values in [[-1.0, 0.0, 1.0, 2.0, 2.0], [0.0, 0.0, 0.0, 1.0, 1.0], [-1.0, 0.0, 1.0, 1.0, 1.0]]
+            let mesh =
+                Mesh::from_nodes(&[0.0, 0.5 * theta, theta, 0.5 * (1.0 + theta), 1.0]).unwrap();
+            for values in
+                [[-1.0, 0.0, 1.0, 2.0, 2.0], [0.0, 0.0, 0.0, 1.0, 1.0], [-1.0, 0.0, 1.0, 1.0, 1.0]]
             {
                 let u = Function::linears(&mesh, &values).unwrap();
                 assert!(quotient(&u, nu) >= alpha, "nu {nu}, theta {theta}, {values:?}");

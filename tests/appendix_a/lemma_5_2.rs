@@ -3,7 +3,8 @@
 
 use fractional_sobolev::closed_forms::hat_seminorm_squared;
 use fractional_sobolev::{
-    Constraint, Error, Function, Given, Mesh, Order, Result, Tolerance, Zones, gamma, gauss_legendre, law,
+    Constraint, Error, Function, Given, Mesh, Order, Result, Tolerance, Zones, gamma,
+    gauss_legendre, law,
 };
 use std::f64::consts::PI;
 
@@ -12,7 +13,8 @@ const END_SLOPE: f64 = 3.0 / (2.0 * PI * PI);
 const INTERIOR_SLOPE: f64 = 1.0 / (2.0 * PI * PI);
 
 /// (0, θ), and the zone of length θ in the middle.
-const PLACES: [fn(f64) -> Result<Zones>; 2] = [|theta| Zones::from_start_and_length(0.0, theta), centre];
+const PLACES: [fn(f64) -> Result<Zones>; 2] =
+    [|theta| Zones::from_start_and_length(0.0, theta), centre];
 
 fn centre(theta: f64) -> Result<Zones> {
     Zones::from_start_and_length(0.5 * (1.0 - theta), theta)
@@ -40,14 +42,16 @@ fn constant(nu: f64, zone: impl Given<Zones>, tolerance: f64) -> f64 {
 #[test]
 fn constants_agree_with_the_reference_and_keep_their_promise() {
     let rows: serde_json::Value =
-        serde_json::from_str(include_str!("../../toolkit/tests/reference/gamma_reference.json")).unwrap();
+        serde_json::from_str(include_str!("../../toolkit/tests/reference/gamma_reference.json"))
+            .unwrap();
     for (index, row) in rows.as_array().unwrap().iter().enumerate() {
         let (nu, exact) = (number(row, "nu_decimal"), number(row, "gamma"));
         let zone = Zones::from_start_and_length(0.0, number(row, "theta_decimal")).unwrap();
         // Every row to ten digits, and every fifth to four: the estimate must be met at either setting.
         for tolerance in [1e-10, 1e-4].into_iter().take(1 + usize::from(index % 5 == 0)) {
             let asked = Tolerance::new(tolerance).unwrap();
-            let found = gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked).unwrap().constant;
+            let found =
+                gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked).unwrap().constant;
             let error = (found.value - exact).abs();
             assert!(
                 error <= found.error && error <= tolerance * exact,
@@ -71,7 +75,10 @@ fn constants_of_zones_inside_agree_with_the_reference() {
             a => Zones::from_start_and_length(a.parse().unwrap(), theta).unwrap(),
         };
         let found = constant(nu, &zone, LOCATION);
-        assert!((found / exact - 1.0).abs() <= LOCATION, "nu {nu} zone {zone}: {found} against {exact}");
+        assert!(
+            (found / exact - 1.0).abs() <= LOCATION,
+            "nu {nu} zone {zone}: {found} against {exact}"
+        );
     }
 }
 
@@ -84,8 +91,9 @@ fn limits_agree_with_the_reference() {
     let rows: serde_json::Value = serde_json::from_str(text).unwrap();
     for row in rows["gamma0"].as_array().unwrap() {
         let (nu, exact) = (number(row, "nu"), number(row, "gamma0"));
-        let found =
-            gamma(order(nu), Constraint::vanishing_at(0.0), Tolerance::new(LIMIT).unwrap()).unwrap().constant;
+        let found = gamma(order(nu), Constraint::vanishing_at(0.0), Tolerance::new(LIMIT).unwrap())
+            .unwrap()
+            .constant;
         assert!((found.value / exact - 1.0).abs() <= LIMIT, "nu {nu}: {found} against {exact}");
     }
     for row in rows["B"].as_array().unwrap() {
@@ -157,7 +165,8 @@ fn the_limit_below_one_half_is_the_integral_over_the_symbol() {
             rule.iter().map(|(x, w)| w * length * at(length * (1.0 + x))).sum::<f64>()
         };
         let tail = (0..40).map(tail_of).sum::<f64>();
-        let square = (1..=20).map(piece).sum::<f64>() + tail + LAST * 0.5f64.powi(20) * integrand(0.0);
+        let square =
+            (1..=20).map(piece).sum::<f64>() + tail + LAST * 0.5f64.powi(20) * integrand(0.0);
         let limit = law(order(nu), 0.0, 1e-9).unwrap().factor().unwrap().value;
         assert!((square.sqrt() / limit - 1.0).abs() < 1e-7, "{nu}: {square} {limit}");
     }
@@ -190,21 +199,29 @@ fn orders_without_digits_of_their_own_are_continued() {
     // γ₁(0) = 1/2: the form with 1/|x−y| has Legendre eigenfunctions with eigenvalues 4 H_n, the smallest of
     // which is 4.
     for nu in [1e-300, 1e-15] {
-        let found =
-            gamma(order(nu), Constraint::mean_zero(), Tolerance::new(1e-10).unwrap()).unwrap().constant;
+        let found = gamma(order(nu), Constraint::mean_zero(), Tolerance::new(1e-10).unwrap())
+            .unwrap()
+            .constant;
         assert!((found.value - 0.5).abs() <= found.error.max(1e-14), "nu {nu:e}: {found}");
     }
     // At ν = 1e-6 either formula can be used; tolerances decide which.
     for theta in [0.1, 1e-20] {
-        let [direct, continued] = [2e-9, 1e-10].map(|tolerance| constant(1e-6, 0.0..theta, tolerance));
-        assert!((direct / continued - 1.0).abs() < 2e-9, "theta {theta:e}: {direct} and {continued}");
+        let [direct, continued] =
+            [2e-9, 1e-10].map(|tolerance| constant(1e-6, 0.0..theta, tolerance));
+        assert!(
+            (direct / continued - 1.0).abs() < 2e-9,
+            "theta {theta:e}: {direct} and {continued}"
+        );
     }
     for (nu, theta) in [(1e-300, 1.0), (1e-6, 0.3), (1e-9, 1e-3)] {
         let zone = 0.0..theta;
         let found = gamma(order(nu), Constraint::mean_zero_on(zone), Tolerance::new(1e-9).unwrap())
             .and_then(|found| found.bounds())
             .unwrap();
-        assert!(found.lower <= found.gamma.value && found.gamma.value <= found.upper, "nu {nu:e}: {found:?}");
+        assert!(
+            found.lower <= found.gamma.value && found.gamma.value <= found.upper,
+            "nu {nu:e}: {found:?}"
+        );
         let simple = found.whole.value.hypot(found.dual_norm.value);
         assert!(found.upper <= simple * (1.0 + 1e-8), "nu {nu:e}: {found:?}");
     }
@@ -212,13 +229,17 @@ fn orders_without_digits_of_their_own_are_continued() {
     // quotient is the constant, by another computation.
     for (nu, theta) in [(1e-9, 0.3), (1e-12, 1e-3)] {
         let (zone, asked) = (0.0..theta, Tolerance::new(1e-8).unwrap());
-        let value = gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked).unwrap().constant;
+        let value =
+            gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked).unwrap().constant;
         let norm = gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked)
             .unwrap()
             .bounds()
             .unwrap()
             .dual_norm;
-        assert!(norm.value <= value.value && norm.relative_error() <= 1e-8, "nu {nu:e}: {norm}, {value}");
+        assert!(
+            norm.value <= value.value && norm.relative_error() <= 1e-8,
+            "nu {nu:e}: {norm}, {value}"
+        );
         let (found, u) = gamma(order(nu), Constraint::mean_zero_on(zone.clone()), asked)
             .map(|found| (found.constant, found.extremal()))
             .unwrap();
@@ -226,12 +247,16 @@ fn orders_without_digits_of_their_own_are_continued() {
         let interpolant = u.interpolate(2, 6, &[theta]).unwrap();
         let seminorm = interpolant.seminorm(order(nu), Tolerance::fast()).unwrap().value;
         let quotient = interpolant.norm(0.0, Tolerance::reference()).unwrap().value / seminorm;
-        assert!((quotient / found.value - 1.0).abs() < 1e-3, "nu {nu:e}: {quotient} against {found}");
+        assert!(
+            (quotient / found.value - 1.0).abs() < 1e-3,
+            "nu {nu:e}: {quotient} against {found}"
+        );
     }
     // A zone inside leaves fewer digits: a refusal that says how many.
     let inside = centre(1e-300).unwrap();
     let asked = Tolerance::new(1e-10).unwrap();
-    let refused = gamma(order(1e-300), Constraint::mean_zero_on(&inside), asked).map(|found| found.constant);
+    let refused =
+        gamma(order(1e-300), Constraint::mean_zero_on(&inside), asked).map(|found| found.constant);
     assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
     let refused = gamma(order(1e-300), Constraint::mean_zero_on(&inside), asked)
         .map(|found| (found.constant, found.extremal()));
@@ -245,7 +270,8 @@ fn bounds_hold_in_a_sweep() {
     let nus = [0.05, 0.2, 0.35, 0.48, 0.5, 0.52, 0.65, 0.8, 0.95];
     for nu in nus.into_iter().step_by(if crate::MANY { 1 } else { 2 }) {
         for theta in [0.9, 0.3, 0.1, 1e-2, 1e-4, 1e-7, 1e-30, 1e-200] {
-            let inside: fn(f64) -> Result<Zones> = |theta| Zones::from_start_and_length(0.01, theta);
+            let inside: fn(f64) -> Result<Zones> =
+                |theta| Zones::from_start_and_length(0.01, theta);
             for place in [PLACES[0], PLACES[1], inside] {
                 for (k, condition) in CONDITIONS.into_iter().enumerate() {
                     let zone = place(theta).unwrap();
@@ -276,7 +302,8 @@ fn gamma_decreases_with_the_length_of_the_zone() {
             .step_by(if crate::MANY { 1 } else { 4 })
             .map(|k| 10f64.powf(-0.1 * f64::from(k)))
             .collect();
-        let values: Vec<f64> = lengths.iter().map(|&theta| constant(nu, 0.0..theta, 1e-5)).collect();
+        let values: Vec<f64> =
+            lengths.iter().map(|&theta| constant(nu, 0.0..theta, 1e-5)).collect();
         for (pair, theta) in values.windows(2).zip(&lengths) {
             assert!(pair[1] > pair[0], "nu {nu} below theta {theta:e}: {pair:?}");
         }
@@ -299,7 +326,9 @@ fn printed_law_at_one_half_fails_near_one_and_is_loose_near_zero() {
 /// Whichever space gave the value: on a finer one than first tried (1e-11), and on the first.
 #[test]
 fn extremal_function_attains_the_constant_and_meets_its_condition() {
-    for (nu, theta, asked) in [(0.3, 0.05, 1e-4), (0.3, 0.2, 1e-8), (0.5, 0.05, 1e-11), (0.8, 0.1, 1e-4)] {
+    for (nu, theta, asked) in
+        [(0.3, 0.05, 1e-4), (0.3, 0.2, 1e-8), (0.5, 0.05, 1e-11), (0.8, 0.1, 1e-4)]
+    {
         let value = gamma(nu, Constraint::mean_zero_on(0.0..theta), asked).unwrap().constant;
         let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), asked).unwrap();
         let (constant, u) = (found.constant, found.extremal());
@@ -308,10 +337,14 @@ fn extremal_function_attains_the_constant_and_meets_its_condition() {
         let seminorm = interpolant.seminorm(nu, Tolerance::fast()).unwrap().value;
         let norm = interpolant.norm(0.0, Tolerance::reference()).unwrap().value;
         // Quadratic interpolation on cells of ratio two is good to 1e-4 in energy.
-        assert!((norm - 1.0).abs() < 1e-3 && (norm / seminorm / value.value - 1.0).abs() < 1e-3, "nu {nu}");
+        assert!(
+            (norm - 1.0).abs() < 1e-3 && (norm / seminorm / value.value - 1.0).abs() < 1e-3,
+            "nu {nu}"
+        );
         let nodes = interpolant.mesh().unwrap().nodes();
         let inside = nodes.iter().filter(|&&x| x <= theta * (1.0 + 1e-12)).count() - 1;
-        let mean = interpolant.restrict(0..inside).unwrap().mean(Tolerance::reference()).unwrap().value;
+        let mean =
+            interpolant.restrict(0..inside).unwrap().mean(Tolerance::reference()).unwrap().value;
         assert!(mean.abs() < 1e-3, "nu {nu}: mean {mean}");
     }
 }
@@ -320,7 +353,9 @@ fn extremal_function_attains_the_constant_and_meets_its_condition() {
 fn inadmissible_zones_and_orders_are_errors_that_carry_the_value() {
     for theta in [0.0, 1.0f64.next_up(), 1e-320, -1.0, f64::NAN] {
         match Zones::from_start_and_length(0.0, theta) {
-            Err(Error::OutOfRange { value, .. }) => assert!(value == theta || theta.is_nan(), "{theta}"),
+            Err(Error::OutOfRange { value, .. }) => {
+                assert!(value == theta || theta.is_nan(), "{theta}")
+            }
             other => panic!("{theta:e}: {other:?}"),
         }
     }
@@ -351,7 +386,10 @@ fn above_one_half_one_constant_serves_all_zones() {
         let point = gamma(order(nu), Constraint::vanishing_at(0.0), 1e-9).unwrap().constant;
         for theta in [0.9, 0.5, 0.1, 1e-3, 1e-6, 1e-12, 1e-100] {
             let found = constant(nu, 0.0..theta, 1e-9);
-            assert!(found <= point.value * (1.0 + 2e-9), "nu {nu}, theta {theta}: {found} against {point}");
+            assert!(
+                found <= point.value * (1.0 + 2e-9),
+                "nu {nu}, theta {theta}: {found} against {point}"
+            );
         }
         let short = constant(nu, 0.0..1e-300, 1e-9);
         assert!((short / point.value - 1.0).abs() < 1e-8, "nu {nu}: {short} against {point}");
@@ -363,7 +401,9 @@ fn above_one_half_one_constant_serves_all_zones() {
 fn norms_scale_as_in_5_5() {
     for nu in [0.1, 0.5, 0.9] {
         for theta in [0.5f64, 0.1, 1e-3] {
-            let square = |l: f64| hat_seminorm_squared(0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l, nu).unwrap().value;
+            let square = |l: f64| {
+                hat_seminorm_squared(0.2 * l, 0.3 * l, 0.1 * l, 0.4 * l, nu).unwrap().value
+            };
             let quotient = (square(1.0 / theta) / square(1.0)).sqrt() / theta.powf(nu - 0.5);
             assert!((quotient - 1.0).abs() < 1e-12, "nu {nu}, theta {theta}: {quotient}");
             // ∫ of the squared hat is a third of its support
@@ -414,7 +454,8 @@ fn the_end_of_the_proof_holds_in_three_cases() {
     const DIGITS: f64 = 1e-5;
     for nu in [0.1, 0.25, 0.4, 0.5, 0.6, 0.75, 0.9] {
         let start = constant(nu, 0.0..0.5, DIGITS);
-        let whole = gamma(order(nu), Constraint::mean_zero(), Tolerance::default()).unwrap().constant.value;
+        let whole =
+            gamma(order(nu), Constraint::mean_zero(), Tolerance::default()).unwrap().constant.value;
         for theta in [0.4, 0.2, 0.03, 1e-3, 3e-7, 1e-20, 1e-100] {
             let found = constant(nu, 0.0..theta, DIGITS) * (1.0 + 3.0 * DIGITS);
             let bound = start * last_lines(nu, 0.5, theta);

@@ -40,7 +40,10 @@ fn the_printed_chain_fails_and_the_repaired_one_holds() {
         for log in [4.0f64, 16.0, 64.0, 256.0] {
             let ([norm, seminorm], n) = (norms(alpha, log), log.powf(alpha));
             // ‖w‖ tends to one: the printed bound 1/n fails once n is above it.
-            assert!(log < 64.0 || norm.hypot(seminorm) * n / norm_of_u > 1.4, "alpha {alpha}, L {log}");
+            assert!(
+                log < 64.0 || norm.hypot(seminorm) * n / norm_of_u > 1.4,
+                "alpha {alpha}, L {log}"
+            );
             let repaired = seminorm * n / seminorm_of_u;
             assert!(repaired < 1.0 + 1e-3, "alpha {alpha}, L {log}: {repaired}");
         }

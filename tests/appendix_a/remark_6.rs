@@ -14,7 +14,8 @@ fn statement_is_confirmed() {
         let end = point(nu, 0.0);
         // zones that shrink to the point have smaller constants, up to θ^(2ν−1)
         for theta in [0.1, 1e-3, 1e-12, 1e-100] {
-            let short = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-9).unwrap().constant.value;
+            let short =
+                gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-9).unwrap().constant.value;
             let below = 1.0 - short / end;
             assert!(
                 below > -4e-9 && below < theta.powf(2.0 * nu - 1.0) + 4e-9,

@@ -26,7 +26,10 @@ fn statement_is_confirmed_and_the_printed_step_is_not() {
                 let label = format!("nu {nu}, theta {theta}, at {at}: {}", found.constant);
                 assert!(found.constant.value < end.value, "{label} against {end}");
                 let bounds = found.bounds().unwrap();
-                assert!(found.constant.value <= bounds.whole.value.hypot(bounds.dual_norm.value), "{label}");
+                assert!(
+                    found.constant.value <= bounds.whole.value.hypot(bounds.dual_norm.value),
+                    "{label}"
+                );
             }
         }
     }
@@ -35,7 +38,10 @@ fn statement_is_confirmed_and_the_printed_step_is_not() {
     assert_eq!(sign.norm(0.0, Tolerance::reference()).unwrap().value, 1.0);
     for piece in [0..1, 1..2] {
         let order = Order::new(0.25).unwrap();
-        assert_eq!(sign.restrict(piece).unwrap().seminorm(order, Tolerance::fast()).unwrap().value, 0.0);
+        assert_eq!(
+            sign.restrict(piece).unwrap().seminorm(order, Tolerance::fast()).unwrap().value,
+            0.0
+        );
     }
 }
 
@@ -55,10 +61,13 @@ fn odd_ramps_come_within_a_twentieth_of_the_constant_of_their_zone() {
 /// With both pieces scaled to (0, 1) and the cut at 0 every norm has the weight |I_k|.
 fn step_constant(nu: Order, theta: f64, short: f64, weights: [f64; 2]) -> f64 {
     let mesh = Mesh::graded(&[0.0, theta, 1.0], 24, 0.5).unwrap();
-    let [mass, form] = [mass_matrix(&mesh), Gram::new(&mesh, nu, 1e-10).unwrap().to_dense().unwrap()];
+    let [mass, form] =
+        [mass_matrix(&mesh), Gram::new(&mesh, nu, 1e-10).unwrap().to_dense().unwrap()];
     let (nodes, n) = (mesh.nodes(), mesh.len());
     let mut mean = DVector::<f64>::zeros(n + 1);
-    for (k, h) in mesh.lengths().iter().enumerate().filter(|&(k, _)| nodes[k + 1] <= theta * (1.0 + 1e-12)) {
+    for (k, h) in
+        mesh.lengths().iter().enumerate().filter(|&(k, _)| nodes[k + 1] <= theta * (1.0 + 1e-12))
+    {
         mean[k] += 0.5 * h / theta;
         mean[k + 1] += 0.5 * h / theta;
     }

@@ -1,13 +1,16 @@
 //! (6.2): |v(x) − v̄| ≤ h^{1/2} ‖v'‖₀, its best constant at every point.
 
-use fractional_sobolev::{Domain, ErrorNorm, Estimate, Result, gauss_legendre, projection_constant};
+use fractional_sobolev::{
+    Domain, ErrorNorm, Estimate, Result, gauss_legendre, projection_constant,
+};
 
 /// Gauss rules integrate the polynomials below exactly.
 const ROUNDING: f64 = 1e-14;
 
 /// κ(x), the best constant of (6.2) at x on (0, 1).
 fn pointwise(x: f64) -> Result<Estimate> {
-    projection_constant(Domain::Interval(1.0), ErrorNorm::At(x), 1.0, 1e-12).map(|found| found.constant)
+    projection_constant(Domain::Interval(1.0), ErrorNorm::At(x), 1.0, 1e-12)
+        .map(|found| found.constant)
 }
 
 /// |v(x) − v̄| / ‖v'‖₀ at x = node/N for the v with these N slopes: values and mean are summed, κ does not enter.
@@ -32,12 +35,17 @@ fn the_extremal_parabolas_attain_the_constant() {
     // v' = s for s < x, s − 1 for s > x on (0, 1): v(x) − v̄ = ∫ k v' with k = v', so the quotient is ‖k‖.
     let rule = gauss_legendre(4).unwrap();
     for x in [0.0, 0.1, 0.5, 0.8, 1.0] {
-        let square =
-            x * rule.integrate(|t| (x * t).powi(2)) + (1.0 - x) * rule.integrate(|t| ((1.0 - x) * t).powi(2));
+        let square = x * rule.integrate(|t| (x * t).powi(2))
+            + (1.0 - x) * rule.integrate(|t| ((1.0 - x) * t).powi(2));
         let v = |s: f64| {
-            if s <= x { 0.5 * s * s } else { 0.5 * x * x + 0.5 * ((1.0 - s).powi(2) - (1.0 - x).powi(2)) }
+            if s <= x {
+                0.5 * s * s
+            } else {
+                0.5 * x * x + 0.5 * ((1.0 - s).powi(2) - (1.0 - x).powi(2))
+            }
         };
-        let mean = x * rule.integrate(|t| v(x * t)) + (1.0 - x) * rule.integrate(|t| v(x + (1.0 - x) * t));
+        let mean =
+            x * rule.integrate(|t| v(x * t)) + (1.0 - x) * rule.integrate(|t| v(x + (1.0 - x) * t));
         let quotient = (v(x) - mean) / square.sqrt();
         let best = pointwise(x).unwrap().value;
         assert!((quotient - best).abs() < ROUNDING, "{x}: {quotient} {best}");
@@ -62,7 +70,8 @@ fn functions_with_many_slopes_come_near_and_none_passes() {
         for node in [0, cells / 3, cells / 2, cells] {
             let reached = mean_deviation(&extremal_slopes(cells, node), node);
             let best = pointwise(node as f64 / cells as f64).unwrap();
-            let missing = best.value.powi(2) - reached * reached - 1.0 / (12.0 * (cells as f64).powi(2));
+            let missing =
+                best.value.powi(2) - reached * reached - 1.0 / (12.0 * (cells as f64).powi(2));
             assert!(missing.abs() < 1e-13, "{cells} {node}: {missing:e}");
         }
     }
@@ -73,7 +82,8 @@ fn functions_with_many_slopes_come_near_and_none_passes() {
     }
     let mut state = 7u64;
     let mut random = || {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 11) as f64 * 2f64.powi(-53)
     };
     let mut largest = 0.0f64;
@@ -82,9 +92,16 @@ fn functions_with_many_slopes_come_near_and_none_passes() {
         let noise = random();
         let slopes: Vec<f64> = extremal_slopes(64, node)
             .iter()
-            .map(|best| if k % 2 == 0 { 2.0 * random() - 1.0 } else { best + noise * (2.0 * random() - 1.0) })
+            .map(|best| {
+                if k % 2 == 0 {
+                    2.0 * random() - 1.0
+                } else {
+                    best + noise * (2.0 * random() - 1.0)
+                }
+            })
             .collect();
-        largest = largest.max(mean_deviation(&slopes, node) / pointwise(node as f64 / 64.0).unwrap().value);
+        largest = largest
+            .max(mean_deviation(&slopes, node) / pointwise(node as f64 / 64.0).unwrap().value);
     }
     assert!(largest < 1.0 && largest > 0.9, "{largest}");
 }

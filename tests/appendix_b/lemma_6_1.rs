@@ -67,7 +67,8 @@ fn quotients(mesh: &Mesh, slope: &[f64], jumps: bool, nu: Order) -> [Estimate; 2
     let line = Function::interpolate(mesh, 2, |x| end * x).unwrap();
     let error = u.minus(&line).unwrap();
     let slope =
-        if jumps { Function::piecewise(mesh, 0, slope) } else { Function::linears(mesh, slope) }.unwrap();
+        if jumps { Function::piecewise(mesh, 0, slope) } else { Function::linears(mesh, slope) }
+            .unwrap();
     let seminorm = slope.seminorm(nu, 1e-8).unwrap();
     let size = |of: Result<Estimate>| {
         let found = Measured::from(of.unwrap()) / seminorm;
@@ -79,7 +80,8 @@ fn quotients(mesh: &Mesh, slope: &[f64], jumps: bool, nu: Order) -> [Estimate; 2
 /// C_1(ν, h) of ‖u − I u‖₁ ≤ C_1 h^ν |u|\_{1+ν} on an element of length h, the full norm.
 fn full_constant(h: f64, order: Order) -> Estimate {
     let found =
-        interpolation_constant(Domain::Interval(h), ErrorNorm::H1, order, Tolerance::balanced()).unwrap();
+        interpolation_constant(Domain::Interval(h), ErrorNorm::H1, order, Tolerance::balanced())
+            .unwrap();
     found.constant.times(h.powf(-order.value())).unwrap()
 }
 
@@ -97,9 +99,10 @@ fn longest_element(order: Order) -> f64 {
 
 #[test]
 fn best_constants_agree_with_the_reference() {
-    let data: Value =
-        serde_json::from_str(include_str!("../../toolkit/tests/reference/interpolation_reference.json"))
-            .unwrap();
+    let data: Value = serde_json::from_str(include_str!(
+        "../../toolkit/tests/reference/interpolation_reference.json"
+    ))
+    .unwrap();
     let number = |row: &Value, key: &str| row[key].as_str().unwrap().parse::<f64>().unwrap();
     for row in data.as_array().unwrap() {
         for (norm, key) in NORMS.into_iter().zip(["C_L2", "C_H1"]) {
@@ -129,7 +132,8 @@ fn best_constants_agree_with_the_reference() {
 #[test]
 fn constants_have_their_limits() {
     for norm in [ErrorNorm::L2, ErrorNorm::Derivative, ErrorNorm::H1] {
-        let constant = |nu: f64| element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value;
+        let constant =
+            |nu: f64| element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value;
         let zero = constant(LIMIT);
         let one = best(norm, 1.0, Tolerance::balanced()).unwrap().constant.value;
         let pi = std::f64::consts::PI;
@@ -139,7 +143,10 @@ fn constants_have_their_limits() {
             _ => [pi.hypot(1.0) / pi, pi.hypot(1.0) / (pi * pi)],
         };
         let identity = best(norm, 0.0, Tolerance::balanced()).unwrap().constant.value;
-        assert!((identity / at_zero - 1.0).abs() < 1e-14 && (one / at_one - 1.0).abs() < 1e-14, "{norm:?}");
+        assert!(
+            (identity / at_zero - 1.0).abs() < 1e-14 && (one / at_one - 1.0).abs() < 1e-14,
+            "{norm:?}"
+        );
         assert!(norm != ErrorNorm::Derivative || (zero - 0.5).abs() < 1e-12, "{zero}");
         for (distance, tolerance) in [(1e-4, LIMIT_TOLERANCE), (1e-6, 1e-2 * LIMIT_TOLERANCE)] {
             let low = constant(distance) / zero - 1.0;
@@ -188,12 +195,17 @@ fn the_extremal_function_attains_its_constant() {
                 let found = interpolation_constant(Domain::Interval(h), norm, nu, 1e-8).unwrap();
                 let extremal = found.extremal().unwrap();
                 // the slope moved to (0, 1) is h times that on (0, h)
-                let seminorm = slope(&found, h).seminorm(nu, 1e-8).unwrap().value / h.powf(0.5 + nu);
+                let seminorm =
+                    slope(&found, h).seminorm(nu, 1e-8).unwrap().value / h.powf(0.5 + nu);
                 assert!((seminorm - 1.0).abs() < 1e-8, "nu {nu}, h {h}: {seminorm}");
                 let [value, derivative] = errors(&found, h);
-                let error = if norm == ErrorNorm::L2 { value * h.sqrt() } else { derivative / h.sqrt() };
+                let error =
+                    if norm == ErrorNorm::L2 { value * h.sqrt() } else { derivative / h.sqrt() };
                 let ratio = error / seminorm;
-                assert!((ratio / found.constant.value - 1.0).abs() < 1e-8, "nu {nu} {norm:?} {h}: {ratio}");
+                assert!(
+                    (ratio / found.constant.value - 1.0).abs() < 1e-8,
+                    "nu {nu} {norm:?} {h}: {ratio}"
+                );
                 assert!(extremal.value(&[0.0]).abs() < 1e-15 && extremal.value(&[h]).abs() < 1e-15);
                 assert!(extremal.value(&[1.5 * h]).is_nan() && extremal.value(&[-1.0]).is_nan());
                 assert!(extremal.value(&[]).is_nan());
@@ -206,8 +218,8 @@ fn the_extremal_function_attains_its_constant() {
 fn the_full_norm_holds_with_one_up_to_a_certain_length() {
     for nu in [0.01, 0.5, 0.99] {
         let constant = |h: f64| full_constant(h, order(nu)).value;
-        let [l2, derivative] =
-            NORMS.map(|norm| element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value);
+        let [l2, derivative] = NORMS
+            .map(|norm| element_constant(norm, order(nu), Tolerance::balanced()).unwrap().value);
         for h in [1e-150, 0.1, 1.0, 10.0] {
             let full = constant(h);
             assert!(full <= derivative.hypot(h * l2) * (1.0 + 1e-8), "nu {nu} h {h}");
@@ -231,7 +243,8 @@ fn the_second_line_fails_as_printed_beyond_its_length_and_holds_up_to_it() {
             assert_eq!(best.value - best.error > PRINTED, !holds, "nu {nu} h {h}: {best}");
         }
         // the derivative alone: no length enters, the printed constant holds for every h
-        let derivative = element_constant(ErrorNorm::Derivative, order(nu), Tolerance::balanced()).unwrap();
+        let derivative =
+            element_constant(ErrorNorm::Derivative, order(nu), Tolerance::balanced()).unwrap();
         assert!(derivative.value + derivative.error < PRINTED);
     }
 }

@@ -73,9 +73,14 @@ fn no_rough_function_exceeds_the_constants_of_one_element() {
                 };
                 let seminorm = slope.unwrap().seminorm(nu, 1e-8).unwrap();
                 let sizes = [error.norm(0.0, 1e-8), error.derivative().unwrap().norm(0.0, 1e-8)];
-                for ((size, best), power) in sizes.into_iter().zip(best).zip([1.0 + nu.value(), nu.value()]) {
+                for ((size, best), power) in
+                    sizes.into_iter().zip(best).zip([1.0 + nu.value(), nu.value()])
+                {
                     let found = size.unwrap().value / (seminorm.value * h.powf(power));
-                    assert!(found <= best * (1.0 + 1e-7), "{kind} {index} nu {nu}: {found} above {best}");
+                    assert!(
+                        found <= best * (1.0 + 1e-7),
+                        "{kind} {index} nu {nu}: {found} above {best}"
+                    );
                 }
             }
         }

@@ -9,7 +9,8 @@ const RIGHT: [[f64; 2]; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
 /// The constants of the gradient and in L².
 fn both(corners: [[f64; 2]; 3], s: f64, tolerance: f64) -> [BestConstant; 2] {
     let gradient =
-        interpolation_constant(Domain::Triangle(corners), ErrorNorm::Derivative, s, tolerance).unwrap();
+        interpolation_constant(Domain::Triangle(corners), ErrorNorm::Derivative, s, tolerance)
+            .unwrap();
     let l2 = gradient.in_norm(ErrorNorm::L2).unwrap();
     [gradient, l2]
 }
@@ -102,6 +103,9 @@ fn thin_triangles_raise_the_constant_by_a_power_below_one() {
         let exponent = |delta: f64| (quotient(s, 0.1 * delta) / quotient(s, delta)).log10();
         let (near, far, expected) = (exponent(1e-4), exponent(1e-2), 0.5f64.min(1.0 - s));
         assert!((near - expected).abs() < 0.01, "{s}: {near} {expected}");
-        assert!((near - expected).abs() <= (far - expected).abs() + 1e-6, "{s}: {far} {near} {expected}");
+        assert!(
+            (near - expected).abs() <= (far - expected).abs() + 1e-6,
+            "{s}: {far} {near} {expected}"
+        );
     }
 }

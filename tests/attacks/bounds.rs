@@ -160,11 +160,15 @@ fn rings(random: &mut SplitMix) -> Shell {
         .map(|m| (m as f64 + random.between(-0.25, 0.25)) * std::f64::consts::TAU / angles as f64)
         .collect();
     // Re-entrant corners of the outline.
-    let dents: Vec<f64> =
-        (0..angles).map(|_| if random.below(4) == 0 { random.between(0.7, 1.0) } else { 1.0 }).collect();
+    let dents: Vec<f64> = (0..angles)
+        .map(|_| if random.below(4) == 0 { random.between(0.7, 1.0) } else { 1.0 })
+        .collect();
     for k in 0..=layers {
         for m in 0..angles {
-            nodes.push([radius(k) * dents[m] * turns[m].cos(), radius(k) * dents[m] * turns[m].sin()]);
+            nodes.push([
+                radius(k) * dents[m] * turns[m].cos(),
+                radius(k) * dents[m] * turns[m].sin(),
+            ]);
         }
     }
     let mut triangles = Vec::new();
@@ -213,7 +217,8 @@ fn outlines(triangles: &[[usize; 3]]) -> Option<Vec<Vec<usize>>> {
 
 /// A connected mesh without slim triangles, turned and sheared.
 fn mesh(random: &mut SplitMix, is_elastic: bool) -> Option<Triangulation> {
-    let Shell { nodes, triangles } = if random.below(3) == 0 { rings(random) } else { cells(random) };
+    let Shell { nodes, triangles } =
+        if random.below(3) == 0 { rings(random) } else { cells(random) };
     if triangles.is_empty() {
         return None;
     }
@@ -265,8 +270,9 @@ fn mesh(random: &mut SplitMix, is_elastic: bool) -> Option<Triangulation> {
         let regions: Vec<u32> = triangles
             .iter()
             .map(|t| {
-                let at =
-                    |axis: usize| t.iter().map(|&node| nodes[node][axis]).sum::<f64>() / 3.0 - centre[axis];
+                let at = |axis: usize| {
+                    t.iter().map(|&node| nodes[node][axis]).sum::<f64>() / 3.0 - centre[axis]
+                };
                 if is_mixed {
                     random.below(2) as u32
                 } else {
@@ -315,7 +321,11 @@ fn labelled(
             } else {
                 Part::Neumann
             };
-            if is_elastic && part == Part::Contact && before == Part::Contact && bends((start + k) % count) {
+            if is_elastic
+                && part == Part::Contact
+                && before == Part::Contact
+                && bends((start + k) % count)
+            {
                 part = Part::Neumann;
             }
         }
@@ -349,7 +359,12 @@ fn acting(random: &mut SplitMix, is_elastic: bool) -> (Acting, f64) {
                 if !is_stress {
                     poisson = poisson.max(nu);
                 }
-                if is_stress { Lame::plane_stress(young, nu) } else { Lame::plane_strain(young, nu) }.unwrap()
+                if is_stress {
+                    Lame::plane_stress(young, nu)
+                } else {
+                    Lame::plane_strain(young, nu)
+                }
+                .unwrap()
             })
             .collect();
         Form::Elastic { materials }
@@ -391,9 +406,10 @@ fn acting(random: &mut SplitMix, is_elastic: bool) -> (Acting, f64) {
     };
     // Prescribed displacements do not penetrate.
     let largest = |shape: &Shape| 5.0 * shape.size;
-    let room =
-        gap.as_ref().map_or(0.0, |gap| if random.below(2) == 0 { 2.0 * largest(gap) } else { largest(gap) })
-            + displacement.iter().flatten().map(largest).sum::<f64>();
+    let room = gap
+        .as_ref()
+        .map_or(0.0, |gap| if random.below(2) == 0 { 2.0 * largest(gap) } else { largest(gap) })
+        + displacement.iter().flatten().map(largest).sum::<f64>();
     (Acting { form, loads, tractions, displacement, gap, room }, poisson)
 }
 
@@ -416,7 +432,12 @@ fn no_bound_is_below_the_error() {
         let Some(mesh) = (0..200).find_map(|_| mesh(random, is_elastic)) else { continue };
         let (acting, poisson) = acting(random, is_elastic);
         if one.is_some() {
-            println!("{acting:#?}\n{:?}\n{:?}\n{:?}", mesh.nodes(), mesh.triangles(), mesh.boundary());
+            println!(
+                "{acting:#?}\n{:?}\n{:?}\n{:?}",
+                mesh.nodes(),
+                mesh.triangles(),
+                mesh.boundary()
+            );
         }
         let scene = Scene::new(format!("scene {seed}"), mesh, move |mesh| acting.on(mesh));
         made += 1;

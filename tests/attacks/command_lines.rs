@@ -97,11 +97,13 @@ fn described(name: &str) -> Vec<Described> {
 /// Values that no option of this kind takes.
 fn wrong(option: &Described) -> Vec<String> {
     let plain: &[&str] = match option.kind.as_str() {
-        "number" => {
-            &["NaN", "-NaN", "inf", "-inf", "1e400", "-1e400", "", " ", "x", "1e", "0x10", "1_0", "½"]
-        }
+        "number" => &[
+            "NaN", "-NaN", "inf", "-inf", "1e400", "-1e400", "", " ", "x", "1e", "0x10", "1_0", "½",
+        ],
         "integer" => &["-1", "1.5", "18446744073709551616", "1e3", "NaN", "inf", "", "x", "0x10"],
-        "order" => &["NaN", "inf", "-0.1", "0", "1", "2", "1e400", "1/3", "1/2+", "1/2+1", "1/2-1", "", "x"],
+        "order" => &[
+            "NaN", "inf", "-0.1", "0", "1", "2", "1e400", "1/3", "1/2+", "1/2+1", "1/2-1", "", "x",
+        ],
         "tolerance" => &["0", "-1", "1", "NaN", "inf", "1e400", "1e-300", "tight", "", "Fast"],
         "flag" => &[],
         _ => &["", ":", "x", "nothing:1", "\u{0}1", "NaN"],
@@ -114,7 +116,9 @@ fn wrong(option: &Described) -> Vec<String> {
         );
     }
     // Nothing at all is a value where that is the default.
-    values.retain(|value| !(value.contains('\u{0}') || value.trim().is_empty() && option.default.is_empty()));
+    values.retain(|value| {
+        !(value.contains('\u{0}') || value.trim().is_empty() && option.default.is_empty())
+    });
     values
 }
 
@@ -144,8 +148,12 @@ fn late(name: &str, line: &[String], patience: Duration, times: usize) -> Option
 }
 
 /// No line has a fault.
-fn assert_none(lines: &[(String, Vec<String>)], fault: impl Fn(&str, &[String]) -> Option<String> + Sync) {
-    let faults: Vec<String> = lines.par_iter().filter_map(|(name, line)| fault(name, line)).collect();
+fn assert_none(
+    lines: &[(String, Vec<String>)],
+    fault: impl Fn(&str, &[String]) -> Option<String> + Sync,
+) {
+    let faults: Vec<String> =
+        lines.par_iter().filter_map(|(name, line)| fault(name, line)).collect();
     assert!(faults.is_empty(), "{} of {}:\n{}", faults.len(), lines.len(), faults.join("\n"));
 }
 
@@ -162,7 +170,9 @@ fn what_is_not_asked_for_is_refused_in_one_line() {
             if option.kind == "flag" {
                 push(vec![format!("--{}=1", option.name)]);
             }
-            wrong(&option).into_iter().for_each(|value| push(vec![format!("--{}={value}", option.name)]));
+            wrong(&option)
+                .into_iter()
+                .for_each(|value| push(vec![format!("--{}={value}", option.name)]));
         }
     }
     assert!(lines.len() > 2000, "{}", lines.len());
@@ -174,7 +184,8 @@ fn outside(option: &Described) -> Vec<&'static str> {
     match option.kind.as_str() {
         _ if !option.is_list => Vec::new(),
         "number" => {
-            let ends = option.range.map_or(vec![], |[low, high]| vec![("-1e301", low), ("1e301", high)]);
+            let ends =
+                option.range.map_or(vec![], |[low, high]| vec![("-1e301", low), ("1e301", high)]);
             ends.into_iter().filter(|(_, end)| end.is_finite()).map(|(value, _)| value).collect()
         }
         "integer" => vec!["18446744073709551615", "4294967296"],
@@ -252,18 +263,38 @@ fn fitting(option: &Described, is_small: bool, random: &mut SplitMix) -> String 
     let words: &[&str] = match (option.kind.as_str(), is_small) {
         ("flag", _) => return format!("--{}", option.name),
         ("integer", true) => &["1", "2", "3", "4"],
-        ("integer", false) => {
-            &["0", "1", "2", "3", "4", "5", "7", "8", "16", "100", "4294967296", "18446744073709551615"]
-        }
+        ("integer", false) => &[
+            "0",
+            "1",
+            "2",
+            "3",
+            "4",
+            "5",
+            "7",
+            "8",
+            "16",
+            "100",
+            "4294967296",
+            "18446744073709551615",
+        ],
         ("order", true) => &["0.25", "1/2", "0.75"],
-        ("order", false) => {
-            &["1e-300", "1e-16", "0.25", "1/2-1e-16", "1/2", "1/2+1e-12", "0.999", "0.75", "1/2+1e-300"]
-        }
+        ("order", false) => &[
+            "1e-300",
+            "1e-16",
+            "0.25",
+            "1/2-1e-16",
+            "1/2",
+            "1/2+1e-12",
+            "0.999",
+            "0.75",
+            "1/2+1e-300",
+        ],
         ("tolerance", true) => &["1e-2", "1e-3", "fast"],
         ("tolerance", false) => &["1e-15", "1e-3", "fast", "0.1", "balanced", "0.9"],
         ("number", true) => &["0.5", "1", "1.75", "0.25", "0.1"],
         ("number", false) => &[
-            "0", "-1", "1", "2", "0.5", "1e-300", "-1e300", "1e300", "1.75", "1.5", "2.5", "1e-12", "5e-324",
+            "0", "-1", "1", "2", "0.5", "1e-300", "-1e300", "1e300", "1.75", "1.5", "2.5", "1e-12",
+            "5e-324",
         ],
         (_, true) => &[""],
         (_, false) => &["", ":0.25", ":3", ":0", ":1", ":0.2:4", ":1e-300", ":-1"],
@@ -295,7 +326,8 @@ fn wrong_answer(name: &str, line: &[String]) -> Option<String> {
         _ if answer.is_stopped => None,
         _ if answer.stderr.contains("panicked") => said("a panic"),
         Some(2) => {
-            let is_clear = answer.stderr.starts_with("error:") && answer.stderr.lines().count() == 1;
+            let is_clear =
+                answer.stderr.starts_with("error:") && answer.stderr.lines().count() == 1;
             if is_clear && answer.stdout.is_empty() { None } else { said("not one clear line") }
         }
         Some(0 | 1) if !answer.stdout.contains(|c: char| c.is_ascii_digit()) => said("no number"),
@@ -318,20 +350,26 @@ fn not_said(line: &str) -> Option<String> {
 fn no_number(value: &Value) -> Option<String> {
     match value {
         Value::String(text) => {
-            let is_end = |at: usize| text[..at].ends_with(", ") && text[at + 3..].starts_with([')', ']']);
+            let is_end =
+                |at: usize| text[..at].ends_with(", ") && text[at + 3..].starts_with([')', ']']);
             let is_word = |at: usize| {
                 let inside = |c: char| c.is_alphanumeric() || c == '_';
                 !text[..at].ends_with(inside) && !text[at + 3..].starts_with(inside)
             };
             let infimum = |at: usize| text[at + 3..].starts_with(" over ");
-            let bad = |word: &str| text.match_indices(word).map(|(at, _)| at).find(|&at| is_word(at));
+            let bad =
+                |word: &str| text.match_indices(word).map(|(at, _)| at).find(|&at| is_word(at));
             let inf = text.match_indices("inf").map(|(at, _)| at);
             let inf = inf.filter(|&at| is_word(at)).find(|&at| !is_end(at) && !infimum(at));
             bad("NaN").or(inf).map(|_| format!("no number in {text:?}"))
         }
         Value::Array(values) => values.iter().find_map(no_number),
         // An undecided check may have no number; an entry that is missing is null.
-        Value::Object(values) if values.get("outcome").is_some_and(|outcome| outcome == "undecided") => None,
+        Value::Object(values)
+            if values.get("outcome").is_some_and(|outcome| outcome == "undecided") =>
+        {
+            None
+        }
         // What a column means, an infimum for instance, is no number of it.
         Value::Object(values) => values
             .iter()
@@ -366,7 +404,8 @@ fn no_outcome_of_the_book_is_no_number() {
     assert!(examples.len() >= 40, "{}", examples.len());
     // Which plants what is no number, and names it.
     let others = examples.iter().filter(|(name, _)| *name != "extremes");
-    let faults: Vec<String> =
-        others.filter_map(|(name, outcome)| Some(format!("{name}: {}", no_number(outcome)?))).collect();
+    let faults: Vec<String> = others
+        .filter_map(|(name, outcome)| Some(format!("{name}: {}", no_number(outcome)?)))
+        .collect();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }

@@ -54,7 +54,8 @@ fn every_solver_beside_all_contact_sets() {
 }
 
 fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
-    let program = Program::new(scene, cone).expect("positive definite in numbers of twice the length");
+    let program =
+        Program::new(scene, cone).expect("positive definite in numbers of twice the length");
     let answer = program.solve();
     let mut ask = |name: &'static str, solve: &dyn Fn() -> Result<ContactSolution>| {
         let [asked, given_up] = counts.asked.entry(name).or_default();
@@ -80,8 +81,10 @@ fn attack(seed: u64, scene: &Scene, cone: Cone, counts: &mut Counts) {
     ask("active set from a guess", &|| {
         let mut random = SplitMix::new(seed);
         let guess = program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>();
-        problem()?
-            .attempt(cone, Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() })
+        problem()?.attempt(
+            cone,
+            Settings { start: Start::Set(ContactSet::new(&guess)), ..Settings::default() },
+        )
     });
 }
 
@@ -101,15 +104,19 @@ fn ill_conditioned_scenes_have_the_least_energy() {
         if one.is_some() {
             println!("{scene:#?}");
         }
-        let program = Program::new(&scene, cone).expect("positive definite in numbers of twice the length");
+        let program =
+            Program::new(&scene, cone).expect("positive definite in numbers of twice the length");
         let answer = program.solve();
         let exact = answer.energy;
         // The reference has 32 digits; where contact prevents all displacement, of the work of the load alone.
         let most = scene.forces.iter().fold(0.0, |most: f64, f| most.max(f.abs()));
-        let digits = 1e-32 * program.condition() * answer.energy_size + 1e-20 * most * program.alone();
+        let digits =
+            1e-32 * program.condition() * answer.energy_size + 1e-20 * most * program.alone();
         let guess = {
             let mut random = SplitMix::new(seed);
-            ContactSet::new(&program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>())
+            ContactSet::new(
+                &program.supports().iter().map(|_| random.below(2) == 0).collect::<Vec<_>>(),
+            )
         };
         let from_guess = || Settings { start: Start::Set(guess.clone()), ..Settings::default() };
         for (name, settings) in [
@@ -141,7 +148,12 @@ fn ill_conditioned_scenes_have_the_least_energy() {
     }
     println!("asked and refused: {asked:?}\n{:#?}", &refused[..refused.len().min(50)]);
     let count: usize = asked.values().map(|[all, _]| all).sum();
-    assert!(outside.is_empty(), "{} outside: {:#?}", outside.len(), &outside[..outside.len().min(50)]);
+    assert!(
+        outside.is_empty(),
+        "{} outside: {:#?}",
+        outside.len(),
+        &outside[..outside.len().min(50)]
+    );
     let most = REFUSED * count as f64;
     assert!(
         refused.len() as f64 <= most,
@@ -161,7 +173,9 @@ fn verdict(
     let found = catch_unwind(AssertUnwindSafe(solve)).map_err(|_| "panic".to_owned())?;
     let solution = match found {
         // By rounding the matrix is not positive definite.
-        Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })) if is_hard(program) => return Ok(true),
+        Err(Error::Toolkit(ToolkitError::NotPositiveDefinite { .. })) if is_hard(program) => {
+            return Ok(true);
+        }
         Err(error) => return Err(format!("refused: {error}")),
         Ok(solution) => solution,
     };

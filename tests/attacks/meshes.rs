@@ -43,9 +43,13 @@ fn gmsh_faults_are_named() {
     let flat = GOOD.replacen("1 1 0\n2 1 0", "1 0 0\n2 1 0", 1);
     let Err(Error::AtLine { line, cause, .. }) = parse_msh(&flat) else { panic!("{flat}") };
     assert_eq!(flat.lines().nth(line - 1), Some("8 1 2 5"));
-    assert!(matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 8, .. })), "{cause}");
+    assert!(
+        matches!(*cause, Error::Toolkit(ToolkitError::Triangle { triangle: 8, .. })),
+        "{cause}"
+    );
     // Listed in the other direction it is turned; folded over its neighbour it is not.
-    let (read, good) = (parse_msh(GOOD.replacen("8 1 2 5", "8 1 5 2", 1)).unwrap(), parse_msh(GOOD).unwrap());
+    let (read, good) =
+        (parse_msh(GOOD.replacen("8 1 2 5", "8 1 5 2", 1)).unwrap(), parse_msh(GOOD).unwrap());
     assert_eq!(read.triangles(), good.triangles());
     assert_eq!(read.remarks(), ["1 of 4 triangles is listed clockwise and was turned"]);
     let folded = parse_msh(GOOD.replacen("0 1 0\n1 1 0", "3 1 0\n1 1 0", 1)).unwrap_err();
@@ -75,7 +79,8 @@ fn problems_that_hang_in_the_air_are_errors() {
         .is_err()
     );
 
-    let bent = mapped_grid(4, 2, SideParts::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
+    let bent =
+        mapped_grid(4, 2, SideParts::HANGING, |[x, y]| [x, y - 0.2 * (1.0 - y) * x * x]).unwrap();
     let values = load(&bent);
     assert!(matches!(
         ContactProblem::new(bent, elastic(), &values),
@@ -99,17 +104,20 @@ fn a_body_that_nothing_holds_is_named_before_any_factorization() {
     let mut triangles = held.triangles().to_vec();
     triangles.extend(held.triangles().iter().map(|t| t.map(|node| node + count)));
     let mut boundary = held.boundary().to_vec();
-    boundary.extend(
-        held.boundary()
-            .iter()
-            .map(|edge| BoundaryEdge { nodes: edge.nodes.map(|node| node + count), part: Part::Neumann }),
-    );
+    boundary.extend(held.boundary().iter().map(|edge| BoundaryEdge {
+        nodes: edge.nodes.map(|node| node + count),
+        part: Part::Neumann,
+    }));
     let mesh = Triangulation::new(&nodes, &triangles, &boundary).unwrap();
     let load = vec![1.0; 2 * mesh.nodes().len()];
     for (form, values) in [(elastic(), &load[..]), (Form::LAPLACE, &load[..2 * count])] {
         let failed = ContactProblem::new(mesh.clone(), form, values).unwrap_err();
         assert_eq!(failed, Error::NotHeld { triangles: 32, node: 25, place: [3.0, 0.0] });
-        assert!(failed.to_string().contains("the body of 32 triangles with node 25 at (3, 0) has no edge"));
+        assert!(
+            failed
+                .to_string()
+                .contains("the body of 32 triangles with node 25 at (3, 0) has no edge")
+        );
     }
     // A reaction term holds it.
     assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &load[..2 * count]).is_ok());
@@ -127,7 +135,10 @@ fn nodes_of_a_file_are_called_by_its_numbers() {
         other => panic!("{other}"),
     };
     // The bottom has no label: its first edge is that of nodes 1 and 2 of the file, 0 and 1 in the mesh.
-    assert_eq!(edge(&GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1)), [1, 2]);
+    assert_eq!(
+        edge(&GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1)),
+        [1, 2]
+    );
     // Node 3 of the file is off the line: node 2 leaves that from 1 to 3, found when the problem is made.
     let bent = GOOD.replacen("1 0 0\n2 0 0", "1 0 0\n2 -0.25 0", 1);
     assert_eq!(edge(&bent), [1, 2]);

@@ -82,7 +82,11 @@ fn grammars() -> Vec<Grammar> {
         Grammar { name: "samples", seeds: all(&[EDGE, "0 0\n-1 0\n"]), read: samples },
         Grammar { name: "scene", seeds: [scenes, strips].concat(), read: scene },
         Grammar { name: "order", seeds: all(&orders), read: order },
-        Grammar { name: "tolerance", seeds: all(&["fast", "reference", "1e-9"]), read: word::<Tolerance> },
+        Grammar {
+            name: "tolerance",
+            seeds: all(&["fast", "reference", "1e-9"]),
+            read: word::<Tolerance>,
+        },
         Grammar { name: "load", seeds: all(&loads), read: load },
     ]
 }
@@ -93,7 +97,9 @@ fn plain<T: FromStr<Err: Display> + Debug>(text: &str) -> Answer {
 }
 
 /// What is read is written so that the same is read again.
-fn word<T: FromStr<Err: Display + Debug + PartialEq> + Display + PartialEq + Debug>(text: &str) -> Answer {
+fn word<T: FromStr<Err: Display + Debug + PartialEq> + Display + PartialEq + Debug>(
+    text: &str,
+) -> Answer {
     if let Ok(found) = text.parse::<T>() {
         let written = found.to_string();
         if written.parse().as_ref() != Ok(&found) {
@@ -162,7 +168,8 @@ fn with_line(text: &str, answer: Result<String, Error>) -> Answer {
             _ => return Err(format!("no line: {error}")),
         };
         // Of a file without a line the error is about line 0.
-        if line > text.lines().count() || line == 0 && !text.trim_start_matches('\u{feff}').trim().is_empty()
+        if line > text.lines().count()
+            || line == 0 && !text.trim_start_matches('\u{feff}').trim().is_empty()
         {
             return Err(format!("{line} of {} lines: {error}", text.lines().count()));
         }
@@ -187,9 +194,10 @@ fn mesh(text: &str) -> Answer {
 /// The number of rows is a fault of no line.
 fn samples(text: &str) -> Answer {
     match EdgeData::from_samples(text, LateralCondition::Natural) {
-        Err(error @ (Error::Toolkit(ToolkitError::CountOutOfRange { .. }) | Error::EmptyContact { .. })) => {
-            kind(Err(error))
-        }
+        Err(
+            error @ (Error::Toolkit(ToolkitError::CountOutOfRange { .. })
+            | Error::EmptyContact { .. }),
+        ) => kind(Err(error)),
         Err(error) => with_line(text, Err(error)),
         data => edge(data),
     }
@@ -199,7 +207,11 @@ fn samples(text: &str) -> Answer {
 fn change(bytes: &mut Vec<u8>, other: &str, random: &mut SplitMix) {
     let length = bytes.len();
     let at = random.below(length + 1);
-    let to = if random.below(2) == 0 { at + random.below(length - at + 1) } else { (at + 8).min(length) };
+    let to = if random.below(2) == 0 {
+        at + random.below(length - at + 1)
+    } else {
+        (at + 8).min(length)
+    };
     let chosen = WORDS.split('|').nth(random.below(WORDS.split('|').count())).unwrap().bytes();
     match random.below(11) {
         0 => bytes.truncate(at),
@@ -214,10 +226,14 @@ fn change(bytes: &mut Vec<u8>, other: &str, random: &mut SplitMix) {
         6 => bytes.insert(at, random.below(256) as u8),
         7 => drop(bytes.splice(at.., other.bytes().skip(random.below(other.len() + 1)))),
         8 => {
-            drop(bytes.splice(word_at(bytes, at), other.bytes().skip(random.below(other.len() + 1)).take(8)))
+            drop(bytes.splice(
+                word_at(bytes, at),
+                other.bytes().skip(random.below(other.len() + 1)).take(8),
+            ))
         }
         9 => {
-            let mut lines: Vec<Vec<u8>> = bytes.split(|&b| b == b'\n').map(<[u8]>::to_vec).collect();
+            let mut lines: Vec<Vec<u8>> =
+                bytes.split(|&b| b == b'\n').map(<[u8]>::to_vec).collect();
             let (one, two) = (random.below(lines.len()), random.below(lines.len()));
             lines.swap(one, two);
             *bytes = lines.join(&b'\n');
@@ -242,7 +258,8 @@ fn word_at(bytes: &[u8], at: usize) -> std::ops::Range<usize> {
 fn ask(grammar: &Grammar, text: &str) -> Answer {
     let (before, start) = (MEMORY.current_usage(), Instant::now());
     MEMORY.reset_peak_usage();
-    let answer = catch_unwind(AssertUnwindSafe(|| (grammar.read)(text))).map_err(|_| "panics".to_owned())?;
+    let answer =
+        catch_unwind(AssertUnwindSafe(|| (grammar.read)(text))).map_err(|_| "panics".to_owned())?;
     let taken = MEMORY.peak_usage().saturating_sub(before);
     if taken > BYTES + BYTES_PER_BYTE * text.len() {
         return Err(format!("takes {taken} bytes for {} bytes", text.len()));

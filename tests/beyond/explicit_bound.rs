@@ -16,7 +16,9 @@ fn the_bound_is_above_the_error_on_every_mesh() {
         for known in [KnownSolution::one_transition(lame), KnownSolution::two_transitions(lame)] {
             let whole = known.second_seminorm(1, 1e-2).unwrap();
             let whole = whole.value + whole.error;
-            for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| [4, 8, 16, 32].map(|n| (cone, n))) {
+            for (cone, n) in
+                Cone::ALL.into_iter().flat_map(|cone| [4, 8, 16, 32].map(|n| (cone, n)))
+            {
                 let c = if cone == Cone::Nodal { 2.0 / 27.0 } else { 0.125 };
                 let [m, s, b] = factors(lame);
                 let (theta, b) = (1.0 / PI.tanh(), if cone == Cone::Nodal { 0.0 } else { b });
@@ -25,7 +27,8 @@ fn the_bound_is_above_the_error_on_every_mesh() {
                 let near = (near.value + near.error).min(whole);
                 let h = 1.0 / n as f64;
                 let body = m * interpolation().powi(2) * whole * whole;
-                let [whole, near] = [whole, near].map(|near| h * (body + edge * near * near).sqrt());
+                let [whole, near] =
+                    [whole, near].map(|near| h * (body + edge * near * near).sqrt());
                 let problem = known.problem(n).unwrap();
                 let u = problem.solve(cone, Solver::ActiveSet).unwrap();
                 let error = known.error(&problem, &u.displacement, 1e-2).unwrap();
@@ -39,7 +42,11 @@ fn the_bound_is_above_the_error_on_every_mesh() {
 
 #[test]
 fn constants_of_the_scalar_problem_are_those_computed_by_hand() {
-    assert!((interpolation() - 0.4929124517549).abs() < 1e-12, "Kikuchi and Liu: {}", interpolation());
+    assert!(
+        (interpolation() - 0.4929124517549).abs() < 1e-12,
+        "Kikuchi and Liu: {}",
+        interpolation()
+    );
     let nodal = constant([1.0, 1.0, 0.0], 0.25);
     let by_hand = (0.4929124517549f64.powi(2) + 0.5 * PI / PI.tanh()).sqrt();
     assert!((nodal / by_hand - 1.0).abs() < 1e-12 && (nodal - 1.35).abs() < 1e-2);
@@ -47,7 +54,8 @@ fn constants_of_the_scalar_problem_are_those_computed_by_hand() {
     let [m, s, _] = factors(Some(Lame::new(0.0, 0.5).unwrap()));
     assert!((m - 1.0).abs() < 1e-15 && (s - 1.0).abs() < 1e-15, "{m} {s}");
     let midpoint = constant([1.0, 1.0, 1.0], 0.125);
-    let by_hand = (interpolation().powi(2) + (PI * PI.tanh()).powi(-2) + 0.25 * PI / PI.tanh()).sqrt();
+    let by_hand =
+        (interpolation().powi(2) + (PI * PI.tanh()).powi(-2) + 0.25 * PI / PI.tanh()).sqrt();
     assert!((midpoint / by_hand - 1.0).abs() < 1e-12);
 }
 
@@ -100,12 +108,18 @@ fn the_trace_constant_of_the_square_is_nearly_attained() {
     let points: Vec<(f64, f64)> = rule.iter().collect();
     let quotient = |k: usize, x: f64, y: f64| {
         let wave = k as f64 * PI;
-        if x == y { -wave * (wave * x).sin() } else { ((wave * x).cos() - (wave * y).cos()) / (x - y) }
+        if x == y {
+            -wave * (wave * x).sin()
+        } else {
+            ((wave * x).cos() - (wave * y).cos()) / (x - y)
+        }
     };
     let energy = |k: usize| (0.5 * k as f64 * PI * (k as f64 * PI).tanh()).sqrt();
     let pairs = || points.iter().flat_map(|&p| points.iter().map(move |&q| (p, q)));
     let rows: Vec<Vec<f64>> = pairs()
-        .map(|((x, v), (y, w))| (1..=modes).map(|k| (v * w).sqrt() * quotient(k, x, y) / energy(k)).collect())
+        .map(|((x, v), (y, w))| {
+            (1..=modes).map(|k| (v * w).sqrt() * quotient(k, x, y) / energy(k)).collect()
+        })
         .collect();
     let (mut vector, mut value) = (vec![1.0; modes], 0.0);
     for _ in 0..100 {

@@ -52,7 +52,8 @@ fn the_bound_is_above_the_error_for_every_tau_and_both_cones() {
                 let smooth = m * (numbers.interpolation * (body.value + body.error)).powi(2);
                 let (share, midpoint) = if cone == Cone::Nodal { (1.0, 0.0) } else { (0.5, 1.0) };
                 let term = 2.0 * share * numbers.segment * pressure * slope;
-                let projection = midpoint * (b * numbers.distance * pressure).powi(2) / (PI * PI.tanh());
+                let projection =
+                    midpoint * (b * numbers.distance * pressure).powi(2) / (PI * PI.tanh());
                 let bound = h.powf(tau - 1.0) * (smooth + term + projection).sqrt();
                 let problem = known.problem(n).unwrap();
                 let u = problem.solve(cone, Solver::ActiveSet).unwrap();

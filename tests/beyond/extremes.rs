@@ -13,7 +13,10 @@ fn element_constant(norm: ErrorNorm, nu: f64, tolerance: Tolerance) -> Result<Es
 }
 
 fn projected(norm: ErrorNorm, r: f64) -> f64 {
-    projection_constant(Domain::Interval(1.0), norm, r, Tolerance::balanced()).unwrap().constant.value
+    projection_constant(Domain::Interval(1.0), norm, r, Tolerance::balanced())
+        .unwrap()
+        .constant
+        .value
 }
 
 #[test]
@@ -26,7 +29,8 @@ fn constants_at_orders_near_zero_and_one_join_their_neighbours() {
         assert!(dual <= chain * (1.0 + 1e-8) && dual >= 0.99 * chain, "{nu}: {dual} {chain}");
         for elements in [1, 3] {
             let mesh = Domain::Mesh(Mesh::uniform(elements, elements as f64).unwrap());
-            let mesh = interpolation_constant(mesh, ErrorNorm::Derivative, nu, 0.1).unwrap().constant;
+            let mesh =
+                interpolation_constant(mesh, ErrorNorm::Derivative, nu, 0.1).unwrap().constant;
             let one = element_constant(ErrorNorm::Derivative, nu, Tolerance::balanced()).unwrap();
             assert!(
                 mesh.value > 0.5 * one.value && mesh.value <= one.value * (1.0 + 1e-9),

@@ -36,7 +36,8 @@ fn the_end_predicted_on_a_coarse_mesh_lies_in_the_segment_of_a_mesh_eight_times_
 #[test]
 fn a_wrong_factor_is_seen() {
     let misfit = |c: f64| {
-        let u = TestProblem::Block.problem(256).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        let u =
+            TestProblem::Block.problem(256).unwrap().solve(Cone::Nodal, Solver::ActiveSet).unwrap();
         let points: Vec<_> = example::samples(&u, c)
             .into_iter()
             .filter(|p| (4.0 / 256.0..=0.15).contains(&(p.0 - 0.332).abs()))

@@ -16,7 +16,9 @@ fn signed_projection(h: f64, forces: &[Force]) -> (Vec<[f64; 2]>, Vec<f64>) {
     let last = forces.len() - 1;
     let mut density = vec![[0.0; 2]; forces.len()];
     let mut moved = Vec::new();
-    for (i, &Force { resultant, moment }) in forces.iter().enumerate().filter(|(_, f)| f.resultant > 0.0) {
+    for (i, &Force { resultant, moment }) in
+        forces.iter().enumerate().filter(|(_, f)| f.resultant > 0.0)
+    {
         let (height, centre) = (2.0 * resultant / h, moment / resultant / h);
         if (1.0 / 3.0..=2.0 / 3.0).contains(&centre) {
             density[i][0] += height * (2.0 - 3.0 * centre);
@@ -40,7 +42,8 @@ struct Random(u64);
 
 impl Random {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 
@@ -76,7 +79,9 @@ fn forces(pressure: &[f64], cells: usize) -> Vec<Force> {
     let width = 1.0 / cells as f64;
     let force = |part: &[f64]| Force {
         resultant: part.iter().sum::<f64>() * width,
-        moment: part.iter().zip(0..).map(|(p, k)| p * (f64::from(k) + 0.5)).sum::<f64>() * width * width,
+        moment: part.iter().zip(0..).map(|(p, k)| p * (f64::from(k) + 0.5)).sum::<f64>()
+            * width
+            * width,
     };
     pressure.chunks(cells).map(force).collect()
 }
@@ -120,7 +125,8 @@ fn the_signed_projection_keeps_sign_resultant_and_moment() {
         let (density, moved) = signed_projection(1.0, &forces);
         assert!(density.iter().flatten().all(|&end| end >= -1e-12));
         let all = |of: &dyn Fn(usize) -> f64| (0..forces.len()).map(of).sum::<f64>();
-        let resultants = [all(&|i| forces[i].resultant), all(&|i| 0.5 * (density[i][0] + density[i][1]))];
+        let resultants =
+            [all(&|i| forces[i].resultant), all(&|i| 0.5 * (density[i][0] + density[i][1]))];
         assert!((resultants[0] - resultants[1]).abs() < 1e-11 * (1.0 + resultants[0]));
         let off = |k: usize, low: f64, high: f64| {
             let Force { resultant, moment } = forces[k];
@@ -129,7 +135,9 @@ fn the_signed_projection_keeps_sign_resultant_and_moment() {
         if !off(0, 1.0 / 3.0, 1.0) && !off(forces.len() - 1, 0.0, 2.0 / 3.0) {
             let own = |i: usize| forces[i].moment + i as f64 * forces[i].resultant;
             let new = |i: usize| {
-                density[i][0] / 6.0 + density[i][1] / 3.0 + 0.5 * i as f64 * (density[i][0] + density[i][1])
+                density[i][0] / 6.0
+                    + density[i][1] / 3.0
+                    + 0.5 * i as f64 * (density[i][0] + density[i][1])
             };
             assert!((all(&own) - all(&new)).abs() < 1e-11 * (1.0 + all(&own)));
             moved_inside += moved.len();
@@ -137,7 +145,9 @@ fn the_signed_projection_keeps_sign_resultant_and_moment() {
         // R <= sqrt(3) h^(1/2) ||pressure - mean|| where the centre is off the middle third.
         let mut moved = moved.iter();
         for (part, force) in pressure.chunks(cells).zip(&forces) {
-            if force.resultant > 0.0 && !(1.0..=2.0).contains(&(3.0 * force.moment / force.resultant)) {
+            if force.resultant > 0.0
+                && !(1.0..=2.0).contains(&(3.0 * force.moment / force.resultant))
+            {
                 let squares = part.iter().map(|p| (p - force.resultant).powi(2)).sum::<f64>();
                 let bound = (3.0 * squares / cells as f64).sqrt();
                 assert!(moved.next().is_some_and(|r| *r <= bound * (1.0 + 1e-12)));
@@ -156,7 +166,8 @@ fn pressure_times_gap_is_below_its_bound() {
         let (density, _) = signed_projection(1.0, &forces(&pressure, cells));
         let term = pressure_times_gap(&density, &gap, cells);
         for nu in [0.05, 0.25, 0.45] {
-            let product = squared_seminorm(&pressure, width, nu) * squared_seminorm(&slope, width, nu);
+            let product =
+                squared_seminorm(&pressure, width, nu) * squared_seminorm(&slope, width, nu);
             assert!(term <= 0.5 * product.sqrt(), "{nu}: {term} {product}");
             if product > 0.0 {
                 largest = largest.max(term / product.sqrt());
@@ -207,8 +218,11 @@ fn fat_cantor(start: f64, size: f64, first: f64, ratio: f64, levels: u32) -> Edg
 
 /// ∫ q_N u_N and the sum of the squared moved resultants on n equal segments.
 fn both_parts(edge: &Edge, n: usize) -> [f64; 2] {
-    let rule =
-        [(0.5 - 0.6f64.sqrt() / 2.0, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.5 + 0.6f64.sqrt() / 2.0, 5.0 / 18.0)];
+    let rule = [
+        (0.5 - 0.6f64.sqrt() / 2.0, 5.0 / 18.0),
+        (0.5, 4.0 / 9.0),
+        (0.5 + 0.6f64.sqrt() / 2.0, 5.0 / 18.0),
+    ];
     let h = 1.0 / n as f64;
     let (mut forces, mut open) = (vec![Force::default(); n], Vec::new());
     for (k, piece) in edge.ends.windows(2).enumerate() {
@@ -250,7 +264,9 @@ fn orders(edges: &[Edge]) -> [f64; 2] {
     };
     let mean = levels.iter().map(|&k| f64::from(k)).sum::<f64>() / levels.len() as f64;
     let square: f64 = levels.iter().map(|&k| (f64::from(k) - mean).powi(2)).sum();
-    [0, 1].map(|part| levels.iter().map(|&k| (f64::from(k) - mean) * largest(k, part)).sum::<f64>() / square)
+    [0, 1].map(|part| {
+        levels.iter().map(|&k| (f64::from(k) - mean) * largest(k, part)).sum::<f64>() / square
+    })
 }
 
 #[test]
@@ -262,10 +278,12 @@ fn both_parts_have_the_order_of_the_theorem() {
         assert!((term - (2.0 * tau - 2.0)).abs() < 0.05, "{tau}: {term}");
         assert!(moved > 2.0 * tau - 2.0 - 0.15, "{tau}: {moved}");
     }
-    for (first, ratio, levels) in [(0.25, 0.25, 8), (0.2, 0.3, 9), (0.15, 0.35, 10), (0.1, 0.4, 11)] {
+    for (first, ratio, levels) in [(0.25, 0.25, 8), (0.2, 0.3, 9), (0.15, 0.35, 10), (0.1, 0.4, 11)]
+    {
         // Indicators of the set are in H^ν for 2ν < 1 − ln 2/ln(1/ratio).
         let order = 2.0 + LN_2 / f64::ln(ratio);
-        let edges = [0.03, 0.06, 0.11, 0.17].map(|start| fat_cantor(start, 0.8, first, ratio, levels));
+        let edges =
+            [0.03, 0.06, 0.11, 0.17].map(|start| fat_cantor(start, 0.8, first, ratio, levels));
         let [term, moved] = orders(&edges);
         assert!((term - order).abs() < 0.06, "{ratio}: {term} {order}");
         assert!(moved > order - 0.2, "{ratio}: {moved} {order}");
@@ -283,12 +301,17 @@ fn averages_differ_from_means_by_oscillations() {
             (0..=segments).map(|i| 0.5 * (means[i.saturating_sub(1)] + means[i.min(segments - 1)]));
         let averages: Vec<f64> = averages.collect();
         let forces = forces(&pressure, cells);
-        let linear = |i: usize, [a, b]: [f64; 2]| a * forces[i].resultant + (b - a) * forces[i].moment;
+        let linear =
+            |i: usize, [a, b]: [f64; 2]| a * forces[i].resultant + (b - a) * forces[i].moment;
         let all: f64 = (0..segments).map(|i| linear(i, [averages[i], averages[i + 1]])).sum();
         let by_means: f64 = (0..segments).map(|i| linear(i, [means[i]; 2])).sum();
-        let oscillation =
-            |i: usize| (means[i] - means[i - 1]) * (linear(i - 1, [0.0, 0.5]) + linear(i, [-0.5, 0.0]));
+        let oscillation = |i: usize| {
+            (means[i] - means[i - 1]) * (linear(i - 1, [0.0, 0.5]) + linear(i, [-0.5, 0.0]))
+        };
         let rest: f64 = (1..segments).map(oscillation).sum();
-        assert!((all - by_means - rest).abs() < 1e-12 * (1.0 + all.abs()), "{all} {by_means} {rest}");
+        assert!(
+            (all - by_means - rest).abs() < 1e-12 * (1.0 + all.abs()),
+            "{all} {by_means} {rest}"
+        );
     }
 }

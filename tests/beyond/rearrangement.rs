@@ -50,7 +50,8 @@ fn no_order_has_less_than_the_sorted_one() {
 
 /// That check of the example, at this size.
 fn holds(functions: usize, unions: usize, key: &str) {
-    let outcome = example::outcome(&example::Options { functions, unions, ..Default::default() }).unwrap();
+    let outcome =
+        example::outcome(&example::Options { functions, unions, ..Default::default() }).unwrap();
     let check = outcome.check(key).unwrap();
     assert_eq!(check.decision(), Decision::Holds, "{}", check.words());
 }
@@ -76,7 +77,9 @@ fn an_interval_has_less_all_the_way_to_the_middle() {
                 let at = |share: f64| {
                     gamma(
                         order,
-                        condition(Zones::from_start_and_length(share * (1.0 - theta), theta).unwrap()),
+                        condition(
+                            Zones::from_start_and_length(share * (1.0 - theta), theta).unwrap(),
+                        ),
                         tolerance,
                     )
                     .unwrap()
@@ -85,7 +88,10 @@ fn an_interval_has_less_all_the_way_to_the_middle() {
                 let constants = [0.0, 0.02, 0.1, 0.2, 0.3, 0.4, 0.5].map(at);
                 for pair in constants.windows(2) {
                     let words = format!("nu {nu}, theta {theta:e}: {} then {}", pair[0], pair[1]);
-                    assert!(pair[1].value - pair[1].error <= pair[0].value + pair[0].error, "{words}");
+                    assert!(
+                        pair[1].value - pair[1].error <= pair[0].value + pair[0].error,
+                        "{words}"
+                    );
                 }
                 assert!(constants[6].value < constants[0].value, "nu {nu}, theta {theta:e}");
             }

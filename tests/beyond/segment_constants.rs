@@ -19,8 +19,8 @@ fn the_constants_are_known_by_two_computations() {
     for nu in [0.001, 0.1, 0.25, 0.5, 0.75, 0.9, 0.999] {
         let nu = order(nu);
         let tolerance = Tolerance::new(1e-9).unwrap();
-        let [product, kappa, midpoint] =
-            [product_constant, consistency_constant, midpoint_bound].map(|of| of(nu, tolerance).unwrap());
+        let [product, kappa, midpoint] = [product_constant, consistency_constant, midpoint_bound]
+            .map(|of| of(nu, tolerance).unwrap());
         for found in [product, kappa, midpoint] {
             assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
         }
@@ -65,7 +65,8 @@ fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
 fn a_short_gap_at_any_scale_and_bad_input() {
     // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν}: θ^{2ν}.
     for nu in [0.1, 0.25, 0.4] {
-        let ratio = |gap: f64| one_gap_ratio(Cone::Nodal, order(nu), gap, Tolerance::fast()).unwrap().value;
+        let ratio =
+            |gap: f64| one_gap_ratio(Cone::Nodal, order(nu), gap, Tolerance::fast()).unwrap().value;
         let power = (ratio(1e-100) / ratio(1e-120)).log10() / 20.0;
         assert!((power - 2.0 * nu).abs() < 1e-3, "{nu}: {power}");
     }

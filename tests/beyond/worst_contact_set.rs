@@ -42,8 +42,10 @@ fn the_ratio_of_a_set_is_that_of_two_independent_computations() {
 #[test]
 fn a_short_gap_makes_the_term_small_where_the_second_case_lets_it_grow() {
     for tau in [1.6, 1.75, 1.9] {
-        let ratios: Vec<f64> =
-            [1e-2, 1e-4, 1e-5].iter().map(|&t| worst_ratio(Cone::Nodal, tau, 0.0, t, 0.05).0).collect();
+        let ratios: Vec<f64> = [1e-2, 1e-4, 1e-5]
+            .iter()
+            .map(|&t| worst_ratio(Cone::Nodal, tau, 0.0, t, 0.05).0)
+            .collect();
         assert!(ratios.windows(2).all(|pair| pair[1] < pair[0]), "{tau}: {ratios:?}");
         // A constant σ_N has |σ_N|²_ν ~ θ^{1−2ν} beside a gap θ, and u_N' on it ∫u_N' ~ θ^{1/2+ν} |u_N'|_ν:
         // together θ^{2ν} = θ^{2τ−3}.

@@ -59,7 +59,8 @@ pub fn worst_ratio(cone: Cone, tau: f64, left: f64, right: f64, asked: f64) -> (
 
 /// The ratio for the best piecewise constants on a graded mesh, with every cell bisected this many times.
 fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -> f64 {
-    let points: Vec<f64> = [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
+    let points: Vec<f64> =
+        [0.0, left, 1.0 - right, 1.0].into_iter().skip(usize::from(left == 0.0)).collect();
     let partition = halved(&Mesh::graded(&points, LAYERS, RATIO).unwrap(), halvings);
     let per_part = partition.len() / (points.len() - 1);
     let gram = Gram::constants(&partition, order, 1e-8).unwrap().to_dense().unwrap();
@@ -78,7 +79,9 @@ fn lower_bound(cone: Cone, order: Order, left: f64, right: f64, halvings: u32) -
                 contact.iter().map(|&k| length(k) * middle(k)).collect(),
             ];
             let ends = [true, false].map(|side| {
-                open.iter().map(|&k| if is_left(k) == side { length(k) } else { 0.0 }).collect::<Vec<_>>()
+                open.iter()
+                    .map(|&k| if is_left(k) == side { length(k) } else { 0.0 })
+                    .collect::<Vec<_>>()
             });
             let s = inverse_form(&gram, &contact, &weights);
             let m = inverse_form(&gram, &open, &ends);
@@ -115,12 +118,15 @@ fn inverse_form<const N: usize>(
 ) -> SMatrix<f64, N, N> {
     // Scaled to a unit diagonal: lengths range over many decades.
     let scale: Vec<f64> = cells.iter().map(|&k| gram[(k, k)].sqrt()).collect();
-    let matrix =
-        DMatrix::from_fn(cells.len(), cells.len(), |i, j| gram[(cells[i], cells[j])] / (scale[i] * scale[j]));
+    let matrix = DMatrix::from_fn(cells.len(), cells.len(), |i, j| {
+        gram[(cells[i], cells[j])] / (scale[i] * scale[j])
+    });
     let factor = Cholesky::new(matrix).unwrap();
     let right = DMatrix::from_fn(cells.len(), N, |i, j| b[j][i] / scale[i]);
     let solution = factor.solve(&right);
-    let form = |i: usize, j: usize| (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>();
+    let form = |i: usize, j: usize| {
+        (0..cells.len()).map(|k| right[(k, i)] * solution[(k, j)]).sum::<f64>()
+    };
     SMatrix::from_fn(form)
 }
 
@@ -142,7 +148,8 @@ fn no_contact_set_passes_one_half() {
 
 #[test]
 fn the_ratio_is_invariant_under_reflection() {
-    let [left, right] = [(0.1, 0.3), (0.3, 0.1)].map(|(a, b)| worst_ratio(Cone::Nodal, 1.75, a, b, 0.1).0);
+    let [left, right] =
+        [(0.1, 0.3), (0.3, 0.1)].map(|(a, b)| worst_ratio(Cone::Nodal, 1.75, a, b, 0.1).0);
     assert!((left / right - 1.0).abs() < 1e-10, "{left} {right}");
 }
 

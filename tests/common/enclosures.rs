@@ -60,7 +60,8 @@ impl Scene {
         )?;
         let mut forces = Vec::new();
         for edge in 0..found.problem.edge().pieces().len() {
-            let both = (coarse_body.contact_force(&found, edge)?, fine_body.contact_force(&fine, edge)?);
+            let both =
+                (coarse_body.contact_force(&found, edge)?, fine_body.contact_force(&fine, edge)?);
             if let (Some(coarse), Some(fine)) = both {
                 forces.push([coarse, fine]);
             }

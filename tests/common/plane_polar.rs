@@ -34,7 +34,8 @@ impl Star {
     }
 
     fn log_radius(&self, phi: f64) -> f64 {
-        let side = self.angles[1..self.angles.len() - 1].iter().filter(|&&angle| phi > angle).count();
+        let side =
+            self.angles[1..self.angles.len() - 1].iter().filter(|&&angle| phi > angle).count();
         let (direction, height) = self.sides[side];
         (height / (phi - direction).cos()).ln()
     }
@@ -43,13 +44,19 @@ impl Star {
     pub fn squared(&self, a: f64, b: f64, s: f64) -> f64 {
         let angle = self.angles[self.angles.len() - 1];
         let (gap, most) = (a + 1.0 - s, 0.3 * angle.min(1.0));
-        let cuts: Vec<f64> = (0..=RINGS).map(|k| most * RATIO.powi(k as i32 - RINGS as i32)).collect();
+        let cuts: Vec<f64> =
+            (0..=RINGS).map(|k| most * RATIO.powi(k as i32 - RINGS as i32)).collect();
         let mut psis = vec![most, angle];
         psis.extend(
-            (2..).map(|k| 0.3 * f64::from(k)).take_while(|&psi| psi < angle).filter(|&psi| psi > most),
+            (2..)
+                .map(|k| 0.3 * f64::from(k))
+                .take_while(|&psi| psi < angle)
+                .filter(|&psi| psi > most),
         );
         for from in &self.angles {
-            psis.extend(self.angles.iter().map(|to| to - from).filter(|&psi| psi > most && psi < angle));
+            psis.extend(
+                self.angles.iter().map(|to| to - from).filter(|&psi| psi > most && psi < angle),
+            );
         }
         psis.sort_by(f64::total_cmp);
         let depth = 26.0 / (1.0 + a.min(0.0));
@@ -94,7 +101,10 @@ impl Star {
                     let half = (0.5 * psi).sin();
                     let distance = rest * rest + 4.0 * (1.0 - rest) * half * half;
                     let difference = g - (a * log).exp() * h;
-                    (2.0 * gap * own + 2.0 * log).exp() * difference * difference * distance.powf(-1.0 - s)
+                    (2.0 * gap * own + 2.0 * log).exp()
+                        * difference
+                        * difference
+                        * distance.powf(-1.0 - s)
                 };
                 let both = |&(phi, w, first, second): &(f64, f64, f64, f64)| {
                     let (g, h) = ((b * phi).sin(), (b * (phi + psi)).sin());
@@ -109,7 +119,8 @@ impl Star {
     /// Points φ with weights, ln R(φ) and ln R(φ + ψ).
     fn phis(&self, psi: f64, rule: &Rule) -> Vec<(f64, f64, f64, f64)> {
         let end = self.angles[self.angles.len() - 1] - psi;
-        let mut cuts: Vec<f64> = self.angles.iter().flat_map(|&angle| [angle, angle - psi]).collect();
+        let mut cuts: Vec<f64> =
+            self.angles.iter().flat_map(|&angle| [angle, angle - psi]).collect();
         cuts.extend((1..).map(|k| 0.25 * PI * f64::from(k)).take_while(|&cut| cut < end));
         cuts.retain(|&cut| (0.0..=end).contains(&cut));
         cuts.sort_by(f64::total_cmp);

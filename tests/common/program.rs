@@ -18,7 +18,9 @@ pub fn program(name: &str) -> Command {
 #[allow(dead_code, reason = "each target uses a part")]
 pub fn names() -> Vec<String> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
-    let files = std::fs::read_dir(directory).unwrap().map(|entry| PathBuf::from(entry.unwrap().file_name()));
+    let files = std::fs::read_dir(directory)
+        .unwrap()
+        .map(|entry| PathBuf::from(entry.unwrap().file_name()));
     let sources = files.filter(|file| file.extension().is_some_and(|ending| ending == "rs"));
     let mut names: Vec<String> =
         sources.map(|file| file.file_stem().unwrap().to_str().unwrap().to_owned()).collect();
@@ -31,10 +33,12 @@ pub fn names() -> Vec<String> {
 pub fn outcome(name: &str, arguments: &[&str]) -> (Output, Value) {
     static RUNS: AtomicUsize = AtomicUsize::new(0);
     let run = RUNS.fetch_add(1, Ordering::Relaxed);
-    let file = std::env::temp_dir().join(format!("signorini-{name}-{}-{run}.json", std::process::id()));
+    let file =
+        std::env::temp_dir().join(format!("signorini-{name}-{}-{run}.json", std::process::id()));
     let output = program(name).args(arguments).arg("--values").arg(&file).output().unwrap();
-    let text = std::fs::read_to_string(&file)
-        .unwrap_or_else(|_| panic!("{name} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr)));
+    let text = std::fs::read_to_string(&file).unwrap_or_else(|_| {
+        panic!("{name} {arguments:?}: {}", String::from_utf8_lossy(&output.stderr))
+    });
     std::fs::remove_file(&file).unwrap();
     (output, serde_json::from_str(&text).unwrap())
 }

@@ -79,8 +79,9 @@ impl Proof {
                 for problem in scenes(tau, &mut random) {
                     let pair = pair(&problem, tau, n);
                     for theta in thetas(n) {
-                        count +=
-                            self.checked(&pair, n, theta, &constants, &format!("{problem}, tau {tau}")).0;
+                        count += self
+                            .checked(&pair, n, theta, &constants, &format!("{problem}, tau {tau}"))
+                            .0;
                         cases += 1;
                     }
                 }
@@ -103,16 +104,23 @@ impl Proof {
         for tau in [1.75, 2.0] {
             let constants = ProofConstants::new(tau, 2.0, &[0.25]).unwrap();
             for (name, touches) in touching {
-                let values: Vec<f64> = (0..=cells).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
+                let values: Vec<f64> =
+                    (0..=cells).map(|i| if touches(i) { 0.0 } else { -1.0 }).collect();
                 // A force needs a contact cell beside its node.
-                let carried =
-                    |i: usize| touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)));
-                let forces: Vec<f64> = (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
-                let scene = EdgeData::new(cells, LateralCondition::Natural, &values, &forces).unwrap();
+                let carried = |i: usize| {
+                    touches(i) && ((i > 0 && touches(i - 1)) || (i < cells && touches(i + 1)))
+                };
+                let forces: Vec<f64> =
+                    (0..=cells).map(|i| if carried(i) { 1.0 } else { 0.0 }).collect();
+                let scene =
+                    EdgeData::new(cells, LateralCondition::Natural, &values, &forces).unwrap();
                 let pair = ContactPair::of_data(&scene, Traces::for_regularity(tau)).unwrap();
                 for norms in pair.norms(4, constants.order(), constants.q()).unwrap() {
                     let squares = [norms.displacement_norm_squared(), norms.stress.norm_squared()];
-                    assert!(squares.iter().all(|square| square.is_finite()), "{name} tau {tau}: {squares:?}");
+                    assert!(
+                        squares.iter().all(|square| square.is_finite()),
+                        "{name} tau {tau}: {squares:?}"
+                    );
                 }
                 self.checked(&pair, 4, 0.25, &constants, name);
             }

@@ -41,12 +41,18 @@ fn check_row(row: &Value, solution: &ContactSolution, case: &str) {
     close(solution.energy, "J", ENERGY);
     close(solution.contact_force, "sum_multipliers", MARGIN);
     close(solution.multiplier.iter().fold(0.0, |m: f64, &l| m.max(l)), "max_multiplier", MARGIN);
-    assert_eq!(solution.contact_set.count() as u64, row["active_count"].as_u64().unwrap(), "{case}");
+    assert_eq!(
+        solution.contact_set.count() as u64,
+        row["active_count"].as_u64().unwrap(),
+        "{case}"
+    );
     let runs: Vec<(f64, f64, u64)> = solution
         .contact_set
         .runs()
         .iter()
-        .map(|run| (solution.positions[run.start], solution.positions[run.end - 1], run.len() as u64))
+        .map(|run| {
+            (solution.positions[run.start], solution.positions[run.end - 1], run.len() as u64)
+        })
         .collect();
     let expected: Vec<(f64, f64, u64)> = row["active_runs_xfirst_xlast_count"]
         .as_array()

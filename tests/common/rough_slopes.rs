@@ -20,7 +20,8 @@ pub struct Numbers(pub u64);
 
 impl Numbers {
     fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 * 2f64.powi(-53)
     }
 
@@ -54,7 +55,8 @@ impl Numbers {
         while frequency <= 16.0 {
             let phase = 2.0 * std::f64::consts::PI * self.next();
             for (value, x) in values.iter_mut().zip(mesh.nodes()) {
-                *value += frequency.powf(-decay) * (std::f64::consts::PI * frequency * x + phase).cos();
+                *value +=
+                    frequency.powf(-decay) * (std::f64::consts::PI * frequency * x + phase).cos();
             }
             frequency *= base;
         }

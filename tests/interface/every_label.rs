@@ -22,7 +22,9 @@ fn rows(page: &str) -> Vec<Vec<String>> {
     let lines = page.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| label"));
     lines
         .filter(|line| !line.starts_with("| ---"))
-        .map(|line| line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect())
+        .map(|line| {
+            line.trim_matches('|').split(" | ").map(|cell| cell.trim().to_owned()).collect()
+        })
         .collect()
 }
 
@@ -51,9 +53,14 @@ fn directives<'a>(cell: &'a str, name: &str) -> Vec<&'a str> {
 
 /// What is wrong with a row.
 fn faults(row: &[String], values: &Value) -> Vec<String> {
-    let [label, _, page, decides, test] = row else { return vec![format!("{row:?}: not five cells")] };
+    let [label, _, page, decides, test] = row else {
+        return vec![format!("{row:?}: not five cells")];
+    };
     let mut faults = Vec::new();
-    let file = page.split_once('(').and_then(|(_, rest)| rest.split_once(')')).map_or("", |(file, _)| file);
+    let file = page
+        .split_once('(')
+        .and_then(|(_, rest)| rest.split_once(')'))
+        .map_or("", |(file, _)| file);
     if read(&format!("book/src/{}", file.split('#').next().unwrap_or(""))).is_empty() {
         faults.push(format!("{label}: no page {file}"));
     }
@@ -67,7 +74,9 @@ fn faults(row: &[String], values: &Value) -> Vec<String> {
             continue;
         };
         let found = values[example]["findings"].as_array().and_then(|all| {
-            all.iter().find(|entry| entry["finding"].as_str() == Some(finding)).map(|entry| &entry["outcome"])
+            all.iter()
+                .find(|entry| entry["finding"].as_str() == Some(finding))
+                .map(|entry| &entry["outcome"])
         });
         match found.and_then(Value::as_str) {
             Some("holds" | "fails" | "by proof") => {}
@@ -76,7 +85,8 @@ fn faults(row: &[String], values: &Value) -> Vec<String> {
     }
     for name in directives(test, "test") {
         let (file, function) = name.split_once("::").unwrap_or((name, ""));
-        let source = [read(&format!("tests/{file}.rs")), read(&format!("toolkit/tests/{file}.rs"))].concat();
+        let source =
+            [read(&format!("tests/{file}.rs")), read(&format!("toolkit/tests/{file}.rs"))].concat();
         if !source.contains(&format!("fn {function}(")) {
             faults.push(format!("{label}: no test {name}"));
         }
@@ -119,7 +129,10 @@ fn planted_faults_are_found() {
     assert!(faults(&row(good), &values).is_empty(), "{:?}", faults(&row(good), &values));
     for (from, to) in [
         ("lemma_5_2.md", "lemma_55_2.md"),
-        ("{{finding: remark_6_point_condition/all-nu-theta-1e-12-gamma-theta-gamma}}", "see the page"),
+        (
+            "{{finding: remark_6_point_condition/all-nu-theta-1e-12-gamma-theta-gamma}}",
+            "see the page",
+        ),
         ("gamma-theta-gamma}", "gamma-theta-gammas}"),
         ("::statement_is_confirmed", "::statement_is_denied"),
         ("{{test: appendix_a/remark_6::statement_is_confirmed}}", ""),

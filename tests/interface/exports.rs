@@ -65,15 +65,21 @@ fn exports(text: &str) -> Vec<String> {
     let text = code(text);
     let listed = text.split("\npub use ").skip(1).filter_map(|rest| rest.split(';').next());
     let listed = listed.flat_map(|path| match path.split_once('{') {
-        Some((_, names)) => names.trim_end_matches('}').split(',').map(|n| n.trim().to_owned()).collect(),
+        Some((_, names)) => {
+            names.trim_end_matches('}').split(',').map(|n| n.trim().to_owned()).collect()
+        }
         None => vec![path.rsplit("::").next().unwrap().trim().to_owned()],
     });
     let own = ["fn ", "struct ", "enum ", "const ", "type "].into_iter().flat_map(|kind| {
-        let name =
-            |rest: &str| rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned();
+        let name = |rest: &str| {
+            rest.split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap().to_owned()
+        };
         text.split(&format!("\npub {kind}")).skip(1).map(name).collect::<Vec<_>>()
     });
-    listed.chain(own).filter(|name| !name.is_empty() && name != "Error" && name != "Result").collect()
+    listed
+        .chain(own)
+        .filter(|name| !name.is_empty() && name != "Error" && name != "Result")
+        .collect()
 }
 
 fn has(text: &str, word: &str) -> bool {
@@ -136,7 +142,8 @@ fn unread(directory: &str, roots: &[(String, PathBuf)]) -> Vec<(String, String, 
                 .filter(|(_, text)| has(text, &export))
                 .map(|(name, _)| name.as_str())
                 .collect();
-            let is_type = export.starts_with(char::is_uppercase) && export.contains(char::is_lowercase);
+            let is_type =
+                export.starts_with(char::is_uppercase) && export.contains(char::is_lowercase);
             let program = has(&python, &export) || users.contains(&CONTACT);
             if users.len() < 2 && !program && !(is_type && has(&signatures, &export)) {
                 found.push((room.clone(), export, users.first().unwrap_or(&"").to_string()));
@@ -153,13 +160,18 @@ fn every_export_has_two_readers_or_stands_in_a_signature() {
         .filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'))
         .map(|room| {
             let folder = root().join(format!("src/{room}/mod.rs"));
-            (room.to_owned(), if folder.exists() { folder } else { root().join(format!("src/{room}.rs")) })
+            (
+                room.to_owned(),
+                if folder.exists() { folder } else { root().join(format!("src/{room}.rs")) },
+            )
         })
         .collect();
     assert!(rooms.len() > 8, "{rooms:?}");
     let toolkit = [("toolkit".to_owned(), root().join("toolkit/src/lib.rs"))];
     let mut found = unread("src", &rooms);
     found.extend(unread("toolkit/src", &toolkit));
-    found.retain(|(room, name, _)| !ONE_READER.iter().any(|listed| (listed.0, listed.1) == (room, name)));
+    found.retain(|(room, name, _)| {
+        !ONE_READER.iter().any(|listed| (listed.0, listed.1) == (room, name))
+    });
     assert!(found.is_empty(), "room, name, only reader: {found:#?}");
 }

@@ -83,7 +83,8 @@ fn a_run_of_some_seconds_says_on_a_terminal_that_it_lives() {
     let line = command("lemma_6_1_local_estimate", &[]);
     // With an end of its own, where the hangup of the terminal is not heard.
     let orders = ["0.5"; 200].join(",");
-    let line = format!("timeout --foreground 30 {} --nu {orders}", line.get_program().to_str().unwrap());
+    let line =
+        format!("timeout --foreground 30 {} --nu {orders}", line.get_program().to_str().unwrap());
     let mut terminal = Command::new("script");
     terminal.args(["-qec", &line, "/dev/null"]).stdin(Stdio::null()).stdout(Stdio::piped());
     let Ok(mut process) = terminal.spawn() else { return };

@@ -16,8 +16,12 @@ fn orders_of_corners_are_those_that_were_kept() {
     let (_, computed) = outcome("theorem_3_1_bodies", &["--problem=corner", "--tau=1.6,1.75,1.9"]);
     for tau in ["1.6", "1.75", "1.9"] {
         let key = format!("order.problemcorner.tau{tau}");
-        let [[kept, error], [found, wide]] = [&kept, &computed]
-            .map(|run| [key.clone(), format!("{key}.error")].map(|key| run["values"][key].as_f64().unwrap()));
-        assert!((found - kept).abs() < error + wide, "{tau}: {found} ± {wide}, kept {kept} ± {error}");
+        let [[kept, error], [found, wide]] = [&kept, &computed].map(|run| {
+            [key.clone(), format!("{key}.error")].map(|key| run["values"][key].as_f64().unwrap())
+        });
+        assert!(
+            (found - kept).abs() < error + wide,
+            "{tau}: {found} ± {wide}, kept {kept} ± {error}"
+        );
     }
 }

@@ -22,7 +22,8 @@ fn run(name: &str) -> &'static (Output, Value) {
 /// What is wrong with an outcome.
 fn fault(name: &str) -> Option<String> {
     let output = &run(name).0;
-    let [text, error] = [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
+    let [text, error] =
+        [&output.stdout, &output.stderr].map(|bytes| String::from_utf8_lossy(bytes));
     let (lines, columns) =
         (text.lines().count(), text.lines().map(|line| line.chars().count()).max().unwrap_or(0));
     let is_good = output.status.code() == Some(0) && error.is_empty();
@@ -41,7 +42,8 @@ fn every_example_holds_fits_a_terminal_and_turns_with_its_checks() {
 
 /// The words of a line without the distances of two solvers, such as `(1e-14)`, which are rounding errors.
 fn words(line: &str) -> Vec<&str> {
-    let is_rounding = |word: &&str| word.starts_with('(') && word.contains("e-") && word.ends_with(')');
+    let is_rounding =
+        |word: &&str| word.starts_with('(') && word.contains("e-") && word.ends_with(')');
     line.split_whitespace().filter(|word| !is_rounding(word)).collect()
 }
 
@@ -50,12 +52,18 @@ fn the_readme_shows_what_the_tour_prints() {
     let (output, found) = run("tour");
     assert_eq!(found["verdict"], "true");
     let printed = String::from_utf8_lossy(&output.stdout);
-    let mut shown =
-        include_str!("../../README.md").split("<!-- tour -->").nth(1).unwrap().split("<!-- end of tour -->");
+    let mut shown = include_str!("../../README.md")
+        .split("<!-- tour -->")
+        .nth(1)
+        .unwrap()
+        .split("<!-- end of tour -->");
     let is_text = |line: &&str| !line.starts_with("```") && !line.trim().is_empty();
     let shown: Vec<_> = shown.next().unwrap().lines().filter(is_text).map(words).collect();
     let printed: Vec<_> = printed.lines().map(words).filter(|words| !words.is_empty()).collect();
-    assert!(shown.len() > 10 && printed.windows(shown.len()).any(|lines| lines == shown), "{printed:#?}");
+    assert!(
+        shown.len() > 10 && printed.windows(shown.len()).any(|lines| lines == shown),
+        "{printed:#?}"
+    );
 }
 
 fn value(name: &str, key: &str) -> f64 {
@@ -66,7 +74,8 @@ fn value(name: &str, key: &str) -> f64 {
 fn column(name: &str, column: &str) -> Vec<(String, f64)> {
     let all = run(name).1["values"].as_object().unwrap().iter();
     let numbers = all.filter_map(|(key, value)| {
-        let row = key.strip_prefix(column)?.strip_prefix('.').filter(|row| !row.ends_with(".error"))?;
+        let row =
+            key.strip_prefix(column)?.strip_prefix('.').filter(|row| !row.ends_with(".error"))?;
         Some((row.to_owned(), value.as_f64()?))
     });
     numbers.collect()
@@ -113,7 +122,8 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
         for cone in cones {
             for (alpha, expected) in [("0", 1.0), ("0.75", -0.5), ("1", -1.0)] {
                 let row = format!("problem{set}.alpha{alpha}.cone{cone}");
-                let (q, half) = (value(name, &format!("q.{row}")), value(name, &format!("q.{row}.error")));
+                let (q, half) =
+                    (value(name, &format!("q.{row}")), value(name, &format!("q.{row}.error")));
                 assert_eq!(value(name, &format!("expected.{row}")), expected, "{row}");
                 assert!((q - expected).abs() < half.max(KINK), "{row}: {q} {half}");
                 assert!((q > 0.0) == (expected > 0.0) && q.abs() > half, "{row}: {q} {half}");
@@ -127,8 +137,9 @@ fn no_logarithm_in_h2_and_a_square_root_of_one_outside() {
     }
     // Outside H² the same comparison fails: e/(h |ln h|^{1/2}) grows for twenty-two transitions with kinks.
     let (_, many) = outcome(name, &["--problem=transitions:11", "--alpha=0,1", "--finest=12"]);
-    let paper =
-        |alpha: u32| many["values"][format!("paper.problemtransitions.alpha{alpha}.conenodal")].as_f64();
+    let paper = |alpha: u32| {
+        many["values"][format!("paper.problemtransitions.alpha{alpha}.conenodal")].as_f64()
+    };
     assert!(paper(0) > Some(1.0) && paper(1) < Some(1.0), "{many}");
 }
 
@@ -139,7 +150,11 @@ fn segments_of_the_block_are_in_the_cases_of_both_figures() {
     for (name, first, second) in
         [("figure_3_2_alternative", 10.0, 22.0), ("figure_4_1_alternative", 21.0, 11.0)]
     {
-        assert_eq!([value(name, "first.n32"), value(name, "second.n32")], [first, second], "{name}");
+        assert_eq!(
+            [value(name, "first.n32"), value(name, "second.n32")],
+            [first, second],
+            "{name}"
+        );
     }
 }
 
@@ -153,7 +168,10 @@ fn the_order_is_lost_where_the_zone_is_taken_as_short_as_h_theta() {
         let losses = steps.map(|step| value(name, &format!("loss.cone{cone}.step{step}")));
         assert!((value(name, &format!("exponent.cone{cone}.stepintegral")) - 1.5).abs() < 1e-6);
         assert!((losses.iter().sum::<f64>() - 0.125).abs() < 1e-6, "{losses:?}");
-        assert!((losses[2] - 0.125).abs() < 0.01 && losses[0].abs() + losses[1].abs() < 1e-6, "{losses:?}");
+        assert!(
+            (losses[2] - 0.125).abs() < 0.01 && losses[0].abs() + losses[1].abs() < 1e-6,
+            "{losses:?}"
+        );
     }
 }
 
@@ -162,7 +180,11 @@ fn the_order_is_lost_where_the_zone_is_taken_as_short_as_h_theta() {
 fn no_set_is_bad_and_none_passes_the_sharp_constant() {
     let name = "worst_contact_set";
     let shares = ["nodal", "midpoint"].map(|cone| column(name, cone)).concat();
-    assert_eq!(shares.iter().filter(|(_, share)| (0.0..1.0).contains(share)).count(), 14, "{shares:?}");
+    assert_eq!(
+        shares.iter().filter(|(_, share)| (0.0..1.0).contains(share)).count(),
+        14,
+        "{shares:?}"
+    );
     for cone in ["nodal", "midpoint"] {
         let found = value(name, &format!("{cone}-cone-largest-quotient-random-sets-end-gaps"));
         assert!(found < 1.0 + 1e-12 && found > 0.8, "{cone}: {found}");

@@ -12,7 +12,10 @@ const ROOMS: [(&str, &str); 2] = [
         "value error estimate numeric quadrature order root grading mesh nearly_one kernel gram energy closed_forms \
          piecewise functions dual boundary plane fields function matrix constant trace poincare interpolation",
     ),
-    ("src", "error text numeric mesh fem cone contact bounds strip singular problems edge rates proof"),
+    (
+        "src",
+        "error text numeric mesh fem cone contact bounds strip singular problems edge rates proof",
+    ),
 ];
 /// Crates whose rooms are not ranked.
 const OTHERS: [&str; 2] = ["examples/report/src", "book/builder/src"];
@@ -34,8 +37,9 @@ fn files(directory: &Path) -> Vec<PathBuf> {
 
 /// The first words of what follows every `root` in the code, `root::{a::b, c}` taken apart.
 fn named<'a>(code: &'a str, root: &str) -> Vec<&'a str> {
-    let word =
-        |text: &'a str| text.trim_start().split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap();
+    let word = |text: &'a str| {
+        text.trim_start().split(|c: char| !c.is_alphanumeric() && c != '_').next().unwrap()
+    };
     let mut found = Vec::new();
     for rest in code.split(root).skip(1) {
         let Some(group) = rest.strip_prefix('{') else {
@@ -77,14 +81,15 @@ fn arrows(source: &Path) -> Arrows {
         .collect();
     let mut found: Arrows = BTreeMap::new();
     for path in files.iter().filter(|path| !["lib", "main", "book"].contains(&&*room(path))) {
-        let depth =
-            path.strip_prefix(source).unwrap().components().count() - usize::from(path.ends_with("mod.rs"));
+        let depth = path.strip_prefix(source).unwrap().components().count()
+            - usize::from(path.ends_with("mod.rs"));
         let code = code(path).replace(&"super::".repeat(depth), "crate::");
         let own = room(path);
-        let targets = named(&code, "crate::").into_iter().filter_map(|name| match rooms.contains(name) {
-            true => Some(name.to_owned()),
-            false => exported.get(name).map(|&room| room.to_owned()),
-        });
+        let targets =
+            named(&code, "crate::").into_iter().filter_map(|name| match rooms.contains(name) {
+                true => Some(name.to_owned()),
+                false => exported.get(name).map(|&room| room.to_owned()),
+            });
         let targets = targets.filter(|target| *target != own);
         found.entry(own.clone()).or_default().extend(targets.collect::<Vec<_>>());
     }

@@ -18,7 +18,8 @@ fn orders_and_limits_are_those_of_graded_meshes() {
         [(0.75, 0.5, [1.0, 3.0, 4.0]), (0.4, 0.4, [1.5, 4.5, 6.0]), (1.6, 0.7, [1.0, 1.4, 3.0])]
     {
         let nu = Order::new(nu).unwrap();
-        let options = errors::Options { alpha, nu, beta: beta.to_vec(), elements: vec![300, 10_000, 20_000] };
+        let options =
+            errors::Options { alpha, nu, beta: beta.to_vec(), elements: vec![300, 10_000, 20_000] };
         let found = errors::outcome(&options).unwrap();
         assert_eq!(found.status(), Verdict::True, "{alpha} {nu}: {}", found.text(false));
     }

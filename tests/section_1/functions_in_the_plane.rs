@@ -21,7 +21,8 @@ fn l_shape() -> Points {
 
 /// Three wedges and the L-shape with their angles.
 fn polygons() -> Vec<(Points, f64)> {
-    let wide = [0.0, 70.0, 150.0].map(|degrees: f64| polar(degrees.to_radians(), 1.0 + 0.002 * degrees));
+    let wide =
+        [0.0, 70.0, 150.0].map(|degrees: f64| polar(degrees.to_radians(), 1.0 + 0.002 * degrees));
     vec![
         (vec![[1.0, 0.0], [0.7, 0.9]], 0.9f64.atan2(0.7)),
         (vec![[1.0, 0.0], [0.0, 1.0]], 0.5 * PI),
@@ -49,7 +50,8 @@ fn two_computations_agree_up_to_the_limit_of_finiteness() {
     let cases = [(1.2, 0.3), (1e-2, 0.7), (1e-3, 0.6), (1e-6, 0.4)];
     for (number, (points, angle)) in polygons().into_iter().enumerate() {
         // Two of the four for each polygon, and all four where there is time.
-        for (gap, s) in cases.into_iter().skip(number % 2).step_by(if crate::MANY { 1 } else { 2 }) {
+        for (gap, s) in cases.into_iter().skip(number % 2).step_by(if crate::MANY { 1 } else { 2 })
+        {
             let (a, b) = (gap + s - 1.0, PI / angle);
             let star = Triangles::star(&points).unwrap();
             let other = Star::new(&points).squared(a, b, s).sqrt();
@@ -58,15 +60,22 @@ fn two_computations_agree_up_to_the_limit_of_finiteness() {
                 let w = Function::from_plane_positions(&mesh, &[(0, a)], power(a, b)).unwrap();
                 let found = seminorm(&w, s, 1e-8).unwrap();
                 let difference = off(found, other);
-                assert!(difference < TWO_ROADS, "{angle} {gap} {s}: {found} {other} {difference:e}");
+                assert!(
+                    difference < TWO_ROADS,
+                    "{angle} {gap} {s}: {found} {other} {difference:e}"
+                );
                 worst = worst.max(difference);
             }
         }
     }
     // A frequency that is off by 1e-6 is seen.
     let (points, star) = (&polygons()[0].0, Star::new(&polygons()[0].0));
-    let w = Function::from_plane_positions(&Triangles::star(points).unwrap(), &[(0, 0.4)], power(0.4, 2.0))
-        .unwrap();
+    let w = Function::from_plane_positions(
+        &Triangles::star(points).unwrap(),
+        &[(0, 0.4)],
+        power(0.4, 2.0),
+    )
+    .unwrap();
     let wrong = off(seminorm(&w, 0.6, 1e-8).unwrap(), star.squared(0.4, 2.0 + 2e-6, 0.6).sqrt());
     println!("two computations: {worst:.1e}, a wrong frequency: {wrong:.1e}");
     assert!(wrong > 10.0 * TWO_ROADS);
@@ -88,12 +97,14 @@ fn piecewise_functions_on_a_random_mesh(seed: u64) {
     let linear = Function::on_triangles(&mesh, 1, &values).unwrap();
     let steps: Vec<f64> = (0..mesh.triangles().len()).map(|k| (k as f64).sin()).collect();
     let step = Function::on_triangles(&mesh, 0, &steps).unwrap();
-    let cross =
-        |u: [f64; 2], v: [f64; 2], w: [f64; 2]| (v[0] - u[0]) * (w[1] - u[1]) - (v[1] - u[1]) * (w[0] - u[0]);
+    let cross = |u: [f64; 2], v: [f64; 2], w: [f64; 2]| {
+        (v[0] - u[0]) * (w[1] - u[1]) - (v[1] - u[1]) * (w[0] - u[0])
+    };
     let at_corners = |at: &PlanePosition<'_>| {
         let [a, b, c] = mesh.triangles()[at.triangle()];
         let (p, q, r, x) = (nodes[a], nodes[b], nodes[c], at.x());
-        let parts = cross(x, q, r) * values[a] + cross(p, x, r) * values[b] + cross(p, q, x) * values[c];
+        let parts =
+            cross(x, q, r) * values[a] + cross(p, x, r) * values[b] + cross(p, q, x) * values[c];
         parts / cross(p, q, r)
     };
     let smooth = Function::from_plane_positions(&mesh, &[], at_corners).unwrap();
@@ -104,7 +115,10 @@ fn piecewise_functions_on_a_random_mesh(seed: u64) {
         let exact = known.seminorm(order, Tolerance::new(1e-12).unwrap()).unwrap();
         let found = seminorm(w, s, 1e-9).unwrap();
         let difference = off(found, exact.value);
-        assert!(difference <= found.relative_error() + exact.relative_error(), "{s}: {found} {exact}");
+        assert!(
+            difference <= found.relative_error() + exact.relative_error(),
+            "{s}: {found} {exact}"
+        );
     };
     [0.05, 0.5, 0.75, 1.0 - 1e-8].into_iter().for_each(|s| of(&linear, &smooth, s));
     [0.05, 0.3, 0.5 - 1e-9].into_iter().for_each(|s| of(&step, &jumps, s));
@@ -113,7 +127,10 @@ fn piecewise_functions_on_a_random_mesh(seed: u64) {
         assert!(off(found, known.norm(0.0, 1e-12).unwrap().value) < 1e-12);
     }
     let error = seminorm(&jumps, 0.5, 1e-4).unwrap_err();
-    assert!(matches!(error, Error::InfiniteNorm { .. }) && error.to_string().contains("s >= 1/2"), "{error}");
+    assert!(
+        matches!(error, Error::InfiniteNorm { .. }) && error.to_string().contains("s >= 1/2"),
+        "{error}"
+    );
     assert!(jumps.with_gradient(vec![jumping(), jumping()]).norm(1.3, Tolerance::fast()).is_err());
 }
 
@@ -146,16 +163,19 @@ fn estimates_are_honest() {
     for case in 0..cases {
         let parts = 1 + random.below(3);
         let step = random.between(0.5, 1.2);
-        let points: Points = (0..=parts).map(|k| polar(step * k as f64, random.between(0.7, 1.4))).collect();
+        let points: Points =
+            (0..=parts).map(|k| polar(step * k as f64, random.between(0.7, 1.4))).collect();
         let s = random.between(0.1, 0.9);
         let a = s - 1.0 + 10f64.powf(random.between(-3.0, 0.2));
-        let (b, c, d) = (random.between(0.5, 3.0), random.between(0.0, 2.0), random.between(0.0, 3.0));
+        let (b, c, d) =
+            (random.between(0.5, 3.0), random.between(0.0, 2.0), random.between(0.0, 3.0));
         let of = |at: &PlanePosition<'_>| {
             let (r, phi) = (at.radius(0), at.angle(0));
             r.powf(a) * ((b * phi).sin() + c * (d * r).cos())
         };
         let star = Triangles::star(&points).unwrap();
-        let mesh = if case % 3 == 0 { star.cut_at(0, random.between(0.3, 0.7)).unwrap() } else { star };
+        let mesh =
+            if case % 3 == 0 { star.cut_at(0, random.between(0.3, 0.7)).unwrap() } else { star };
         let w = Function::from_plane_positions(&mesh, &[(0, a)], of).unwrap();
         let found = seminorm(&w, s, 10f64.powf(random.between(-5.0, -1.5))).unwrap();
         let exact = seminorm(&w, s, 1e-8).unwrap();
@@ -175,13 +195,16 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
     // |w(·/l)|_s = l^{1−s}|w|_s.
     let scaled = |l: f64| {
         let of = |at: &PlanePosition<'_>| (at.radius(0) / l).powf(a) * (2.0 * at.angle(0)).sin();
-        seminorm(&Function::from_plane_positions(&star(l), &[(0, a)], of).unwrap(), 0.3, 1e-8).unwrap().value
+        seminorm(&Function::from_plane_positions(&star(l), &[(0, a)], of).unwrap(), 0.3, 1e-8)
+            .unwrap()
+            .value
     };
     for l in [1e-100f64, 1e100] {
         assert!((scaled(l) / scaled(1.0) / l.powf(0.7) - 1.0).abs() < 1e-13);
     }
     // The corner elsewhere, turned: the same norm, which distances that are rounded would not give.
-    let turned = star(1.0).mapped(|[x, y]| [3.0 + 0.6 * x - 0.8 * y, -2.0 + 0.8 * x + 0.6 * y]).unwrap();
+    let turned =
+        star(1.0).mapped(|[x, y]| [3.0 + 0.6 * x - 0.8 * y, -2.0 + 0.8 * x + 0.6 * y]).unwrap();
     let w = Function::from_plane_positions(&turned, &[(0, a)], power(a, 2.0)).unwrap();
     assert!((seminorm(&w, 0.3, 1e-8).unwrap().value / scaled(1.0) - 1.0).abs() < 1e-12);
 }
@@ -189,8 +212,9 @@ fn distances_from_a_corner_are_exact_down_to_1e_100() {
 #[test]
 fn what_cannot_be_is_an_error() {
     let star = || Triangles::star(&[[1.0, 0.0], [0.0, 1.0]]).unwrap();
-    let declared =
-        |corners: &[(usize, f64)]| Function::from_plane_positions(&star(), corners, |_| 1.0).map(|_| ());
+    let declared = |corners: &[(usize, f64)]| {
+        Function::from_plane_positions(&star(), corners, |_| 1.0).map(|_| ())
+    };
     assert!(matches!(declared(&[(0, -1.0)]), Err(Error::OutOfRange { .. })));
     assert!(matches!(declared(&[(0, f64::NAN)]), Err(Error::OutOfRange { .. })));
     assert!(matches!(declared(&[(7, 0.5)]), Err(Error::Node { .. })));
@@ -210,7 +234,8 @@ fn what_cannot_be_is_an_error() {
     // What is rougher than declared is not believed, nor a corner that was not declared.
     let rough = Function::from_plane_positions(&star(), &[(0, 0.5)], power(-0.8, 2.0)).unwrap();
     let hidden =
-        Function::from_plane_positions(&star(), &[], |at| at.x()[0].hypot(at.x()[1]).powf(-0.25)).unwrap();
+        Function::from_plane_positions(&star(), &[], |at| at.x()[0].hypot(at.x()[1]).powf(-0.25))
+            .unwrap();
     for w in [&rough, &hidden] {
         assert!(matches!(
             seminorm(w, 0.7, 1e-6),

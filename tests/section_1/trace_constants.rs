@@ -65,7 +65,10 @@ fn corners_agree_with_graded_meshes_and_acute_ones_do_harm() {
         let square = half_plane(s);
         let found = trace_quotient(Domain::Corner(f64::to_radians(degrees)), s, tau, 1e-4).unwrap();
         // The reference itself is good to 1e-5.
-        assert!((found.value / square - share).abs() < 2e-5 * share, "{s} {degrees} {tau}: {found} {share}");
+        assert!(
+            (found.value / square - share).abs() < 2e-5 * share,
+            "{s} {degrees} {tau}: {found} {share}"
+        );
     }
     let worse = CORNERS.iter().filter(|(_, degrees, _, share)| *degrees == 30.0 && *share > 1.0);
     assert!(worse.count() > 0);

@@ -38,7 +38,10 @@ fn both_formats_of_gmsh_hold_the_same_body() {
     // The floor rises by 20 degrees; the normal points down and to the right.
     let normal = ContactEdge::of(&four).unwrap().normal().unwrap();
     let angle = 20_f64.to_radians();
-    assert!((normal[0] - angle.sin()).abs() < SUMS && (normal[1] + angle.cos()).abs() < SUMS, "{normal:?}");
+    assert!(
+        (normal[0] - angle.sin()).abs() < SUMS && (normal[1] + angle.cos()).abs() < SUMS,
+        "{normal:?}"
+    );
     for (good, bad) in [
         ("$EndNodes\n", "1 0 0 0\n$EndNodes\n"),
         ("36 2 2 4 1", "36 3 2 4 1"),
@@ -49,12 +52,15 @@ fn both_formats_of_gmsh_hold_the_same_body() {
         assert!(text != L_SHAPE_2 && parse_msh(&text).is_err(), "{bad}");
     }
     // Names in other words, a clockwise surface.
-    let renamed = L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
+    let renamed =
+        L_SHAPE.replace("\"contact\"", "\"Contact_1\"").replace("\"clamped\"", "\"Dirichlet\"");
     let renamed = parse_msh(&renamed).unwrap();
     assert_eq!((renamed.boundary(), renamed.triangles()), (four.boundary(), four.triangles()));
     assert!(renamed.groups().contains(&"Contact_1") && four.groups().contains(&"contact"));
     let out_of_plane = L_SHAPE_2.replacen("\n1 0 0 0\n", "\n1 0 0 0.5\n", 1);
-    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else { panic!("not in a plane") };
+    let Err(Error::AtLine { line, cause, .. }) = parse_msh(&out_of_plane) else {
+        panic!("not in a plane")
+    };
     assert!(out_of_plane.lines().nth(line - 1).is_some_and(|line| !line.is_empty()), "line {line}");
     assert!(matches!(*cause, Error::Toolkit(ToolkitError::Node { .. })), "{cause}");
 }
@@ -68,7 +74,8 @@ fn problem(mesh: &Triangulation, load: &Field<'_>) -> ContactProblem {
 
 fn solved(mesh: &Triangulation, load: &Field<'_>) -> [ContactSolution; 2] {
     let problem = problem(mesh, load);
-    [Solver::ActiveSet, Solver::InteriorPoint].map(|solver| problem.solve(Cone::Nodal, solver).unwrap())
+    [Solver::ActiveSet, Solver::InteriorPoint]
+        .map(|solver| problem.solve(Cone::Nodal, solver).unwrap())
 }
 
 #[test]
@@ -117,7 +124,8 @@ fn two_contact_edges_have_two_normals() {
     let stress = stresses(&mesh, &form, &by_sets.displacement).unwrap();
     for (nodes, s) in mesh.triangles().iter().zip(&stress) {
         let p = nodes.map(|node| mesh.nodes()[node]);
-        let twice = (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
+        let twice =
+            (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]);
         for k in 0..3 {
             let (a, b) = (p[(k + 1) % 3], p[(k + 2) % 3]);
             // twice the area times ∇φ_k
@@ -192,8 +200,14 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         (load("ln(x - 1), 0"), "is not finite: NaN at ("),
         (load("0, 1/(x - x)"), "is not finite: inf at ("),
         (Options { poisson: "0.5".to_owned(), ..Default::default() }, "Poisson's ratio"),
-        (Options { young: "1, 2".to_owned(), ..Default::default() }, "by physical surface: body=.."),
-        (Options { young: "rim=2".to_owned(), ..Default::default() }, "no region 'rim': the mesh has body"),
+        (
+            Options { young: "1, 2".to_owned(), ..Default::default() },
+            "by physical surface: body=..",
+        ),
+        (
+            Options { young: "rim=2".to_owned(), ..Default::default() },
+            "no region 'rim': the mesh has body",
+        ),
         (Options { young: "two".to_owned(), ..Default::default() }, "'two' is not a finite number"),
         (
             Options { traction: "top=0, 1".to_owned(), ..Default::default() },
@@ -226,7 +240,8 @@ fn a_mesh_without_a_clamp_or_a_floor_is_refused_with_what_to_do() {
         ),
     ] {
         std::fs::write(&body, L_SHAPE.replace(&format!("\"{group}\""), "\"free\"")).unwrap();
-        let options = Options { mesh: Some(body.clone()), load: "0, 1".to_owned(), ..Default::default() };
+        let options =
+            Options { mesh: Some(body.clone()), load: "0, 1".to_owned(), ..Default::default() };
         let error = outcome(&options).unwrap_err();
         assert!(error.contains(why), "{error}");
     }

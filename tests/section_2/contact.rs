@@ -40,7 +40,8 @@ fn nested_energy_errors_decrease() {
 /// A body of E = 5/2 under the volume load (0, f).
 fn pressed(mesh: Triangulation, f: f64, poisson: f64) -> ContactProblem {
     let load = [0.0, f].repeat(mesh.nodes().len());
-    ContactProblem::new(mesh, Form::elastic(Lame::plane_strain(2.5, poisson).unwrap()), &load).unwrap()
+    ContactProblem::new(mesh, Form::elastic(Lame::plane_strain(2.5, poisson).unwrap()), &load)
+        .unwrap()
 }
 
 /// Forces of a body hanging from its top, pressed down by f = (0, −1): load, reaction and floor add up to zero, to the

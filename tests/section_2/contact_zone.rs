@@ -58,7 +58,8 @@ impl ContactZone {
         let y = (r / self.length).sqrt().acosh();
         let (sin, cos) = (2.0 * self.epsilon * y).sin_cos();
         let bracket = y.cosh() * sin - 2.0 * self.epsilon * y.sinh() * cos;
-        (self.kappa + 1.0) * self.length.sqrt() * bracket / (1.0 + 4.0 * self.epsilon * self.epsilon)
+        (self.kappa + 1.0) * self.length.sqrt() * bracket
+            / (1.0 + 4.0 * self.epsilon * self.epsilon)
     }
 }
 

@@ -37,20 +37,28 @@ fn solve(scene: &DirichletEnd) -> Result<(ContactSolution, Vec<RadialInterval>, 
 #[test]
 fn every_elastic_body_touches_at_the_end() {
     for (poisson, direction) in [(-0.5, 90.0), (0.0, -90.0), (0.0, 180.0), (0.25, 0.0)] {
-        let scene = DirichletEnd { angles: 8, smallest: 1e-20, poisson: Some(poisson), direction, ..SCENE };
+        let scene =
+            DirichletEnd { angles: 8, smallest: 1e-20, poisson: Some(poisson), direction, ..SCENE };
         let (solution, parts, worst) = solve(&scene).unwrap();
-        assert!(parts[0].in_contact && parts.len() <= 3 && worst < 1e-10, "{scene:?}: {parts:?} {worst}");
+        assert!(
+            parts[0].in_contact && parts.len() <= 3 && worst < 1e-10,
+            "{scene:?}: {parts:?} {worst}"
+        );
         let full = ContactSet::new(&vec![true; solution.positions.len()]);
         let settings = Settings { start: Start::Set(full), ..Settings::default() };
         let closed = scene.problem().unwrap().solve(Cone::Nodal, settings).unwrap();
         // Nothing is decided at the end itself.
-        assert_eq!(solution.contact_set.as_slice()[1..], closed.contact_set.as_slice()[1..], "{scene:?}");
+        assert_eq!(
+            solution.contact_set.as_slice()[1..],
+            closed.contact_set.as_slice()[1..],
+            "{scene:?}"
+        );
     }
     let scalar = DirichletEnd { poisson: None, smallest: 1e-20, ..SCENE };
     assert!(
-        [90.0, -90.0]
-            .iter()
-            .all(|&direction| { solve(&DirichletEnd { direction, ..scalar }).unwrap().1.len() == 1 })
+        [90.0, -90.0].iter().all(|&direction| {
+            solve(&DirichletEnd { direction, ..scalar }).unwrap().1.len() == 1
+        })
     );
 }
 

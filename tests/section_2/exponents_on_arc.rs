@@ -64,8 +64,10 @@ fn pencil(wedge: &Wedge, degree: usize) -> (Mat<f64>, Mat<f64>) {
             for k in 0..count {
                 a[(place, row * count + k)] += slopes[k];
                 for function in 0..functions {
-                    a[(place, function * count + k)] -= omega * law.first[(row, function)] * values[k];
-                    b[(place, function * count + k)] += omega * law.linear[(row, function)] * values[k];
+                    a[(place, function * count + k)] -=
+                        omega * law.first[(row, function)] * values[k];
+                    b[(place, function * count + k)] +=
+                        omega * law.linear[(row, function)] * values[k];
                 }
             }
             b[(place, functions * count + j)] += omega * law.quadratic[row];
@@ -148,7 +150,8 @@ fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
         let (norm, odd) = (((2 * k + 1) as f64).sqrt(), (2 * k + 1) as f64);
         slopes[k + 1] = norm * legendre[k];
         // (2k+1) P_k = P'_{k+1} − P'_{k−1}, and d/dx = 2 d/d(2x−1)
-        values[k + 1] = if k == 0 { x } else { norm * (legendre[k + 1] - legendre[k - 1]) / (2.0 * odd) };
+        values[k + 1] =
+            if k == 0 { x } else { norm * (legendre[k + 1] - legendre[k - 1]) / (2.0 * odd) };
     }
     (values, slopes)
 }
@@ -158,7 +161,8 @@ fn general_eigenvalues(a: &Mat<f64>) -> Vec<c64> {
     let size = a.nrows();
     let (mut real, mut imaginary) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, 1));
     let none = ComputeEigenvectors::No;
-    let mut memory = MemBuffer::new(evd_scratch::<f64>(size, none, none, Par::Seq, Default::default()));
+    let mut memory =
+        MemBuffer::new(evd_scratch::<f64>(size, none, none, Par::Seq, Default::default()));
     let stack = MemStack::new(&mut memory);
     let re = real.as_mut().col_mut(0).as_diagonal_mut();
     let im = imaginary.as_mut().col_mut(0).as_diagonal_mut();

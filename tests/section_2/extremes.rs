@@ -42,10 +42,14 @@ impl Draft {
             hierarchy.refine_where(|mesh, t| mesh.corners(t).contains(&point)).unwrap();
         }
         let form = if random.below(2) == 0 {
-            Form::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) } }
+            Form::Scalar {
+                reaction: if random.below(2) == 0 { 0.0 } else { random.between(0.0, 10.0) },
+            }
         } else {
             let mu = 10_f64.powf(random.between(-1.0 - decades, 1.0 + decades));
-            Form::elastic(Lame::new(mu * 10_f64.powf(random.between(-decades, decades)), mu).unwrap())
+            Form::elastic(
+                Lame::new(mu * 10_f64.powf(random.between(-decades, decades)), mu).unwrap(),
+            )
         };
         let (rough, waves) = (random.below(2) == 0, random.between(0.5, 6.0));
         let nodes = hierarchy.finest().nodes();
@@ -78,7 +82,9 @@ impl Draft {
         let (density, unit) = (load_scale / (scale * scale), load_scale);
         let load: Vec<f64> = match self.form.components() {
             1 => self.load.iter().map(|f| f * density).collect(),
-            _ => self.load.chunks(2).flat_map(|f| turn([f[0], f[1]])).map(|f| f * density).collect(),
+            _ => {
+                self.load.chunks(2).flat_map(|f| turn([f[0], f[1]])).map(|f| f * density).collect()
+            }
         };
         let form = match self.form {
             Form::Scalar { reaction } => Form::Scalar { reaction: reaction / (scale * scale) },
@@ -108,8 +114,12 @@ fn side(random: &mut SplitMix) -> Part {
 /// Random corners above a straight bottom in contact, graded and distorted grid, clamped top.
 fn quadrilateral(random: &mut SplitMix) -> Triangulation {
     let (nx, ny) = (1 + random.below(6), 1 + random.below(4));
-    let sides =
-        SideParts { bottom: Part::Contact, right: side(random), top: Part::Dirichlet, left: side(random) };
+    let sides = SideParts {
+        bottom: Part::Contact,
+        right: side(random),
+        top: Part::Dirichlet,
+        left: side(random),
+    };
     let [a, b] = [random.between(-0.2, 0.2), random.between(-0.2, 0.2)];
     let [p, q] = [random.between(0.7, 2.0), random.between(0.7, 2.0)];
     let grading = random.between(0.6, 2.0);
@@ -220,18 +230,24 @@ fn answers_do_not_depend_on_place_size_or_units() {
     for seed in 0..if crate::MANY { 300 } else { 80 } {
         let draft = Draft::random(seed, 2.0);
         for cone in Cone::ALL {
-            let still = draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
+            let still =
+                draft.problem(1.0, 0.0, [0.0; 2], 1.0).solve(cone, Solver::ActiveSet).unwrap();
             let largest = still.normal_displacement.iter().fold(0.0, |m: f64, u| m.max(u.abs()));
             for (scale, angle, shift, units) in moves {
                 let problem = draft.problem(scale, angle, shift, units);
                 let moved = problem.solve(cone, Solver::ActiveSet).unwrap();
-                let case = format!("scene {seed}, {cone}, moved by {:?}", (scale, angle, shift, units));
+                let case =
+                    format!("scene {seed}, {cone}, moved by {:?}", (scale, angle, shift, units));
                 judged(&moved, &case);
-                let energy = (moved.energy / units / units - still.energy).abs() / energy_scale(&still);
+                let energy =
+                    (moved.energy / units / units - still.energy).abs() / energy_scale(&still);
                 assert!(energy <= INVARIANCE, "{case}: J off by {energy:e}");
                 for (a, b) in moved.normal_displacement.iter().zip(&still.normal_displacement) {
                     let off = (a / units - b).abs();
-                    assert!(off <= INVARIANCE * largest, "{case}: u_N off by {off:e}, largest {largest:e}");
+                    assert!(
+                        off <= INVARIANCE * largest,
+                        "{case}: u_N off by {off:e}, largest {largest:e}"
+                    );
                 }
             }
         }
@@ -244,7 +260,8 @@ fn midpoint_cone_leaves_every_cycle_under_rough_loads() {
     for seed in 0..if crate::MANY { 200 } else { 50 } {
         let mut random = SplitMix::new(1000 + seed);
         let mesh = TestProblem::Block.mesh(24).unwrap();
-        let load: Vec<f64> = (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
+        let load: Vec<f64> =
+            (0..2 * mesh.nodes().len()).map(|_| random.between(-1.0, 1.0)).collect();
         let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
         let problem = ContactProblem::new(mesh, form, &load).unwrap();
         let solution = problem.solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
@@ -260,7 +277,9 @@ fn midpoint_cone_leaves_every_cycle_under_rough_loads() {
 fn an_energy_that_is_no_number_is_an_error() {
     for load_scale in [1e160, 1e200, 1e300] {
         let setting = Parameters { load_scale, ..Parameters::default() };
-        for (scene, cone) in [(TestProblem::Block, Cone::Nodal), (TestProblem::Membrane, Cone::Midpoint)] {
+        for (scene, cone) in
+            [(TestProblem::Block, Cone::Nodal), (TestProblem::Membrane, Cone::Midpoint)]
+        {
             let problem = scene.problem_with(8, &setting).unwrap();
             for solver in [Solver::ActiveSet, Solver::InteriorPoint] {
                 let outcome = problem.attempt(cone, solver);

@@ -14,8 +14,16 @@ const PAGE: &str = include_str!("../../book/src/your_own_body.md");
 const BEGIN: &str = "| file | what happens |\n| --- | --- |\n";
 
 /// A block of two surfaces, in contact at one half of its bottom, clamped on its left.
-const NODES: [[f64; 2]; 8] =
-    [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.5], [1.5, 0.5]];
+const NODES: [[f64; 2]; 8] = [
+    [0.0, 0.0],
+    [1.0, 0.0],
+    [2.0, 0.0],
+    [2.0, 1.0],
+    [1.0, 1.0],
+    [0.0, 1.0],
+    [0.5, 0.5],
+    [1.5, 0.5],
+];
 /// Group, curve, nodes.
 const LINES: [[i32; 4]; 6] =
     [[1, 1, 1, 2], [2, 2, 2, 3], [3, 3, 3, 4], [3, 4, 4, 5], [3, 5, 5, 6], [2, 6, 6, 1]];
@@ -82,7 +90,9 @@ impl File {
     }
 
     fn sizes(&mut self, values: &[usize]) {
-        values.iter().for_each(|&value| self.number((value as u64).to_ne_bytes(), &value.to_string()));
+        values
+            .iter()
+            .for_each(|&value| self.number((value as u64).to_ne_bytes(), &value.to_string()));
     }
 
     fn reals(&mut self, values: &[f64]) {
@@ -105,12 +115,17 @@ fn written(how: How) -> Vec<u8> {
         file.ints(&[1]);
         file.text("\n");
     }
-    let names =
-        if how.version == "2.0" { NAMES.replace("\n1 ", "\n").replace("\n2 5", "\n5") } else { NAMES.into() };
+    let names = if how.version == "2.0" {
+        NAMES.replace("\n1 ", "\n").replace("\n2 5", "\n5")
+    } else {
+        NAMES.into()
+    };
     let names = if how.version == "2.0" { names.replacen("1 1", "1", 1) } else { names };
     let part = if how.partitioned { "2 6 \"_part{1}_physical{5}_dim{2}_tag{1}\"\n" } else { "" };
     let count = 4 + usize::from(how.partitioned);
-    file.text(&format!("$EndMeshFormat\n$PhysicalNames\n{count}\n{names}{part}$EndPhysicalNames\n"));
+    file.text(&format!(
+        "$EndMeshFormat\n$PhysicalNames\n{count}\n{names}{part}$EndPhysicalNames\n"
+    ));
     match how.version.starts_with('4') {
         true => write_blocks(&mut file),
         false => write_lists(&mut file),
@@ -132,8 +147,10 @@ fn nodes_of(corners: &[i32], how: How) -> Vec<i32> {
 fn all_nodes(how: How) -> Vec<(i32, [f64; 3])> {
     let mut all: Vec<(i32, [f64; 3])> = (1..).zip(NODES.map(|[x, y]| [x, y, 0.0])).collect();
     if how.second_order {
-        let mut middles: Vec<i32> =
-            TRIANGLES.iter().flat_map(|[_, corners @ ..]| nodes_of(corners, how)[3..].to_vec()).collect();
+        let mut middles: Vec<i32> = TRIANGLES
+            .iter()
+            .flat_map(|[_, corners @ ..]| nodes_of(corners, how)[3..].to_vec())
+            .collect();
         middles.sort_unstable();
         middles.dedup();
         let half = |k: i32| {
@@ -192,7 +209,11 @@ fn write_blocks(file: &mut File) {
             file.sizes(&[1]);
             entity(file, &[surface], if surface == 1 { &[BODY, 6] } else { &[BODY] });
         }
-        file.text(if how.binary { "\n$EndPartitionedEntities\n" } else { "$EndPartitionedEntities\n" });
+        file.text(if how.binary {
+            "\n$EndPartitionedEntities\n"
+        } else {
+            "$EndPartitionedEntities\n"
+        });
     }
     let offset = if how.partitioned { 10 } else { 0 };
     let blocks = |file: &mut File, counts: &[usize]| {
@@ -272,9 +293,11 @@ fn write_lists(file: &mut File) {
         true => vec![group, entity, 1, entity],
         false => vec![group, entity],
     };
-    let lines =
-        LINES.iter().map(|[group, curve, corners @ ..]| (kinds[0], tags(*group, *curve), &corners[..]));
-    let triangles = TRIANGLES.iter().map(|[of, corners @ ..]| (kinds[1], tags(BODY, *of), &corners[..]));
+    let lines = LINES
+        .iter()
+        .map(|[group, curve, corners @ ..]| (kinds[0], tags(*group, *curve), &corners[..]));
+    let triangles =
+        TRIANGLES.iter().map(|[of, corners @ ..]| (kinds[1], tags(BODY, *of), &corners[..]));
     for (k, (kind, tags, corners)) in (1..).zip(lines.chain(triangles)) {
         match how.binary {
             true => file.ints(&[kind, 1, tags.len() as i32, k]),
@@ -313,7 +336,8 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
     let text = |how: How| String::from_utf8(written(how)).unwrap();
     let (four, two) = (text(TEXT), text(of("2.2")));
     let shared = |bytes: &[u8]| bytes.to_vec();
-    let utf_16: Vec<u8> = [0xfeff].into_iter().chain(two.encode_utf16()).flat_map(u16::to_le_bytes).collect();
+    let utf_16: Vec<u8> =
+        [0xfeff].into_iter().chain(two.encode_utf16()).flat_map(u16::to_le_bytes).collect();
     let mut cut = written(How { binary: true, ..TEXT });
     cut.truncate(cut.len() - 100);
     let two_groups = [("1 0 0 0 2 1 0 1 1 1 1 ", "1 0 0 0 2 1 0 2 1 3 1 1 ")];
@@ -331,7 +355,10 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("4.1, partitioned, binary", written(How { partitioned: true, binary: true, ..TEXT })),
         ("4.0", written(of("4.0"))),
         ("4.0, binary", written(How { binary: true, ..of("4.0") })),
-        ("4.0, parametric, partitioned", written(How { parametric: true, partitioned: true, ..of("4.0") })),
+        (
+            "4.0, parametric, partitioned",
+            written(How { parametric: true, partitioned: true, ..of("4.0") }),
+        ),
         ("2.2", written(of("2.2"))),
         ("2.2, binary", written(How { binary: true, ..of("2.2") })),
         (
@@ -339,7 +366,10 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
             written(How { binary: true, swapped: true, ..of("2.2") }),
         ),
         ("2.2, parametric nodes", shared(include_bytes!("../data/msh/parametric_22.msh"))),
-        ("2.2, parametric nodes, binary", written(How { parametric: true, binary: true, ..of("2.2") })),
+        (
+            "2.2, parametric nodes, binary",
+            written(How { parametric: true, binary: true, ..of("2.2") }),
+        ),
         ("2.2, partitioned, binary", written(How { partitioned: true, binary: true, ..of("2.2") })),
         ("2.1", written(of("2.1"))),
         ("2.0", written(of("2.0"))),
@@ -371,7 +401,10 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
             "second-order triangles, 2.2, binary",
             written(How { second_order: true, binary: true, ..of("2.2") }),
         ),
-        ("triangles in both orientations", shared(include_bytes!("../data/msh/mixed_orientation_22.msh"))),
+        (
+            "triangles in both orientations",
+            shared(include_bytes!("../data/msh/mixed_orientation_22.msh")),
+        ),
         ("a curve inside with a group", shared(include_bytes!("../data/msh/interface_curve.msh"))),
         ("a Physical Point", shared(include_bytes!("../data/msh/physical_point_clamped.msh"))),
         (
@@ -380,7 +413,9 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
         ),
         (
             "groups in other words",
-            two.replace("\"clamped\"", "\"Fixed\"").replace("\"free\"", "\"free_top\"").into_bytes(),
+            two.replace("\"clamped\"", "\"Fixed\"")
+                .replace("\"free\"", "\"free_top\"")
+                .into_bytes(),
         ),
         ("no Physical Surface", shared(include_bytes!("../data/msh/no_physical_surface.msh"))),
         ("a boundary curve without a group", changed(&two, &[("1 1 2 1 1 1 2", "1 1 2 0 1 1 2")])),
@@ -435,9 +470,14 @@ fn every_kind_of_file_is_read_or_refused_as_the_page_says() {
             edges
         };
         if !kind.starts_with("a curve inside")
-            && !["partitioned by Gmsh", "a Physical Point", "both orientations", "2.2, parametric nodes"]
-                .iter()
-                .any(|other| kind.ends_with(other))
+            && ![
+                "partitioned by Gmsh",
+                "a Physical Point",
+                "both orientations",
+                "2.2, parametric nodes",
+            ]
+            .iter()
+            .any(|other| kind.ends_with(other))
         {
             assert_eq!(edges(&mesh), edges(&reference), "{kind}");
             assert_eq!(energy(mesh), energy(reference.clone()), "{kind}");
@@ -495,7 +535,10 @@ fn parts_are_given_to_groups_with_other_names() {
     assert!(mesh(&named[..1]).unwrap_err().to_string().contains("boundary part 'Wall'"));
     let wrong = mesh(&[named[0], named[1], ("cieling", Part::Neumann)]).unwrap_err();
     assert!(matches!(wrong, Error::AtLine { .. }));
-    assert!(wrong.to_string().contains("no boundary group 'cieling': it has Wall, floor, free"), "{wrong}");
+    assert!(
+        wrong.to_string().contains("no boundary group 'cieling': it has Wall, floor, free"),
+        "{wrong}"
+    );
     let wrong = mesh(&[named[0], named[1], ("free", Part::Contact)]).unwrap_err().to_string();
     assert!(wrong.contains("boundary part 'contact for the group free'"), "{wrong}");
 }

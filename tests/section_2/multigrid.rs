@@ -7,7 +7,8 @@ use signorini::Error;
 use signorini::ToolkitError;
 use signorini::cone::Cone;
 use signorini::contact::{
-    Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings, Solver,
+    Accuracy, ContactProblem, ContactSolution, Fallback, MultigridReport, Progress, Settings,
+    Solver,
 };
 use signorini::fem::{Field, Form};
 use signorini::mesh::{Hierarchy, SideParts, unit_square};
@@ -47,7 +48,8 @@ const SHARE: Accuracy = Accuracy::OfDiscretisation(0.01);
 
 /// |u − v|_a.
 fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> f64 {
-    let difference: Vec<f64> = u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
+    let difference: Vec<f64> =
+        u.displacement.iter().zip(&v.displacement).map(|(a, b)| a - b).collect();
     problem.energy_norm(&difference).unwrap()
 }
 
@@ -55,7 +57,12 @@ fn assert_same(problem: &ContactProblem, cone: Cone, one: &ContactSolution, case
     let other = direct(problem, cone);
     assert_eq!(one.status.to_string(), "converged", "{case}");
     let scale = other.energy.abs().max(other.force_scale * other.displacement_scale * 1e-6);
-    assert!((one.energy - other.energy).abs() <= ENERGIES * scale, "{case}: {} {}", one.energy, other.energy);
+    assert!(
+        (one.energy - other.energy).abs() <= ENERGIES * scale,
+        "{case}: {} {}",
+        one.energy,
+        other.energy
+    );
     let force = other.contact_force.abs().max(other.force_scale);
     assert!((one.contact_force - other.contact_force).abs() <= FORCES * force, "{case}");
     if !other.margins.is_weak(1e-9) {
@@ -72,13 +79,20 @@ fn every_problem_is_solved_as_by_the_direct_solver() {
                 let case = format!("{scene} {cone} {n}");
                 let found = multigrid(&problem, cone, None, 1e-12);
                 let expected = match scene {
-                    _ if cone == Cone::Midpoint && problem.edge().is_closed() => Some(Fallback::ClosedEdge),
+                    _ if cone == Cone::Midpoint && problem.edge().is_closed() => {
+                        Some(Fallback::ClosedEdge)
+                    }
                     TestProblem::Incompressible => Some(Fallback::NearlyIncompressible),
                     // Its mesh is no grid.
                     TestProblem::Bracket => Some(Fallback::NoLevels),
                     _ => None,
                 };
-                assert_eq!(report(&found).fallback, expected, "{case}: {:?}", report(&found).levels);
+                assert_eq!(
+                    report(&found).fallback,
+                    expected,
+                    "{case}: {:?}",
+                    report(&found).levels
+                );
                 assert_same(&problem, cone, &found, &case);
                 assert!(
                     report(&found).levels.iter().all(|level| level.steps <= 3),
@@ -126,24 +140,30 @@ fn true_errors_lie_below_their_estimates_and_not_far_below() {
     let tolerances: Vec<f64> =
         (2..=11).step_by(if crate::MANY { 1 } else { 3 }).map(|k| 10_f64.powi(-k)).collect();
     let (mut runs, mut near) = (0, 0);
-    let mut check = |problem: &ContactProblem, hierarchy: Option<&Hierarchy>, cone: Cone, case: &str| {
-        let exact = direct(problem, cone);
-        for &tolerance in &tolerances {
-            let found = multigrid(problem, cone, hierarchy, tolerance);
-            let Some(estimate) = report(&found).error else { continue };
-            let error = apart(problem, &found, &exact);
-            let floor = ROUNDING * estimate.value;
-            assert!(
-                error <= estimate.error + floor,
-                "{case} {tolerance}: {error:e} beyond {:e}",
-                estimate.error
-            );
-            assert!(estimate.error <= tolerance * estimate.value * 1.01 + floor, "{case} {tolerance}");
-            runs += 1;
-            near += usize::from(estimate.error <= 10.0 * error + floor);
-        }
-    };
-    for scene in TestProblem::all().into_iter().filter(|&scene| scene != TestProblem::Incompressible) {
+    let mut check =
+        |problem: &ContactProblem, hierarchy: Option<&Hierarchy>, cone: Cone, case: &str| {
+            let exact = direct(problem, cone);
+            for &tolerance in &tolerances {
+                let found = multigrid(problem, cone, hierarchy, tolerance);
+                let Some(estimate) = report(&found).error else { continue };
+                let error = apart(problem, &found, &exact);
+                let floor = ROUNDING * estimate.value;
+                assert!(
+                    error <= estimate.error + floor,
+                    "{case} {tolerance}: {error:e} beyond {:e}",
+                    estimate.error
+                );
+                assert!(
+                    estimate.error <= tolerance * estimate.value * 1.01 + floor,
+                    "{case} {tolerance}"
+                );
+                runs += 1;
+                near += usize::from(estimate.error <= 10.0 * error + floor);
+            }
+        };
+    for scene in
+        TestProblem::all().into_iter().filter(|&scene| scene != TestProblem::Incompressible)
+    {
         for cone in Cone::ALL {
             for n in [16, 32, 64] {
                 let problem = scene.problem(n).unwrap();
@@ -164,7 +184,8 @@ fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
     for scene in [TestProblem::Block, TestProblem::Membrane, TestProblem::Corner] {
         let (fine, coarse) = (scene.problem(256).unwrap(), scene.problem(64).unwrap());
         let found = coarse.solve(Cone::Nodal, settings(None, SHARE)).unwrap();
-        let (error, expected) = (report(&found).error.unwrap().error, report(&found).discretisation.unwrap());
+        let (error, expected) =
+            (report(&found).error.unwrap().error, report(&found).discretisation.unwrap());
         assert!(error <= 0.03 * expected, "{scene}: {error:e}, {expected:e}");
         // Another estimate of the error of discretisation: the energy of the mesh four times as fine.
         let seen = (2.0 * (found.energy - direct(&fine, Cone::Nodal).energy)).sqrt();
@@ -175,7 +196,10 @@ fn the_accuracy_may_be_a_share_of_the_error_of_discretisation() {
 #[test]
 fn what_multigrid_cannot_do_is_said() {
     let problem = TestProblem::Block.problem(15).unwrap();
-    assert_eq!(report(&multigrid(&problem, Cone::Nodal, None, 1e-8)).fallback, Some(Fallback::NoLevels));
+    assert_eq!(
+        report(&multigrid(&problem, Cone::Nodal, None, 1e-8)).fallback,
+        Some(Fallback::NoLevels)
+    );
     let problem = TestProblem::Block.problem(32).unwrap();
     let accuracy = Accuracy::Relative(Tolerance::new(1e-15).unwrap());
     let beyond = problem.attempt(Cone::Nodal, settings(None, accuracy)).unwrap();
@@ -198,8 +222,8 @@ fn an_observer_may_stop_the_iteration() {
         let reason = "enough".to_owned();
         if progress.level == 2 { Err(Error::Solver { reason }) } else { Ok(()) }
     };
-    let stopped =
-        problem.solve(Cone::Nodal, Settings { progress: Some(&mut observe), ..settings(None, SHARE) });
+    let stopped = problem
+        .solve(Cone::Nodal, Settings { progress: Some(&mut observe), ..settings(None, SHARE) });
     assert!(stopped.is_err_and(|e| e.to_string().contains("enough")));
     assert!(heard.iter().all(|progress| progress.levels == 4 && progress.error.is_finite()));
     assert_eq!(heard.last().map(|progress| progress.level), Some(2));
@@ -250,9 +274,13 @@ fn sets_are_few_on_every_level_from_nothing_known() {
         plain(case, n, &Parameters::default())
     };
     let cases = TestProblem::all().into_iter().map(of);
-    for (case, problem, hierarchy) in cases.chain([plain(TestProblem::Corner, 512, &sixty), graded()]) {
+    for (case, problem, hierarchy) in
+        cases.chain([plain(TestProblem::Corner, 512, &sixty), graded()])
+    {
         let is_eliminated = ["incompressible", "bracket"].contains(&case.as_str());
-        for cone in Cone::ALL.into_iter().filter(|&c| c == Cone::Nodal || !problem.edge().is_closed()) {
+        for cone in
+            Cone::ALL.into_iter().filter(|&c| c == Cone::Nodal || !problem.edge().is_closed())
+        {
             let accuracy = Accuracy::Relative(Tolerance::new(1e-6).unwrap());
             let found = problem.solve(cone, settings(hierarchy.as_ref(), accuracy)).unwrap();
             assert!(found.status.is_converged(), "{case} {cone}");
@@ -263,7 +291,10 @@ fn sets_are_few_on_every_level_from_nothing_known() {
                 report(&found).fallback
             );
             let steps: Vec<usize> = report(&found).levels.iter().map(|level| level.steps).collect();
-            println!("{case} {cone}: {} on the coarsest mesh, {steps:?}", report(&found).coarsest_steps);
+            println!(
+                "{case} {cone}: {} on the coarsest mesh, {steps:?}",
+                report(&found).coarsest_steps
+            );
             let most = if is_eliminated { 4 } else { 3 };
             assert!(
                 report(&found).coarsest_steps <= most,

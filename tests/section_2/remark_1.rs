@@ -11,9 +11,12 @@ const ENERGY: f64 = 1e-8;
 
 #[test]
 fn both_solvers_agree_on_a_closed_edge_in_both_cones() {
-    let transition = KnownSolution::whole_boundary(TransitionPowers::of_regularity(1.75), 0.37).unwrap();
+    let transition =
+        KnownSolution::whole_boundary(TransitionPowers::of_regularity(1.75), 0.37).unwrap();
     for n in [3, 4, 9, 16] {
-        for problem in [TestProblem::MembraneReaction.problem(n).unwrap(), transition.problem(n).unwrap()] {
+        for problem in
+            [TestProblem::MembraneReaction.problem(n).unwrap(), transition.problem(n).unwrap()]
+        {
             assert!(problem.edge().is_closed() && problem.edge().nodes().len() == 4 * n);
             for cone in Cone::ALL {
                 let [one, other] = [Solver::ActiveSet, Solver::InteriorPoint]
@@ -39,7 +42,11 @@ fn full_contact_on_a_ring_is_solved() {
         let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
         assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{cone}");
         assert_eq!(solution.contact_set.count(), 16, "{cone}");
-        assert!(solution.multiplier.iter().all(|&force| force > 0.0), "{cone}: {:?}", solution.multiplier);
+        assert!(
+            solution.multiplier.iter().all(|&force| force > 0.0),
+            "{cone}: {:?}",
+            solution.multiplier
+        );
         let other = problem.solve(cone, Solver::InteriorPoint).unwrap();
         assert!((solution.energy / other.energy - 1.0).abs() < ENERGY, "{cone}");
         assert!((solution.contact_force / other.contact_force - 1.0).abs() < 1e-6, "{cone}");

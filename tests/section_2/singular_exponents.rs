@@ -6,7 +6,9 @@ mod example;
 
 use crate::exponents_on_arc::exponents_on_arc;
 use signorini::problems::{Parameters, TestProblem};
-use signorini::singular::{Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Wedge};
+use signorini::singular::{
+    Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Wedge,
+};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Twelve digits.
@@ -94,8 +96,14 @@ fn none_is_lost() {
         assert_eq!(count, spectrum.zeros(), "{wedge:?}: {:?}", spectrum.places());
         for exponent in &spectrum.exponents {
             let error = exponent.re.error;
-            assert!(error <= DIGITS * exponent.re.value.hypot(exponent.im.value), "{wedge:?}: {error:e}");
-            assert!(!exponent.modes.is_empty() && exponent.modes.len() <= exponent.multiplicity, "{wedge:?}");
+            assert!(
+                error <= DIGITS * exponent.re.value.hypot(exponent.im.value),
+                "{wedge:?}: {error:e}"
+            );
+            assert!(
+                !exponent.modes.is_empty() && exponent.modes.len() <= exponent.multiplicity,
+                "{wedge:?}"
+            );
         }
     }
 }
@@ -150,15 +158,20 @@ fn known_values() {
     }
     // Clamped/free on one line: 1/2 + i ln κ/(2π), and again after one.
     for poisson in [-0.5, 0.0, 0.25, 0.4999] {
-        let flat = list(elastic(PI, poisson, SideConditions(SideCondition::Clamped, SideCondition::Free)));
+        let flat =
+            list(elastic(PI, poisson, SideConditions(SideCondition::Clamped, SideCondition::Free)));
         let oscillation = (3.0f64 - 4.0 * poisson).ln() / TAU;
         assert_eq!(flat.len(), 3);
         (0..3).for_each(|k| close(&flat[k], k as f64 + 0.5, oscillation));
     }
     // The reentrant right angle, free: printed with seven digits in many places.
-    let corner = list(elastic(1.5 * PI, 0.1, SideConditions(SideCondition::Free, SideCondition::Free)));
+    let corner =
+        list(elastic(1.5 * PI, 0.1, SideConditions(SideCondition::Free, SideCondition::Free)));
     for (exponent, printed) in [(&corner[0], 0.544_483_7), (&corner[1], 0.908_529_2)] {
-        assert!((exponent.re.value - printed).abs() < 1e-7 && !exponent.is_complex(), "{exponent:?}");
+        assert!(
+            (exponent.re.value - printed).abs() < 1e-7 && !exponent.is_complex(),
+            "{exponent:?}"
+        );
     }
     // Of 40 digits by Newton's method in another language: near double, thin and hard to compress, complex.
     let references = [
@@ -172,7 +185,8 @@ fn known_values() {
         close(&list(elastic(angle, poisson, sides.parse().unwrap()))[k], re, im);
     }
     // tan ω = ω: the rotation with r ln r.
-    let double = list(elastic(OPENINGS[13], 0.3, SideConditions(SideCondition::Free, SideCondition::Free)));
+    let double =
+        list(elastic(OPENINGS[13], 0.3, SideConditions(SideCondition::Free, SideCondition::Free)));
     let one = double.iter().find(|e| (e.re.value - 1.0).abs() < DIGITS).unwrap();
     assert!(one.multiplicity == 2 && one.has_logarithm() && !one.is_polynomial(), "{one:?}");
 }
@@ -180,21 +194,28 @@ fn known_values() {
 #[test]
 fn closed_forms() {
     for &angle in &OPENINGS {
-        for (sides, shift) in [("D-D", 0.0), ("N-N", 0.0), ("C-D", 0.0), ("D-N", 0.5), ("O-C", 0.5)] {
+        for (sides, shift) in [("D-D", 0.0), ("N-N", 0.0), ("C-D", 0.0), ("D-N", 0.5), ("O-C", 0.5)]
+        {
             let wedge = Wedge::new(angle, sides.parse().unwrap(), Medium::Scalar).unwrap();
             let expected = (1..).map(|k| (f64::from(k) - shift) * PI / angle);
             let expected: Vec<f64> = expected.take_while(|&x| x < LARGEST - DIGITS).collect();
             let found = wedge.exponents().unwrap().exponents;
             assert_eq!(found.len(), expected.len(), "{wedge:?}");
             for (exponent, x) in found.iter().zip(expected) {
-                assert!((exponent.re.value / x - 1.0).abs() < DIGITS, "{wedge:?}: {exponent:?} {x}");
+                assert!(
+                    (exponent.re.value / x - 1.0).abs() < DIGITS,
+                    "{wedge:?}: {exponent:?} {x}"
+                );
             }
         }
         // Contact on both sides: |1 + kπ/ω|, whatever the material.
-        let wedge = elastic(angle, 0.3, SideConditions(SideCondition::Closed, SideCondition::Closed));
+        let wedge =
+            elastic(angle, 0.3, SideConditions(SideCondition::Closed, SideCondition::Closed));
         let expected = (-9..=9).map(|k| 1.0 + f64::from(k) * PI / angle);
-        let mut expected: Vec<f64> =
-            expected.flat_map(|x| [x, x - 2.0]).filter(|&x| x > DIGITS && x < LARGEST - DIGITS).collect();
+        let mut expected: Vec<f64> = expected
+            .flat_map(|x| [x, x - 2.0])
+            .filter(|&x| x > DIGITS && x < LARGEST - DIGITS)
+            .collect();
         expected.sort_by(f64::total_cmp);
         // x = 1 + kπ/ω and −1 + kπ/ω, the second written as the first less two.
         let found: Vec<f64> = wedge.exponents().unwrap().places().iter().map(|z| z.0).collect();
@@ -271,11 +292,15 @@ fn exponents_are_read_at_the_corners_of_bodies() {
         (TestProblem::Incompressible, "N-D"),
     ] {
         let (sides, off, error, _) = reading(problem, &setting);
-        assert!(sides == expected && off <= 1.0 && error < 0.05, "{problem}: {sides} {off} {error}");
+        assert!(
+            sides == expected && off <= 1.0 && error < 0.05,
+            "{problem}: {sides} {off} {error}"
+        );
     }
     // Three angles: open to a ten thousandth of the edge, and closed.
     let border = |angle| {
-        let (sides, off, _, border) = reading(TestProblem::Leaning, &Parameters { angle, ..setting });
+        let (sides, off, _, border) =
+            reading(TestProblem::Leaning, &Parameters { angle, ..setting });
         assert!(off <= 1.0, "{angle}: {off}");
         (sides, border.unwrap())
     };
@@ -307,6 +332,8 @@ fn bad_wedges_are_refused() {
     }
     let wedge = elastic(PI, 0.3, free);
     assert!(
-        wedge.count(0.5, 1.0).is_err() && wedge.count(2.0, 1.0).is_err() && wedge.count(0.1, 9.0).is_err()
+        wedge.count(0.5, 1.0).is_err()
+            && wedge.count(2.0, 1.0).is_err()
+            && wedge.count(0.1, 9.0).is_err()
     );
 }

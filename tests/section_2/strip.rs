@@ -19,7 +19,11 @@ fn cases(problem: &str) -> Vec<Value> {
     let text = include_str!("../reference/strip_reference.json");
     let all: Value = serde_json::from_str(text).unwrap();
     let cases = all["cases"].as_array().unwrap();
-    cases.iter().filter(|case| case["problem"].as_str().unwrap().starts_with(problem)).cloned().collect()
+    cases
+        .iter()
+        .filter(|case| case["problem"].as_str().unwrap().starts_with(problem))
+        .cloned()
+        .collect()
 }
 
 /// `constant` is c of J.
@@ -38,7 +42,8 @@ fn compare(case: &Value, solution: &EdgeSolution, constant: f64) {
     close("force", total, number("sum_multipliers"), number("sum_multipliers"));
     let largest = solution.multiplier.iter().fold(0.0f64, |m, &v| m.max(v));
     close("largest force", largest, number("max_multiplier"), number("max_multiplier"));
-    let edge: Vec<f64> = case["u_N_edge"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
+    let edge: Vec<f64> =
+        case["u_N_edge"].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect();
     let scale = edge.iter().fold(0.0f64, |m, v| m.max(v.abs()));
     for (got, expected) in solution.values.iter().zip(&edge) {
         close("u_N", *got, *expected, scale);

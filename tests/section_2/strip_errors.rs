@@ -7,7 +7,9 @@ use qd::Quad;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
 use signorini::problems::StripData;
-use signorini::strip::{EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem};
+use signorini::strip::{
+    EdgeData, EdgeSolution, LateralCondition, Reference, StripKind, StripProblem,
+};
 
 /// The accuracy promised for every printed error, relative.
 const PROMISED: f64 = 1e-8;
@@ -33,7 +35,8 @@ fn layer(n: usize, lame: Lame) -> Mat<f64> {
                     let product = ga[0] * gb[0] + ga[1] * gb[1];
                     for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                         let diagonal = if i == j { product } else { 0.0 };
-                        let entry = lame.lambda() * ga[i] * gb[j] + lame.mu() * (ga[j] * gb[i] + diagonal);
+                        let entry =
+                            lame.lambda() * ga[i] * gb[j] + lame.mu() * (ga[j] * gb[i] + diagonal);
                         matrix[(2 * a + i, 2 * b + j)] += 0.5 * entry;
                     }
                 }
@@ -265,7 +268,8 @@ fn extended(cells: usize, levels: &[usize]) {
             .collect();
         let (g, p) = cosine_modes(&long(scene.values()), &prolonged);
         // a(u, P u_h) = ⟨A g, P g_h⟩ because u is discretely harmonic on the fine grid.
-        let square = product(&g, &g, &fine_symbols) - Quad::from(2.0) * product(&g, &p, &fine_symbols)
+        let square = product(&g, &g, &fine_symbols)
+            - Quad::from(2.0) * product(&g, &p, &fine_symbols)
             + product(&g_h, &g_h, &coarse_symbols);
         let expected = square.sqrt().0;
         let got = problem.distance(n, &values).unwrap().value;
@@ -284,12 +288,20 @@ fn harmonic_reference_is_the_limit_of_nested_ones() {
     let mut errors = Vec::new();
     let shape: Vec<f64> = (0..=16).map(|i| coarse.values()[4 * i] * 1.01).collect();
     for level in 1..=5 {
-        let fine: Vec<f64> = (0..2 * values.len() - 1)
-            .map(|i| if i % 2 == 0 { values[i / 2] } else { 0.5 * (values[i / 2] + values[i / 2 + 1]) })
-            .collect();
+        let fine: Vec<f64> =
+            (0..2 * values.len() - 1)
+                .map(|i| {
+                    if i % 2 == 0 {
+                        values[i / 2]
+                    } else {
+                        0.5 * (values[i / 2] + values[i / 2 + 1])
+                    }
+                })
+                .collect();
         values = fine;
         let forces = vec![0.0; values.len()];
-        let scene = EdgeData::new(64 << level, LateralCondition::Natural, &values, &forces).unwrap();
+        let scene =
+            EdgeData::new(64 << level, LateralCondition::Natural, &values, &forces).unwrap();
         let nested = StripProblem::new(StripKind::Scalar, &scene, Reference::Nested, 2).unwrap();
         errors.push(nested.distance(16, &shape).unwrap().value.powi(2));
     }

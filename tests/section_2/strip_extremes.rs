@@ -5,7 +5,9 @@ use faer::Mat;
 use signorini::cone::{Cone, Ends};
 use signorini::fem::Lame;
 use signorini::problems::StripData;
-use signorini::strip::{EdgeData, EdgeOperator, LateralCondition, Reference, Strip, StripKind, StripProblem};
+use signorini::strip::{
+    EdgeData, EdgeOperator, LateralCondition, Reference, Strip, StripKind, StripProblem,
+};
 
 /// KKT figures of a solution that counts as solved.
 const KKT: f64 = 1e-10;
@@ -59,16 +61,24 @@ fn random_loads_have_the_energy_of_the_dense_solver() {
                 solution.energy
             );
             let size = |values: &[f64]| values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
-            let (forces, held) =
-                (size(&force) + size(&product), chain.apply_transposed(&solution.multiplier).unwrap());
-            assert!((0..33).all(|i| (product[i] + held[i] - force[i]).abs() <= KKT * forces), "{cone}");
+            let (forces, held) = (
+                size(&force) + size(&product),
+                chain.apply_transposed(&solution.multiplier).unwrap(),
+            );
+            assert!(
+                (0..33).all(|i| (product[i] + held[i] - force[i]).abs() <= KKT * forces),
+                "{cone}"
+            );
             for (i, gap) in chain.apply(w).into_iter().enumerate() {
                 let multiplier = solution.multiplier[i];
                 assert!(
                     multiplier >= -KKT * forces && gap <= KKT * size(w),
                     "{cone} {i}: {multiplier} {gap}"
                 );
-                assert!(multiplier == 0.0 || gap.abs() <= KKT * size(w), "{cone} {i}: {multiplier} {gap}");
+                assert!(
+                    multiplier == 0.0 || gap.abs() <= KKT * size(w),
+                    "{cone} {i}: {multiplier} {gap}"
+                );
             }
         }
     }
@@ -78,8 +88,9 @@ fn smoothed(raw: &[f64], mean: f64, times: usize) -> Vec<f64> {
     let n = raw.len();
     let mut force = raw.to_vec();
     for _ in 0..times {
-        force =
-            (0..n).map(|i| 0.25 * (force[(i + n - 1) % n] + 2.0 * force[i] + force[(i + 1) % n])).collect();
+        force = (0..n)
+            .map(|i| 0.25 * (force[(i + n - 1) % n] + 2.0 * force[i] + force[(i + 1) % n]))
+            .collect();
     }
     force.iter().map(|f| f + mean).collect()
 }
@@ -90,8 +101,9 @@ fn no_contact_and_full_contact() {
     let elastic = Strip::elastic(16, 16, Lame::new(1.0, 1.0).unwrap()).unwrap();
     for operator in [scalar.operator(), elastic.operator()] {
         for cone in Cone::ALL {
-            let weights =
-                |sign: f64| (0..operator.nodes()).map(|i| sign * operator.weight(i)).collect::<Vec<_>>();
+            let weights = |sign: f64| {
+                (0..operator.nodes()).map(|i| sign * operator.weight(i)).collect::<Vec<_>>()
+            };
             let free = solve(operator, weights(-1.0), cone);
             assert!(free.status.is_converged() && free.contact.count() == 0);
             let closed = solve(operator, weights(1.0), cone);

@@ -61,9 +61,15 @@ fn nearly_incompressible_blocks_lock_and_both_solvers_say_the_same() {
         let problem = TestProblem::Incompressible.problem_with(16, &setting).unwrap();
         let [a, b] = [Solver::ActiveSet, Solver::InteriorPoint]
             .map(|solver| problem.solve(Cone::Nodal, solver).unwrap());
-        assert!((a.energy / b.energy - 1.0).abs() < 1e-8, "{poisson}: {:e} {:e}", a.energy, b.energy);
+        assert!(
+            (a.energy / b.energy - 1.0).abs() < 1e-8,
+            "{poisson}: {:e} {:e}",
+            a.energy,
+            b.energy
+        );
         assert!(a.kkt.worst() < 1e-13, "{poisson}");
-        let (apart, rounding) = ((a.energy - b.energy).abs(), a.energy_rounding + b.energy_rounding);
+        let (apart, rounding) =
+            ((a.energy - b.energy).abs(), a.energy_rounding + b.energy_rounding);
         assert!(apart <= 5.0 * rounding, "{poisson}: apart by {apart:e}, rounding {rounding:e}");
         a.energy.abs()
     };
@@ -111,7 +117,10 @@ fn traction_from_the_residual_is_the_contact_pressure() {
     let (problem, solution) = solved(TestProblem::Manufactured, 128, Cone::Nodal);
     for (&x, [normal, _]) in problem.edge().arc().iter().zip(&solution.traction) {
         if (0.1..0.35).contains(&x) {
-            assert!((normal - KnownSolution::three_halves().normal_stress(x)).abs() < 2e-3, "{x}: {normal}");
+            assert!(
+                (normal - KnownSolution::three_halves().normal_stress(x)).abs() < 2e-3,
+                "{x}: {normal}"
+            );
         }
     }
 }

@@ -9,7 +9,8 @@ use signorini::cone::Cone;
 use signorini::contact::Body;
 use signorini::fem::{Form, Lame};
 use signorini::mesh::{
-    BoundaryEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid, unit_square, unit_squares,
+    BoundaryEdge, Hierarchy, Part, Point, SideParts, Triangulation, mapped_grid, unit_square,
+    unit_squares,
 };
 use std::f64::consts::PI;
 
@@ -40,7 +41,9 @@ fn check(scene: &Scene, most: f64) -> Vec<Beside> {
     for cone in Cone::ALL {
         let beside = match scene.beside(cone, 2) {
             Ok(beside) => beside,
-            Err(error) if cone == Cone::Midpoint && error.to_string().contains("pieces") => continue,
+            Err(error) if cone == Cone::Midpoint && error.to_string().contains("pieces") => {
+                continue;
+            }
             Err(error) => panic!("{} {cone}: {error}", scene.name),
         };
         let Beside { found, fine, distance, forces } = &beside;
@@ -74,10 +77,12 @@ fn energies_of_the_block_are_those_of_the_table() {
     ];
     // J(u) to 1e-6: the tenth of a percent of |||u|||² = −2 J(u) for the error 3 %.
     let body = block(unit_square(8, SideParts::HANGING).unwrap());
-    let exact = Refinement { tolerance: 0.03, ..Refinement::default() }.solve(&body).unwrap().energy;
+    let exact =
+        Refinement { tolerance: 0.03, ..Refinement::default() }.solve(&body).unwrap().energy;
     println!("J(u) in {exact:?}");
     for (n, above, below, accuracy) in table {
-        let found = block(unit_square(n, SideParts::HANGING).unwrap()).enclose(Cone::Nodal).unwrap();
+        let found =
+            block(unit_square(n, SideParts::HANGING).unwrap()).enclose(Cone::Nodal).unwrap();
         let distance = (2.0 * (found.solution.energy - exact.upper)).sqrt();
         println!(
             "{n}: {:.12} {:.12} bound {:.5} over (2 (J(u^h) − J(u)))^½ {:.4}",
@@ -87,11 +92,14 @@ fn energies_of_the_block_are_those_of_the_table() {
             found.error / distance
         );
         assert!(
-            (found.solution.energy - above).abs() <= 1e-9 && (found.dual_energy - below).abs() <= accuracy
+            (found.solution.energy - above).abs() <= 1e-9
+                && (found.dual_energy - below).abs() <= accuracy
         );
         assert!(found.error / distance <= 1.12 && found.energy.contains(exact.upper));
         let sum: f64 = found.shares.iter().sum();
-        assert!((sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12 * sum.max(1e-3));
+        assert!(
+            (sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12 * sum.max(1e-3)
+        );
     }
 }
 
@@ -129,7 +137,9 @@ fn history(body: &Body<'_>, share: f64, unknowns: usize) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     let refinement = Refinement { tolerance: 1e-9, unknowns, share, ..Refinement::default() };
     refinement
-        .run(body, |found| points.push((found.problem.free_unknowns() as f64, found.relative_error())))
+        .run(body, |found| {
+            points.push((found.problem.free_unknowns() as f64, found.relative_error()))
+        })
         .unwrap();
     points
 }
@@ -172,7 +182,8 @@ fn adaptive_meshes_have_the_best_order_at_a_weak_corner() {
 fn slit(n: usize) -> Triangulation {
     let width = 2 * n + 1;
     let at = |i: usize| i as f64 / n as f64 - 1.0;
-    let mut nodes: Vec<Point> = (0..width).flat_map(|j| (0..width).map(move |i| [at(i), at(j)])).collect();
+    let mut nodes: Vec<Point> =
+        (0..width).flat_map(|j| (0..width).map(move |i| [at(i), at(j)])).collect();
     // The upper face of the slit, without its tip.
     let upper = nodes.len();
     nodes.extend((0..n).map(|i| [at(i), 0.0]));
@@ -184,8 +195,12 @@ fn slit(n: usize) -> Triangulation {
     for j in 0..2 * n {
         for i in 0..2 * n {
             let above = j >= n;
-            let [a, b, c, d] =
-                [node(i, j, above), node(i + 1, j, above), node(i + 1, j + 1, above), node(i, j + 1, above)];
+            let [a, b, c, d] = [
+                node(i, j, above),
+                node(i + 1, j, above),
+                node(i + 1, j + 1, above),
+                node(i, j + 1, above),
+            ];
             triangles.extend([[a, b, c], [a, c, d]]);
             if j == 0 {
                 edge(Part::Contact, a, b);
@@ -212,7 +227,8 @@ fn slit(n: usize) -> Triangulation {
 
 #[test]
 fn adaptive_meshes_have_the_best_order_at_a_slit() {
-    let body = Body::new(slit(2), elastic(1.0, 1.0)).load(|[x, y]: Point| [0.2 * y, -0.5 - 0.3 * x]);
+    let body =
+        Body::new(slit(2), elastic(1.0, 1.0)).load(|[x, y]: Point| [0.2 * y, -0.5 - 0.3 * x]);
     orders("slit", &body, 20_000, [-0.4, -0.2]);
 }
 
@@ -238,7 +254,10 @@ fn labelled(n: usize, part: impl Fn(Point) -> Part) -> Triangulation {
         .iter()
         .map(|edge| {
             let [a, b] = whole.ends(edge);
-            BoundaryEdge { nodes: edge.nodes, part: part([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]) }
+            BoundaryEdge {
+                nodes: edge.nodes,
+                part: part([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])]),
+            }
         })
         .collect();
     Triangulation::new(whole.nodes(), whole.triangles(), &boundary).unwrap()
@@ -295,19 +314,25 @@ fn two_floors() {
 fn a_gap() {
     let mesh = || unit_square(8, SideParts::HANGING).unwrap();
     let scene = Scene::new("gap", mesh(), |mesh| {
-        Body::new(mesh, elastic(1.0, 1.0)).load(|[_, _]: Point| [0.0, -1.0]).gap(|[x, _]| 0.1 + 0.4 * x)
+        Body::new(mesh, elastic(1.0, 1.0))
+            .load(|[_, _]: Point| [0.0, -1.0])
+            .gap(|[x, _]| 0.1 + 0.4 * x)
     });
     check(&scene, 1.2);
     // A convex gap is penetrated between the nodes, at a clamped end as well.
     let clamped = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
     for sides in [SideParts::HANGING, clamped] {
         let scene = Scene::new("convex gap", unit_square(8, sides).unwrap(), |mesh| {
-            Body::new(mesh, elastic(1.0, 1.0)).load(|[_, _]: Point| [0.0, -1.0]).gap(|[x, _]| 0.3 * x * x)
+            Body::new(mesh, elastic(1.0, 1.0))
+                .load(|[_, _]: Point| [0.0, -1.0])
+                .gap(|[x, _]| 0.3 * x * x)
         });
         check(&scene, 1.3);
     }
     let scene = Scene::new("gap, scalar", mesh(), |mesh| {
-        Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 + x).gap(|[x, _]| 0.2 + 0.1 * (4.0 * x).sin())
+        Body::new(mesh, Form::LAPLACE)
+            .load(|[x, _]: Point| 1.0 + x)
+            .gap(|[x, _]| 0.2 + 0.1 * (4.0 * x).sin())
     });
     check(&scene, 1.3);
 }
@@ -318,11 +343,12 @@ fn a_traction() {
         Body::new(mesh, elastic(1.0, 1.0)).traction(|[x, y]: Point| [-0.5 * y, 0.2 - x])
     });
     check(&scene, 1.25);
-    let scene = Scene::new("traction, curved", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
-        Body::new(mesh, elastic(1.0, 1.0))
-            .traction(|[x, y]: Point| [(5.0 * y).sin(), 0.2 - x])
-            .load(|[x, y]: Point| [x * y, -x * x])
-    });
+    let scene =
+        Scene::new("traction, curved", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+            Body::new(mesh, elastic(1.0, 1.0))
+                .traction(|[x, y]: Point| [(5.0 * y).sin(), 0.2 - x])
+                .load(|[x, y]: Point| [x * y, -x * x])
+        });
     check(&scene, 1.6);
     let scene = Scene::new("flux, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
         Body::new(mesh, Form::LAPLACE).traction(|[x, y]: Point| 0.5 - x * y)
@@ -334,12 +360,15 @@ fn a_traction() {
 fn a_jump_of_the_material() {
     let mesh = unit_square(8, SideParts::HANGING).unwrap();
     let middle = |t: usize| (0..3).map(|k| mesh.corners(t)[k][0]).sum::<f64>() / 3.0;
-    let regions: Vec<u32> = (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
+    let regions: Vec<u32> =
+        (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
     for contrast in [10.0, 1e6] {
         let mesh = mesh.clone().with_regions(&regions).unwrap();
         let scene = Scene::new(format!("jump of {contrast:e}"), mesh, move |mesh| {
-            let materials = vec![Lame::new(1.0, 1.0).unwrap(), Lame::new(contrast, contrast).unwrap()];
-            Body::new(mesh, Form::Elastic { materials }).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
+            let materials =
+                vec![Lame::new(1.0, 1.0).unwrap(), Lame::new(contrast, contrast).unwrap()];
+            Body::new(mesh, Form::Elastic { materials })
+                .load(|[x, _]: Point| [0.0, -(PI * x).cos()])
         });
         check(&scene, 1.35);
     }
@@ -350,10 +379,11 @@ fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
     // Corner to corner between two clamped sides, and between two free ones.
     for side in [Part::Dirichlet, Part::Neumann] {
         let sides = SideParts { left: side, right: side, ..SideParts::HANGING };
-        let scene =
-            Scene::new(format!("corner to corner, {side:?}"), unit_square(8, sides).unwrap(), |mesh| {
-                Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x])
-            });
+        let scene = Scene::new(
+            format!("corner to corner, {side:?}"),
+            unit_square(8, sides).unwrap(),
+            |mesh| Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x]),
+        );
         check(&scene, 1.25);
     }
     for (end, beyond) in [(0.5, Part::Neumann), (0.5, Part::Dirichlet)] {
@@ -363,9 +393,10 @@ fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
             1.0 => Part::Dirichlet,
             _ => Part::Neumann,
         };
-        let scene = Scene::new(format!("ends inside, then {beyond:?}"), labelled(8, part), |mesh| {
-            Body::new(mesh, elastic(1.0, 1.0)).load(|_: Point| [0.1, -1.0])
-        });
+        let scene =
+            Scene::new(format!("ends inside, then {beyond:?}"), labelled(8, part), |mesh| {
+                Body::new(mesh, elastic(1.0, 1.0)).load(|_: Point| [0.1, -1.0])
+            });
         check(&scene, 1.25);
     }
 }
@@ -390,13 +421,18 @@ fn nothing_touches_and_everything_touches() {
 /// −Δu + c u = f with u ≤ 0 on the whole boundary (Remark 1), and on a part of it.
 #[test]
 fn remark_1_with_its_reaction_term() {
-    let whole =
-        SideParts { bottom: Part::Contact, right: Part::Contact, top: Part::Contact, left: Part::Contact };
+    let whole = SideParts {
+        bottom: Part::Contact,
+        right: Part::Contact,
+        top: Part::Contact,
+        left: Part::Contact,
+    };
     for (name, sides) in [("whole boundary", whole), ("bottom", SideParts::HANGING)] {
         for reaction in [1.0, 100.0] {
             let mesh = unit_square(8, sides).unwrap();
             let scene = Scene::new(format!("reaction {reaction}, {name}"), mesh, move |mesh| {
-                Body::new(mesh, Form::Scalar { reaction }).load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y)
+                Body::new(mesh, Form::Scalar { reaction })
+                    .load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y)
             });
             check(&scene, 1.4);
         }
@@ -411,9 +447,10 @@ fn a_curved_prescribed_displacement() {
             .load(|_: Point| [0.0, -0.2])
     });
     check(&scene, 1.5);
-    let scene = Scene::new("curved u_D, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
-        Body::new(mesh, Form::LAPLACE).displacement(|[x, _]: Point| (2.0 * PI * x).cos())
-    });
+    let scene =
+        Scene::new("curved u_D, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
+            Body::new(mesh, Form::LAPLACE).displacement(|[x, _]: Point| (2.0 * PI * x).cos())
+        });
     check(&scene, 1.5);
 }
 
@@ -421,7 +458,8 @@ fn a_curved_prescribed_displacement() {
 fn a_load_on_one_region() {
     let mesh = unit_square(8, SideParts::HANGING).unwrap();
     let middle = |t: usize| (0..3).map(|k| mesh.corners(t)[k][1]).sum::<f64>() / 3.0;
-    let regions: Vec<u32> = (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
+    let regions: Vec<u32> =
+        (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 0.5)).collect();
     let mesh = mesh.clone().with_regions(&regions).unwrap();
     let scene = Scene::new("regional load", mesh.clone(), |mesh| {
         Body::new(mesh, elastic(1.0, 1.0)).load_on("1", |_: Point| [0.3, -1.0])
@@ -470,11 +508,14 @@ fn a_load_with_a_kink_has_oscillation() {
 fn the_bound_sees_locking() {
     let mut errors = Vec::new();
     for poisson in [0.3, 0.49, 0.4999] {
-        let scene =
-            Scene::new(format!("ν = {poisson}"), unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
+        let scene = Scene::new(
+            format!("ν = {poisson}"),
+            unit_square(8, SideParts::HANGING).unwrap(),
+            move |mesh| {
                 let form = Form::elastic(Lame::plane_strain(1.0, poisson).unwrap());
                 Body::new(mesh, form).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
-            });
+            },
+        );
         let found = check(&scene, 5.0);
         errors.push(found[0].found.relative_error());
     }
@@ -488,7 +529,8 @@ fn the_relative_error_has_no_units() {
         [|[x, _]| [0.0, -(PI * x).cos()], |[x, y]| [0.3 * y, 0.4 - (x - 0.31).abs()]];
     for load in loads {
         let found = |length: f64, modulus: f64, force: f64| {
-            let mesh = mapped_grid(6, 6, SideParts::HANGING, |[x, y]| [length * x, length * y]).unwrap();
+            let mesh =
+                mapped_grid(6, 6, SideParts::HANGING, |[x, y]| [length * x, length * y]).unwrap();
             let body = Body::new(mesh, elastic(modulus, modulus))
                 .load(move |[x, y]: Point| load([x / length, y / length]).map(|f| force * f))
                 .traction(move |[_, y]: Point| [0.2 * force * y, 0.0]);

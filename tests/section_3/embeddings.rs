@@ -1,7 +1,9 @@
 //! (3.6), (3.10), (4.12), (E3): embeddings of H^{ν} in L^q and of H^{3/2} in C^{0,α}.
 
 use crate::rough_slopes::Numbers;
-use fractional_sobolev::{Error, Function, Order, Target, Tolerance, embedding_bound, embedding_constant};
+use fractional_sobolev::{
+    Error, Function, Order, Target, Tolerance, embedding_bound, embedding_constant,
+};
 
 /// C(q)/√q for q = 2 ... 200 at ν = 1/2.
 const GROWTH: [f64; 2] = [0.167, 0.708];
@@ -54,7 +56,8 @@ fn constants_are_one_where_the_upper_bound_says_so() {
 fn growth_is_that_of_a_square_root_between_two_constants() {
     let mut last = f64::INFINITY;
     for q in [2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0_f64] {
-        let (lower, upper) = (lower(0.5, q) / q.sqrt(), embedding_bound(0.5, q).unwrap() / q.sqrt());
+        let (lower, upper) =
+            (lower(0.5, q) / q.sqrt(), embedding_bound(0.5, q).unwrap() / q.sqrt());
         assert!(GROWTH[0] <= lower && lower <= upper && upper <= GROWTH[1], "{q}: {lower} {upper}");
         // towards (3/(4π²e))^{1/2} = 0.16721 from above
         assert!(lower < last, "{q}: {lower} after {last}");
@@ -79,7 +82,9 @@ fn hoelder_constants_grow_like_the_root_of_one_over_one_minus_alpha() {
 
 #[test]
 fn exponents_outside_the_embedding_are_errors() {
-    for (nu, q) in [(0.6, 3.0), (0.3, 5.1), (0.5, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 1e7)] {
+    for (nu, q) in
+        [(0.6, 3.0), (0.3, 5.1), (0.5, 1.0), (0.5, f64::NAN), (0.5, f64::INFINITY), (0.5, 1e7)]
+    {
         assert!(embedding_bound(nu, q).is_err(), "{nu} {q}");
     }
     let near = Order::half_plus(-1e-9).unwrap();

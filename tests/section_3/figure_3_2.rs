@@ -23,7 +23,8 @@ fn cases(trace: &EdgeTrace, segment: Interval, theta: f64) -> [bool; 2] {
 
 /// The cases of n equal segments.
 fn classified(trace: &EdgeTrace, n: usize, theta: f64) -> Vec<[bool; 2]> {
-    let segment = |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
+    let segment =
+        |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
     (0..n).map(|i| cases(trace, segment(i), theta)).collect()
 }
 
@@ -76,7 +77,8 @@ fn classification_agrees_with_the_definition_point_by_point() {
         let [first, second] = cases(&trace, Interval { start: 0.0, end: 1.0 }, theta);
         // u_N is linear between the nodes i/64.
         let values = trace.displacement();
-        let zero_at = |x: f64| [64.0 * x, (64.0 * x).ceil()].iter().all(|&node| values[node as usize] == 0.0);
+        let zero_at =
+            |x: f64| [64.0 * x, (64.0 * x).ceil()].iter().all(|&node| values[node as usize] == 0.0);
         let near = |from_right: bool| {
             (0..GRID)
                 .map(|k| k as f64 / GRID as f64)

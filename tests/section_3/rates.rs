@@ -20,7 +20,9 @@ fn orders(kind: StripKind, data: &[EdgeData], (from, to): (u32, u32), cone: Cone
     for data in data {
         let problem = StripProblem::new(kind, data, Reference::Nested, 1 << from).unwrap();
         let terms = consistency_terms(data, cone);
-        for (found, square) in problem.solutions(cone, 1 << from, 1 << to).unwrap().iter().zip(&mut squares) {
+        for (found, square) in
+            problem.solutions(cone, 1 << from, 1 << to).unwrap().iter().zip(&mut squares)
+        {
             let n = found.cells;
             assert!(found.kkt.worst() < 1e-10, "{n}: {:?}", found.kkt);
             let term = terms.iter().find(|term| term.0 == n).unwrap().1;
@@ -29,7 +31,8 @@ fn orders(kind: StripKind, data: &[EdgeData], (from, to): (u32, u32), cone: Cone
         }
     }
     let points = |k: usize| -> Vec<(f64, f64)> {
-        let root = |(level, square): (u32, &[f64; 2])| (0.5f64.powi(level as i32), square[k].sqrt());
+        let root =
+            |(level, square): (u32, &[f64; 2])| (0.5f64.powi(level as i32), square[k].sqrt());
         (from..=to).zip(&squares).map(root).collect()
     };
     [order(&points(0)), slope(&points(0)), slope(&points(1))]
@@ -53,7 +56,8 @@ fn order(points: &[(f64, f64)]) -> f64 {
 
 /// Regression of ln q against ln h over the finer half of the meshes: the term is a power of h alone.
 fn slope(points: &[(f64, f64)]) -> f64 {
-    let finer: Vec<(f64, f64)> = points[points.len() / 2..].iter().map(|(h, q)| (h.ln(), q.ln())).collect();
+    let finer: Vec<(f64, f64)> =
+        points[points.len() / 2..].iter().map(|(h, q)| (h.ln(), q.ln())).collect();
     let mean = |of: fn(&(f64, f64)) -> f64| finer.iter().map(of).sum::<f64>() / finer.len() as f64;
     let (x, y) = (mean(|point| point.0), mean(|point| point.1));
     let product: f64 = finer.iter().map(|point| (point.0 - x) * (point.1 - y)).sum();
@@ -78,8 +82,13 @@ fn single_transitions_have_order_tau_minus_one() {
         (0..7).map(|k| TransitionPowers::of_regularity(tau).data(place(k), cells)).collect()
     });
     check(StripKind::Elastic, (3, 12), |tau, cells| {
-        let data =
-            |k| StripData::Transition { position: place(k) }.data(tau, cells, LateralCondition::Periodic);
+        let data = |k| {
+            StripData::Transition { position: place(k) }.data(
+                tau,
+                cells,
+                LateralCondition::Periodic,
+            )
+        };
         (0..7).map(data).collect()
     });
 }
@@ -96,8 +105,9 @@ fn many_transitions_have_order_tau_minus_one() {
 fn smooth_transitions_have_order_one() {
     let taus = [2.1, 2.25, 2.4];
     for (cone, tau) in Cone::ALL.into_iter().flat_map(|cone| taus.map(|tau| (cone, tau))) {
-        let place =
-            |k: u32| TransitionPowers::of_regularity(tau).data(0.381966 + f64::from(k) / 56.0, 16 << 12);
+        let place = |k: u32| {
+            TransitionPowers::of_regularity(tau).data(0.381966 + f64::from(k) / 56.0, 16 << 12)
+        };
         let data = (0..7).map(place).collect::<Result<Vec<_>>>().unwrap();
         let [_, error, term] = orders(StripKind::Scalar, &data, (3, 12), cone);
         assert!(error > 0.9 && error < 1.0 + ORDER, "{tau}: {error}");

@@ -9,7 +9,8 @@ fn face(halvings: i32) -> (Triangles, Vec<f64>, Vec<f64>) {
         let (a, b) = (corners[k], corners[j % 3]);
         [a[0] + r * (b[0] - a[0]), a[1] + r * (b[1] - a[1])]
     };
-    let (mut nodes, mut triangles, mut sigma, mut u) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let (mut nodes, mut triangles, mut sigma, mut u) =
+        (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     for k in 0..3 {
         nodes.push(near(k, k + 1, 0.5));
         u.push(0.0);
@@ -39,7 +40,8 @@ fn face(halvings: i32) -> (Triangles, Vec<f64>, Vec<f64>) {
 fn quotients(nu: Order, halvings: i32) -> [f64; 2] {
     let (mesh, sigma, u) = face(halvings);
     let sigma = Function::on_triangles(&mesh, 0, &sigma).unwrap().seminorm(nu, 1e-6).unwrap().value;
-    let slope = Function::on_triangles(&mesh, 1, &u).unwrap().seminorm(nu.plus_one(), 1e-6).unwrap().value;
+    let slope =
+        Function::on_triangles(&mesh, 1, &u).unwrap().seminorm(nu.plus_one(), 1e-6).unwrap().value;
     let gaps = 1.5 * 0.25f64.powi(halvings + 1);
     [(0.5 - gaps) / (sigma * slope), (0.5 - gaps) * (gaps / 3.0) / 0.5 / (sigma * slope)]
 }

@@ -11,7 +11,8 @@ use signorini::proof::{ProofConstants, consistency_constant, one_gap_ratio};
 mod theta_balance;
 
 fn outcome(tau: f64) -> Outcome {
-    theta_balance::outcome(&theta_balance::Options { tau, ..theta_balance::Options::default() }).unwrap()
+    theta_balance::outcome(&theta_balance::Options { tau, ..theta_balance::Options::default() })
+        .unwrap()
 }
 
 #[test]
@@ -31,10 +32,14 @@ fn the_crossing_is_the_printed_power_times_a_constant() {
             let theta = h.powf(2.0 * tau - 3.0);
             assert!((value("theta") / theta - 1.0).abs() < 1e-12, "tau {tau} h {h}");
             // C(q) h θ^{τ−1} = C_P θ^{τ−2} C_I h^{2τ−2}
-            let factor = constants.law(theta).printed * theta.powf(2.0 - tau) * constants.interpolation
-                / constants.embedding;
+            let factor =
+                constants.law(theta).printed * theta.powf(2.0 - tau) * constants.interpolation
+                    / constants.embedding;
             let crossing = value("crossing");
-            assert!((crossing / (factor * theta) - 1.0).abs() < 1e-6, "tau {tau} h {h}: {crossing}");
+            assert!(
+                (crossing / (factor * theta) - 1.0).abs() < 1e-6,
+                "tau {tau} h {h}: {crossing}"
+            );
         }
     }
 }

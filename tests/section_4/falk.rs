@@ -33,7 +33,8 @@ fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> Terms 
     for a in (0..n).map(|s| s * cells) {
         let inner: f64 = force[a + 1..a + cells].iter().sum();
         let on_segment = inner + 0.5 * (force[a] + force[(a + cells) % g.len()]);
-        let mean = |v: &dyn Fn(usize) -> f64| (a..a + cells).map(|j| 0.5 * (v(j) + v(j + 1))).sum::<f64>();
+        let mean =
+            |v: &dyn Fn(usize) -> f64| (a..a + cells).map(|j| 0.5 * (v(j) + v(j + 1))).sum::<f64>();
         means[0] += on_segment * mean(&|j| at(u, j)) / cells as f64;
         means[1] += on_segment * mean(&|j| g[j % g.len()]) / cells as f64;
     }
@@ -51,14 +52,21 @@ fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> Terms 
 
 #[test]
 fn the_lemma_holds_with_constant_two_in_the_energy_norm() {
-    let scenes =
-        [("transition:0.37", 1.75), ("transition:0.61", 2.0), ("transitions:5", 1.6), ("fat-cantor", 1.75)];
-    for ((scene, tau), kind) in
-        scenes.into_iter().flat_map(|case| [StripKind::Scalar, StripKind::Elastic].map(|kind| (case, kind)))
+    let scenes = [
+        ("transition:0.37", 1.75),
+        ("transition:0.61", 2.0),
+        ("transitions:5", 1.6),
+        ("fat-cantor", 1.75),
+    ];
+    for ((scene, tau), kind) in scenes
+        .into_iter()
+        .flat_map(|case| [StripKind::Scalar, StripKind::Elastic].map(|kind| (case, kind)))
     {
         let data = data(kind, scene, tau);
         let problem = StripProblem::new(kind, &data, Reference::Nested, 4).unwrap();
-        for (cone, n) in Cone::ALL.into_iter().flat_map(|cone| (2..=7).map(move |level| (cone, 1 << level))) {
+        for (cone, n) in
+            Cone::ALL.into_iter().flat_map(|cone| (2..=7).map(move |level| (cone, 1 << level)))
+        {
             let u = solved(&problem, n, cone);
             let found = match kind {
                 StripKind::Scalar => falk_terms::terms(&data, &problem, &u).unwrap(),

@@ -19,7 +19,8 @@ fn cases(trace: &EdgeTrace, segment: Interval, theta: f64) -> [bool; 2] {
 
 /// The cases of n equal segments.
 fn classified(trace: &EdgeTrace, n: usize, theta: f64) -> Vec<[bool; 2]> {
-    let segment = |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
+    let segment =
+        |i: usize| Interval { start: i as f64 / n as f64, end: (i + 1) as f64 / n as f64 };
     (0..n).map(|i| cases(trace, segment(i), theta)).collect()
 }
 
@@ -33,7 +34,8 @@ fn every_segment_of_a_body_is_in_a_case_and_a_larger_theta_moves_it_to_the_first
             let found = classified(&trace, n, printed_theta(n, tau));
             assert!(!found.contains(&[false; 2]), "{scene} tau {tau} n {n}");
         }
-        let first = |theta: f64| classified(&trace, 16, theta).iter().filter(|&case| case[0]).count();
+        let first =
+            |theta: f64| classified(&trace, 16, theta).iter().filter(|&case| case[0]).count();
         let counts = [0.01, 0.2, 0.6, 0.95].map(first);
         assert!(counts.windows(2).all(|pair| pair[0] <= pair[1]), "{scene}: {counts:?}");
     }
@@ -86,7 +88,8 @@ fn degenerate_segments_have_the_expected_class() {
     ];
     for (name, contact, expected) in expected {
         let touching = |x: f64| contact.iter().any(|&[a, b]| x >= a && x <= b);
-        let displacement: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
+        let displacement: Vec<f64> =
+            nodes.iter().map(|&x| if touching(x) { 0.0 } else { -1.0 }).collect();
         let force: Vec<f64> = nodes.iter().map(|&x| if touching(x) { 1.0 } else { 0.0 }).collect();
         let trace = EdgeTrace::new(&nodes, &displacement, &force, 0.0).unwrap();
         assert_eq!(cases(&trace, segment, 0.25), expected, "{name}");

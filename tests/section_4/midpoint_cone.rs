@@ -20,7 +20,8 @@ fn larger_cone_has_smaller_energy() {
     // The nodal cone lies inside the midpoint cone, so its minimum is not below.
     for scene in [TestProblem::Block, TestProblem::Membrane] {
         let problem = scene.problem(16).unwrap();
-        let [nodal, midpoint] = Cone::ALL.map(|cone| problem.solve(cone, Solver::ActiveSet).unwrap().energy);
+        let [nodal, midpoint] =
+            Cone::ALL.map(|cone| problem.solve(cone, Solver::ActiveSet).unwrap().energy);
         assert!(midpoint <= nodal, "{scene}: {midpoint} > {nodal}");
     }
 }
@@ -28,7 +29,8 @@ fn larger_cone_has_smaller_energy() {
 #[test]
 fn contact_runs_carry_a_sawtooth() {
     // Means vanish on a run of active segments, so nodal values alternate in sign with one amplitude.
-    let solution = TestProblem::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
+    let solution =
+        TestProblem::Block.problem(16).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).unwrap();
     let run = solution.contact_set.runs()[0].clone();
     let amplitude = solution.normal_displacement[run.start];
     assert!(amplitude != 0.0);

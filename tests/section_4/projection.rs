@@ -28,7 +28,12 @@ fn dual_constant(r: f64) -> f64 {
 }
 
 /// The supremum on equal elements of (0, 1).
-fn on_mesh(norm: ErrorNorm, r: f64, elements: usize, tolerance: f64) -> fractional_sobolev::Result<Estimate> {
+fn on_mesh(
+    norm: ErrorNorm,
+    r: f64,
+    elements: usize,
+    tolerance: f64,
+) -> fractional_sobolev::Result<Estimate> {
     let mesh = Domain::Mesh(Mesh::uniform(elements, 1.0)?);
     projection_constant(mesh, norm, r, tolerance).map(|found| found.constant)
 }
@@ -77,7 +82,8 @@ fn both_estimates_hold_for_given_functions() {
     for r in [0.1, 0.4, 0.6, 0.9] {
         let order = Order::new(r).unwrap();
         for index in 0..12 {
-            let (cells, values) = if index % 2 == 0 { numbers.rough(order) } else { numbers.waves(order) };
+            let (cells, values) =
+                if index % 2 == 0 { numbers.rough(order) } else { numbers.waves(order) };
             let phi = Function::linears(&cells, &values).unwrap();
             let lengths = cells.lengths();
             let (mut means, mut h, mut first, mut count) = (Vec::new(), 0.0f64, 0, 1);
@@ -93,7 +99,10 @@ fn both_estimates_hold_for_given_functions() {
             let error = phi.minus(&projection).unwrap();
             let seminorm = phi.seminorm(order, 1e-8).unwrap().value;
             let l2 = error.norm(0.0, 1e-8).unwrap();
-            assert!(l2.value <= constant(r) * h.powf(r) * seminorm * (1.0 + 1e-7), "{r} {index}: {l2}");
+            assert!(
+                l2.value <= constant(r) * h.powf(r) * seminorm * (1.0 + 1e-7),
+                "{r} {index}: {l2}"
+            );
             let dual = Estimate::or_best(error.norm(-0.5, 1e-3)).unwrap();
             let bound = dual_constant(r) * h.powf(r + 0.5) * seminorm;
             assert!(dual.value - dual.error <= bound, "{r} {index}: {dual} above {bound}");

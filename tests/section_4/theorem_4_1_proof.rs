@@ -11,11 +11,15 @@ mod theorem_3_1_proof_profile;
 const PROOF: Proof = Proof {
     lines: |t, c, theta| {
         let found = theorem_3_1_proof_profile::midpoint(t, c, theta).unwrap();
-        assert!(found.1.is_some() || t.contact_diameter().is_none(), "a segment in neither case: {t:?}");
+        assert!(
+            found.1.is_some() || t.contact_diameter().is_none(),
+            "a segment in neither case: {t:?}"
+        );
         found
     },
     factor: |c, h, theta| {
-        let second = c.law(theta).printed * c.projection * c.wirtinger * h.powf(2.0 * c.tau() - 2.0);
+        let second =
+            c.law(theta).printed * c.projection * c.wirtinger * h.powf(2.0 * c.tau() - 2.0);
         let first = c.pointwise * c.embedding * h * theta.powf(c.hoelder());
         if c.tau() > 2.0 { second } else { first.max(second) }
     },

@@ -95,7 +95,8 @@ pub fn power_seminorm(a: f64, order: impl Given<Order>) -> Result<Estimate> {
         return power_seminorm_squared(a, order)?.sqrt();
     }
     let gaps = (TINY - order.offset()) / (a - order.offset());
-    let found = power_seminorm_squared(TINY, order)?.sqrt()?.times(gaps.sqrt() * (a.abs() / TINY))?;
+    let found =
+        power_seminorm_squared(TINY, order)?.sqrt()?.times(gaps.sqrt() * (a.abs() / TINY))?;
     Estimate::new(found.value, found.error + f64::MIN_POSITIVE * f64::EPSILON, found.work)
 }
 
@@ -219,7 +220,8 @@ pub fn cosine_on_circle_seminorm_squared(k: u32, order: impl Given<Order>) -> Re
     }
     let (nu, half, pi) = (order.value(), order.offset(), std::f64::consts::PI);
     let gammas = libm::tgamma(order.complement()) / (nu * libm::tgamma(1.0 - half));
-    let product: f64 = (2..=k).map(|j| (f64::from(j) + half) / (f64::from(j) - 1.0 - half)).product();
+    let product: f64 =
+        (2..=k).map(|j| (f64::from(j) + half) / (f64::from(j) - 1.0 - half)).product();
     let value = 2.0 * pi * pi.sqrt() * 4f64.powf(-nu) * gammas * ((0.5 + nu) * product + half);
     // Each of the k quotients is rounded, and the bracket cancels for k = 1, ν → 0, to 2ν.
     let rounding = (ROUNDING + f64::from(k) * f64::EPSILON) * (1.0 + 0.5 / nu);
@@ -276,8 +278,10 @@ pub fn log_power_seminorm_squared(alpha: f64) -> Result<Estimate> {
         (std::f64::consts::PI * (0.5 - alpha)).sin().ln()
     };
     let log_quotient = log_gamma_defect(alpha) - log_cos;
-    let value =
-        2.0 * zeta(1.0 + 2.0 * alpha, 2.0 * alpha) * libm::tgamma(1.0 + 2.0 * alpha) * log_quotient.exp_m1();
+    let value = 2.0
+        * zeta(1.0 + 2.0 * alpha, 2.0 * alpha)
+        * libm::tgamma(1.0 + 2.0 * alpha)
+        * log_quotient.exp_m1();
     let conditioning = 0.5 / (0.5 - alpha);
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning), Work::default())
 }
@@ -346,7 +350,8 @@ mod tests {
     #[test]
     fn zeta_has_its_known_values() {
         let pi = std::f64::consts::PI;
-        for (s, exact) in [(2.0, pi * pi / 6.0), (4.0, pi.powi(4) / 90.0), (1.5, 2.612375348685488)] {
+        for (s, exact) in [(2.0, pi * pi / 6.0), (4.0, pi.powi(4) / 90.0), (1.5, 2.612375348685488)]
+        {
             assert!((zeta(s, s - 1.0) / exact - 1.0).abs() < 1e-15, "{s}");
         }
     }

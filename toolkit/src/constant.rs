@@ -75,7 +75,12 @@ pub enum ErrorNorm {
 impl ErrorNorm {
     /// [`Error::Incompatible`] for a norm without a method.
     pub(crate) fn refused(self, with: &'static str, expected: &'static str) -> Error {
-        Error::Incompatible { what: "norm of the error", given: format!("{self:?}"), with, expected }
+        Error::Incompatible {
+            what: "norm of the error",
+            given: format!("{self:?}"),
+            with,
+            expected,
+        }
     }
 }
 
@@ -128,7 +133,10 @@ impl BestConstant {
         Self::new(constant, constant, Some(constant))
     }
 
-    pub(crate) fn with_extremal(self, value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static) -> Self {
+    pub(crate) fn with_extremal(
+        self,
+        value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static,
+    ) -> Self {
         Self { extremal: Some(Extremal(Kind::Points(Arc::new(value)))), ..self }
     }
 
@@ -142,11 +150,21 @@ impl BestConstant {
     /// The constant and its bounds, multiplied by a factor.
     pub(crate) fn times(self, factor: f64) -> Result<Self> {
         let upper = self.upper.map(|upper| upper.times(factor)).transpose()?;
-        Ok(Self { constant: self.constant.times(factor)?, lower: self.lower.times(factor)?, upper, ..self })
+        Ok(Self {
+            constant: self.constant.times(factor)?,
+            lower: self.lower.times(factor)?,
+            upper,
+            ..self
+        })
     }
 
     /// The same constant if its error meets the tolerance.
-    pub(crate) fn met(self, what: &'static str, tolerance: Tolerance, why: &'static str) -> Result<Self> {
+    pub(crate) fn met(
+        self,
+        what: &'static str,
+        tolerance: Tolerance,
+        why: &'static str,
+    ) -> Result<Self> {
         if self.constant.relative_error() <= tolerance.relative() {
             return Ok(self);
         }
@@ -264,9 +282,15 @@ impl Extremal {
     ///
     /// # Errors
     /// As [`Function::interpolate`]; [`Error::Incompatible`] for a function without graded cells.
-    pub fn interpolate(&self, degree: usize, pieces: usize, breaks: &[f64]) -> Result<Function<'static>> {
+    pub fn interpolate(
+        &self,
+        degree: usize,
+        pieces: usize,
+        breaks: &[f64],
+    ) -> Result<Function<'static>> {
         let Kind::Interval(u) = &self.0 else {
-            let (given, expected) = ("on graded cells".to_owned(), "an extremal function of gamma or moment");
+            let (given, expected) =
+                ("on graded cells".to_owned(), "an extremal function of gamma or moment");
             return Err(Error::Incompatible {
                 what: "interpolant",
                 given,
@@ -274,7 +298,8 @@ impl Extremal {
                 expected,
             });
         };
-        let near = |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
+        let near =
+            |x: f64, other: f64, share: f64| (x - other).abs() < share * x.abs().max(other.abs());
         let mut nodes: Vec<f64> = u.profile(pieces).into_iter().map(|(x, _)| x).collect();
         nodes.retain(|&x| x < 1.0 - ONE_NODE && breaks.iter().all(|&b| !near(x, b, MAKES_WAY)));
         nodes.extend(breaks.iter().filter(|&&b| b < 1.0 - ONE_NODE));

@@ -59,7 +59,9 @@ pub enum Error {
         range: &'static str,
     },
     /// A count for which the machine does not have enough memory.
-    #[error("{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB")]
+    #[error(
+        "{name} = {count} requires {needed:.3e} GB of memory: this machine has {available:.1} GB"
+    )]
     TooLarge {
         /// Name of the count.
         name: &'static str,
@@ -194,7 +196,11 @@ pub enum Error {
 
 /// A number as it appears in the message: node numbers and counts as integers.
 fn plain(value: f64) -> String {
-    if value.fract() == 0.0 && value.abs() < 1e15 { format!("{value:.0}") } else { format!("{value:?}") }
+    if value.fract() == 0.0 && value.abs() < 1e15 {
+        format!("{value:.0}")
+    } else {
+        format!("{value:?}")
+    }
 }
 
 /// The best value as it appears in the message; empty if there is none.
@@ -204,17 +210,38 @@ fn value_of(best: &Option<Estimate>) -> String {
 
 impl Error {
     /// [`Error::ToleranceNotMet`] with the best estimate of `what`, for the reason given.
-    pub(crate) fn not_met(what: &'static str, asked: f64, best: Estimate, why: &'static str) -> Self {
-        Error::ToleranceNotMet { what, asked, reached: best.relative_error(), best: Some(best), why }
+    pub(crate) fn not_met(
+        what: &'static str,
+        asked: f64,
+        best: Estimate,
+        why: &'static str,
+    ) -> Self {
+        Error::ToleranceNotMet {
+            what,
+            asked,
+            reached: best.relative_error(),
+            best: Some(best),
+            why,
+        }
     }
 
     /// [`Error::ToleranceNotMet`] without a value of `what`: the relative uncertainty and the reason.
-    pub(crate) fn out_of_reach(what: &'static str, asked: f64, reached: f64, why: &'static str) -> Self {
+    pub(crate) fn out_of_reach(
+        what: &'static str,
+        asked: f64,
+        reached: f64,
+        why: &'static str,
+    ) -> Self {
         Error::ToleranceNotMet { what, asked, reached, best: None, why }
     }
 
     /// [`Error::not_met`] with the best of several attempts; without a value if there is none.
-    pub(crate) fn best_of(what: &'static str, asked: f64, best: Option<Estimate>, why: &'static str) -> Self {
+    pub(crate) fn best_of(
+        what: &'static str,
+        asked: f64,
+        best: Option<Estimate>,
+        why: &'static str,
+    ) -> Self {
         best.map_or(Self::out_of_reach(what, asked, f64::INFINITY, why), |best| {
             Self::not_met(what, asked, best, why)
         })
@@ -230,7 +257,11 @@ impl Error {
     }
 
     /// The same error for a quantity derived from the one whose tolerance was not met.
-    pub(crate) fn carry(self, quantity: &'static str, of: impl FnOnce(Estimate) -> Result<Estimate>) -> Self {
+    pub(crate) fn carry(
+        self,
+        quantity: &'static str,
+        of: impl FnOnce(Estimate) -> Result<Estimate>,
+    ) -> Self {
         match self {
             Error::ToleranceNotMet { asked, best: Some(best), why, .. } => match of(best) {
                 Ok(best) => Self::not_met(quantity, asked, best, why),
@@ -250,6 +281,10 @@ impl Error {
         range: &'static str,
         admissible: bool,
     ) -> Result<f64> {
-        if admissible && !value.is_nan() { Ok(value) } else { Err(Error::OutOfRange { name, value, range }) }
+        if admissible && !value.is_nan() {
+            Ok(value)
+        } else {
+            Err(Error::OutOfRange { name, value, range })
+        }
     }
 }

@@ -152,7 +152,11 @@ impl Estimate {
     pub fn new(value: f64, error: f64, work: Work) -> Result<Self> {
         for (index, number) in [value, error].into_iter().enumerate() {
             if !number.is_finite() {
-                return Err(Error::NotFinite { name: "estimate (value, error)", index, value: number });
+                return Err(Error::NotFinite {
+                    name: "estimate (value, error)",
+                    index,
+                    value: number,
+                });
             }
         }
         Ok(Self { value, error: error.abs().max(value.abs() * f64::EPSILON), work })
@@ -191,10 +195,15 @@ impl Estimate {
     /// [`Error::OutOfRange`] if the value is negative by more than its error.
     pub fn sqrt(self) -> Result<Self> {
         if self.value < -self.error {
-            return Err(Error::OutOfRange { name: "radicand", value: self.value, range: "[0, inf)" });
+            return Err(Error::OutOfRange {
+                name: "radicand",
+                value: self.value,
+                range: "[0, inf)",
+            });
         }
         let root = self.value.max(0.0).sqrt();
-        let error = if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
+        let error =
+            if self.value > self.error { self.error / (2.0 * root) } else { self.error.sqrt() };
         Self::new(root, error, self.work)
     }
 

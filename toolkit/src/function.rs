@@ -63,7 +63,15 @@ use std::ops::Range;
 /// assert!((same.norm(1.0, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-12); // ‖u‖² + ‖u′‖²
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-#[doc(alias("Gagliardo", "Slobodeckij", "Gagliardo seminorm", "fractional Sobolev", "H1/2", "H-1/2", "H^s"))]
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "Gagliardo seminorm",
+    "fractional Sobolev",
+    "H1/2",
+    "H-1/2",
+    "H^s"
+))]
 #[derive(Debug)]
 pub struct Function<'a> {
     kind: Kind<'a>,
@@ -151,7 +159,10 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// As [`Function::from_fn`].
-    pub fn from_log_distances(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn from_log_distances(
+        breaks: &[f64],
+        f: impl Fn(Position) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
         SingularFunction::from_log_distances(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
@@ -404,7 +415,10 @@ impl<'a> Function<'a> {
     /// # Errors
     /// As [`Curve::closed`].
     #[doc(alias("trace", "polygon", "corner singularity"))]
-    pub fn on_polygon(vertices: &[[f64; 2]], f: impl Fn([f64; 2]) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn on_polygon(
+        vertices: &[[f64; 2]],
+        f: impl Fn([f64; 2]) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
         CurveFormula::new(vertices, f).map(Kind::CurveFormula).map(Self::of)
     }
 
@@ -443,7 +457,11 @@ impl<'a> Function<'a> {
     /// [`Error::CountOutOfRange`] for too many elements of a curve; [`Error::Incompatible`] if there is no
     /// method for this kind of function and order.
     #[doc(alias("dual norm", "negative norm", "l2_norm"))]
-    pub fn norm(&self, s: impl Given<SobolevOrder>, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
+    pub fn norm(
+        &self,
+        s: impl Given<SobolevOrder>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match s.given()? {
             SobolevOrder::Dual(order) => self.dual_norm(DualOf::Slobodeckij, order, tolerance),
@@ -629,8 +647,12 @@ impl<'a> Function<'a> {
     /// the difference return [`Error::OutOfRange`].
     pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
         let kind = match (&self.kind, &other.kind) {
-            (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => Kind::Difference(u.minus(v)),
-            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.mesh() == v.mesh() => Kind::Piecewise(u.minus(v)?),
+            (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => {
+                Kind::Difference(u.minus(v))
+            }
+            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.mesh() == v.mesh() => {
+                Kind::Piecewise(u.minus(v)?)
+            }
             _ => {
                 return Err(Error::Incompatible {
                     what: "difference with",
@@ -738,12 +760,16 @@ impl<'a> Function<'a> {
         match (&self.kind, &self.gradient[..]) {
             (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
             (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),
-            (Kind::Formula(u) | Kind::NearlyOne(_, u), [Function { kind: Kind::Formula(slope), .. }]) => {
-                u.norm_with_derivative(slope, order, tolerance)
-            }
+            (
+                Kind::Formula(u) | Kind::NearlyOne(_, u),
+                [Function { kind: Kind::Formula(slope), .. }],
+            ) => u.norm_with_derivative(slope, order, tolerance),
             (
                 Kind::PlaneFormula(u),
-                [Function { kind: Kind::PlaneFormula(x), .. }, Function { kind: Kind::PlaneFormula(y), .. }],
+                [
+                    Function { kind: Kind::PlaneFormula(x), .. },
+                    Function { kind: Kind::PlaneFormula(y), .. },
+                ],
             ) => u.norm_with_gradient([x, y], order, tolerance),
             _ => Err(self.refused("norm of order above 1")),
         }
@@ -762,7 +788,9 @@ impl<'a> Function<'a> {
                 root_of_squares(&[x?, y?])
             }
             Kind::Elastic(u) => u.gradient_seminorm(order, tolerance),
-            Kind::Sector(u) => u.gradient_seminorm(order, tolerance)?.ok_or_else(|| self.refused("gradient")),
+            Kind::Sector(u) => {
+                u.gradient_seminorm(order, tolerance)?.ok_or_else(|| self.refused("gradient"))
+            }
             _ if !self.gradient.is_empty() => {
                 let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
@@ -792,19 +820,28 @@ impl<'a> Function<'a> {
             Kind::Formula(_) | Kind::NearlyOne(..) => {
                 "norms of order below 1; of order below 2 with Function::with_gradient"
             }
-            Kind::Piecewise(_) => "norms of order in (-1, 2), L^q norms, the mean, values, restrictions",
+            Kind::Piecewise(_) => {
+                "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
+            }
             Kind::Load(_) => "norms of order in (-1, 0)",
             Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
             Kind::PlaneFormula(_) => {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
             }
-            Kind::Sector(_) => "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic",
+            Kind::Sector(_) => {
+                "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic"
+            }
             Kind::Elastic(_) => "seminorms of order in (1, 2)",
             Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
             Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
         };
-        Error::Incompatible { what: "the", given: quantity.to_owned(), with: self.describe(), expected }
+        Error::Incompatible {
+            what: "the",
+            given: quantity.to_owned(),
+            with: self.describe(),
+            expected,
+        }
     }
 }
 

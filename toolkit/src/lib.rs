@@ -43,7 +43,9 @@ pub use matrix::Gram;
 pub use mesh::Mesh;
 pub use order::Order;
 pub use plane::{PlanePosition, Triangles};
-pub use poincare::{Constraint, Gamma, GammaBounds, Law, Moment, MomentConstant, Zones, gamma, law, moment};
+pub use poincare::{
+    Constraint, Gamma, GammaBounds, Law, Moment, MomentConstant, Zones, gamma, law, moment,
+};
 pub use quadrature::{Rule, gauss_jacobi, gauss_legendre};
 pub(crate) use trace::HalfLineSymbol;
 pub use trace::{trace_constant, trace_quotient};

@@ -41,7 +41,14 @@ const BALANCED: f64 = 1e-8;
 /// assert!((form.diagonal()?[7] / dense[(7, 7)] - 1.0).abs() < 1e-12);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
-#[doc(alias("Gram matrix", "stiffness matrix", "mass matrix", "fractional Laplacian", "FFT", "H-matrix"))]
+#[doc(alias(
+    "Gram matrix",
+    "stiffness matrix",
+    "mass matrix",
+    "fractional Laplacian",
+    "FFT",
+    "H-matrix"
+))]
 pub struct Gram {
     mesh: Mesh,
     order: Order,
@@ -89,7 +96,11 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an order or a tolerance outside its range.
-    pub fn new(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+    pub fn new(
+        mesh: &Mesh,
+        s: impl Given<Order>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
         Ok(Self::on_interval(mesh, s.given()?, tolerance.given()?, Basis::Hats))
     }
 
@@ -105,7 +116,11 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::InfiniteNorm`](crate::Error::InfiniteNorm) for s ≥ 1/2; as [`Gram::new`].
-    pub fn constants(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+    pub fn constants(
+        mesh: &Mesh,
+        s: impl Given<Order>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
         let order = s.given()?;
         require_constants_finite(order)?;
         Ok(Self::on_interval(mesh, order, tolerance.given()?, Basis::Indicators))
@@ -140,9 +155,17 @@ impl Gram {
         "Dirichlet",
         "exterior"
     ))]
-    pub fn zero_outside(mesh: &Mesh, s: impl Given<Order>, tolerance: impl Given<Tolerance>) -> Result<Self> {
+    pub fn zero_outside(
+        mesh: &Mesh,
+        s: impl Given<Order>,
+        tolerance: impl Given<Tolerance>,
+    ) -> Result<Self> {
         if mesh.len() < 2 {
-            return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "[2, inf)" });
+            return Err(Error::CountOutOfRange {
+                name: "elements",
+                value: mesh.len(),
+                range: "[2, inf)",
+            });
         }
         Ok(Self::on_interval(mesh, s.given()?, tolerance.given()?, Basis::InnerHats))
     }

@@ -162,7 +162,13 @@ impl Mesh {
             return Err(Error::CountOutOfRange { name: "elements", value: 0, range: "[1, inf)" });
         }
         for (index, &length) in lengths.iter().enumerate() {
-            require_entry("element length", index, length, "(0, inf)", length > 0.0 && length.is_finite())?;
+            require_entry(
+                "element length",
+                index,
+                length,
+                "(0, inf)",
+                length > 0.0 && length.is_finite(),
+            )?;
         }
         let from_left = running_sums(lengths.iter().copied());
         let mut from_right = running_sums(lengths.iter().rev().copied());

@@ -122,7 +122,10 @@ mod tests {
             let (order, power) = (Order::half_plus(offset).unwrap(), Function::power(a).unwrap());
             let found = power.seminorm(order, 1e-12).unwrap();
             let off = (found.value - exact).abs();
-            assert!(off <= found.error && found.relative_error() < 2e-14, "{a} {offset}: {found:?}, {exact}");
+            assert!(
+                off <= found.error && found.relative_error() < 2e-14,
+                "{a} {offset}: {found:?}, {exact}"
+            );
             let closed = closed_forms::power_seminorm(a, order).unwrap();
             let apart = (closed.value - found.value).abs();
             assert!(apart <= closed.error + found.error, "{a} {offset}: {closed:?} {found:?}");
@@ -138,7 +141,8 @@ mod tests {
             for a in [1.0, -1.0].map(|sign| sign * NEARLY * 10f64.powf(-f64::from(k) / 20.0)) {
                 for offset in [-0.5 + 1e-9, -0.3, -0.01, -1e-3, 0.0, 0.5 * a, 0.999 * a] {
                     let order = Order::half_plus(offset).unwrap();
-                    let (found, closed) = (NearlyOne(a).value(order), closed_forms::power_seminorm(a, order));
+                    let (found, closed) =
+                        (NearlyOne(a).value(order), closed_forms::power_seminorm(a, order));
                     match (found, closed) {
                         (Ok(found), Ok(closed)) => {
                             let apart = (found.value - closed.value).abs();

@@ -30,8 +30,9 @@ pub fn program(examples: &Path, name: &str) -> Result<String, String> {
 pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, String> {
     // The toolkit has tests of its own.
     let directories = [tests.to_owned(), tests.with_file_name("toolkit").join("tests")];
-    let read =
-        |directory: &std::path::PathBuf| std::fs::read_to_string(directory.join(file).with_extension("rs"));
+    let read = |directory: &std::path::PathBuf| {
+        std::fs::read_to_string(directory.join(file).with_extension("rs"))
+    };
     let source = read(&directories[0]).or_else(|_| read(&directories[1]));
     let source = source.map_err(|_| "unknown test file".to_owned())?;
     let Some(function) = function else { return Ok(file.to_owned()) };
@@ -50,7 +51,8 @@ pub fn test(tests: &Path, file: &str, function: Option<&str>) -> Result<String, 
 fn function(source: &str, name: &str) -> Option<String> {
     let lines: Vec<&str> = source.lines().collect();
     let is_head = |line: &str| {
-        let head = ["pub(crate) ", "pub "].iter().find_map(|open| line.strip_prefix(open)).unwrap_or(line);
+        let head =
+            ["pub(crate) ", "pub "].iter().find_map(|open| line.strip_prefix(open)).unwrap_or(line);
         head.strip_prefix("fn ")
             .and_then(|rest| rest.strip_prefix(name))
             .is_some_and(|rest| rest.starts_with(['(', '<']))
@@ -59,6 +61,10 @@ fn function(source: &str, name: &str) -> Option<String> {
     let above = |line: &&&str| line.starts_with("//") || line.starts_with("#[");
     let first = head - lines[..head].iter().rev().take_while(above).count();
     let is_one_line = lines[head].ends_with(" }") || lines[head].ends_with("{}");
-    let last = if is_one_line { head } else { head + lines[head..].iter().position(|line| *line == "}")? };
+    let last = if is_one_line {
+        head
+    } else {
+        head + lines[head..].iter().position(|line| *line == "}")?
+    };
     Some(lines[first..=last].join("\n"))
 }

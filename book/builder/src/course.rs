@@ -65,14 +65,16 @@ pub fn part(book: &Path, which: &str) -> std::result::Result<String, String> {
     let plan = entries(&list, "plan").into_iter().find(|plan| text(plan, "name") == which);
     let plan = plan.ok_or_else(|| format!("the course has no plan `{which}`"))?;
     let minutes = plan.get("minutes").and_then(toml::Value::as_integer).unwrap_or(0);
-    let _ = write!(markdown, "| week | {minutes} minutes: pages, slides and sheets |\n| --- | --- |\n");
+    let _ =
+        write!(markdown, "| week | {minutes} minutes: pages, slides and sheets |\n| --- | --- |\n");
     let weeks = plan.get("sessions").and_then(toml::Value::as_array).into_iter().flatten();
     let mut next = 1;
     for (week, numbers) in (1..).zip(weeks) {
         let mut links = Vec::new();
         for number in numbers.as_array().into_iter().flatten().filter_map(toml::Value::as_integer) {
             let page = usize::try_from(number - 1).ok().and_then(|k| pages.get(k));
-            let page = page.filter(|_| number == next).ok_or("a plan takes each page once, in order")?;
+            let page =
+                page.filter(|_| number == next).ok_or("a plan takes each page once, in order")?;
             next += 1;
             links.push(format!("{number}. [{}]({}.md)", name(page)?, text(page, "name")));
         }

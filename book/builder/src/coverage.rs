@@ -25,9 +25,12 @@ const DIRECTORIES: [&str; 5] = ["src/", "tests/", "examples/", "book/", "toolkit
 /// When the directory of examples cannot be read.
 pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
     let examples = &repository.join("examples");
-    let programs: Vec<String> =
-        names(examples)?.into_iter().filter_map(|n| n.strip_suffix(".rs").map(str::to_owned)).collect();
-    let summary = std::fs::read_to_string(repository.join("book/src/SUMMARY.md")).unwrap_or_default();
+    let programs: Vec<String> = names(examples)?
+        .into_iter()
+        .filter_map(|n| n.strip_suffix(".rs").map(str::to_owned))
+        .collect();
+    let summary =
+        std::fs::read_to_string(repository.join("book/src/SUMMARY.md")).unwrap_or_default();
     let mut found = Vec::new();
     let mut shown = BTreeSet::new();
     for page in pages {
@@ -48,7 +51,8 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
         if on_page.is_empty() && commands.is_empty() {
             found.push(Fault::new(&page.file, 1, "page without an example", page.html.as_str()));
         }
-        let opening = page.text.lines().find(|line| !line.trim().is_empty() && !line.starts_with("# "));
+        let opening =
+            page.text.lines().find(|line| !line.trim().is_empty() && !line.starts_with("# "));
         if !opening.is_some_and(|line| PICTURES.iter().any(|picture| line.starts_with(picture))) {
             let line = opening.unwrap_or("");
             found.push(Fault::new(&page.file, 1, "page does not open with a picture", line));
@@ -59,7 +63,12 @@ pub fn faults(pages: &[Page], repository: &Path) -> Result<Vec<Fault>> {
         let title = title.split(" {#").next().unwrap_or(title);
         let file = page.html.replace(".html", ".md");
         if !summary.is_empty() && !summary.contains(&format!("[{title}]({file})")) {
-            found.push(Fault::new(&page.file, 1, "not the title that SUMMARY.md gives the page", title));
+            found.push(Fault::new(
+                &page.file,
+                1,
+                "not the title that SUMMARY.md gives the page",
+                title,
+            ));
         }
     }
     let missing = programs.iter().filter(|name| !shown.contains(*name));
@@ -77,7 +86,8 @@ fn outcomes(page: &Page, programs: &[String]) -> BTreeSet<String> {
         let name = piece.text.split(':').next().unwrap_or("").trim();
         SHOWN.contains(&name)
     });
-    let words = directives.flat_map(|piece| piece.text.split(|c: char| !c.is_alphanumeric() && c != '_'));
+    let words =
+        directives.flat_map(|piece| piece.text.split(|c: char| !c.is_alphanumeric() && c != '_'));
     words.filter(|word| programs.iter().any(|p| p == word)).map(str::to_owned).collect()
 }
 
@@ -94,8 +104,9 @@ fn commands(text: &str) -> Vec<(usize, &str)> {
 
 /// Files of the repository that stand between single backticks, with their place.
 fn files(text: &str) -> Vec<(usize, &str)> {
-    let is_file =
-        |name: &str| DIRECTORIES.iter().any(|d| name.starts_with(d)) && !name.contains(char::is_whitespace);
+    let is_file = |name: &str| {
+        DIRECTORIES.iter().any(|d| name.starts_with(d)) && !name.contains(char::is_whitespace)
+    };
     let starts = text.match_indices('`').map(|(at, _)| at + 1);
     starts
         .filter_map(|at| Some((at, text[at..].split_once('`')?.0)))

@@ -121,8 +121,11 @@ impl Data {
             let example = self.examples.get(example).ok_or(Unknown::Missing)?;
             return number(example, key).ok_or(Unknown::Missing);
         }
-        let found: Vec<(&String, f64)> =
-            self.examples.iter().filter_map(|(name, example)| Some((name, number(example, key)?))).collect();
+        let found: Vec<(&String, f64)> = self
+            .examples
+            .iter()
+            .filter_map(|(name, example)| Some((name, number(example, key)?)))
+            .collect();
         match found.as_slice() {
             [] => Err(Unknown::Missing),
             [(_, value)] => Ok(*value),
@@ -135,7 +138,8 @@ impl Data {
     /// # Errors
     /// [`Unknown`].
     pub fn figure(&self, name: &str) -> std::result::Result<(&str, &str), Unknown> {
-        let same = |full: &str| full == name || full.split_once('/').is_some_and(|(_, n)| n == name);
+        let same =
+            |full: &str| full == name || full.split_once('/').is_some_and(|(_, n)| n == name);
         let found: Vec<(&str, &str)> = self
             .figures
             .iter()
@@ -145,7 +149,9 @@ impl Data {
         match found.as_slice() {
             [] => Err(Unknown::Missing),
             [one] => Ok(*one),
-            _ => Err(Unknown::Ambiguous(found.iter().map(|(full, _)| (*full).to_owned()).collect())),
+            _ => {
+                Err(Unknown::Ambiguous(found.iter().map(|(full, _)| (*full).to_owned()).collect()))
+            }
         }
     }
 
@@ -155,8 +161,11 @@ impl Data {
     /// [`Unknown`].
     pub fn finding(&self, key: &str) -> std::result::Result<&Value, Unknown> {
         let (example, key) = key.split_once('/').ok_or(Unknown::Missing)?;
-        let findings =
-            self.examples.get(example).and_then(|e| e["findings"].as_array()).ok_or(Unknown::Missing)?;
+        let findings = self
+            .examples
+            .get(example)
+            .and_then(|e| e["findings"].as_array())
+            .ok_or(Unknown::Missing)?;
         findings.iter().find(|finding| finding["finding"] == key).ok_or(Unknown::Missing)
     }
 
@@ -180,14 +189,17 @@ pub(crate) fn parse_object(path: &Path, text: &str) -> Result<Map<String, Value>
 fn push_json(text: &mut String, value: &Value, depth: usize) {
     let is_plain = |v: &Value| !v.is_array() && !v.is_object();
     let (open, close, entries): (char, char, Vec<(String, &Value)>) = match value {
-        Value::Object(map) => {
-            ('{', '}', map.iter().map(|(k, v)| (format!("{}: ", Value::from(k.as_str())), v)).collect())
-        }
+        Value::Object(map) => (
+            '{',
+            '}',
+            map.iter().map(|(k, v)| (format!("{}: ", Value::from(k.as_str())), v)).collect(),
+        ),
         Value::Array(list) => ('[', ']', list.iter().map(|v| (String::new(), v)).collect()),
         plain => return text.push_str(&plain.to_string()),
     };
     let in_one_line = depth > 2 && entries.iter().all(|(_, v)| is_plain(v)) || entries.is_empty();
-    let (indent, gap) = if in_one_line { (String::new(), " ") } else { ("  ".repeat(depth + 1), "\n") };
+    let (indent, gap) =
+        if in_one_line { (String::new(), " ") } else { ("  ".repeat(depth + 1), "\n") };
     text.push(open);
     for (k, (key, entry)) in entries.iter().enumerate() {
         let comma = if k > 0 { "," } else { "" };
@@ -220,8 +232,7 @@ mod tests {
     use super::*;
 
     fn data() -> Data {
-        let text =
-            r#"{"a": {"values": {"x": 1.5, "own": 2}}, "b": {"values": {"x": 3}, "verdict": "holds"}}"#;
+        let text = r#"{"a": {"values": {"x": 1.5, "own": 2}}, "b": {"values": {"x": 3}, "verdict": "holds"}}"#;
         Data {
             examples: parse_object(Path::new("test"), text).unwrap(),
             options: parse_object(Path::new("test"), r#"{"a": {"options": []}}"#).unwrap(),

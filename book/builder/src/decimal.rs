@@ -9,8 +9,8 @@ const LAST_EQUATION: [(u32, u32); 6] = [(1, 1), (2, 9), (3, 15), (4, 14), (5, 9)
 
 /// Words after which `S.k` names a statement, a figure or a section.
 const LABEL_WORDS: [&str; 15] = [
-    "Lemma", "Lemmas", "Theorem", "Theorems", "Figure", "Figures", "Fig.", "Figs.", "Section", "Sections",
-    "Sec.", "Secs.", "Remark", "Remarks", "§",
+    "Lemma", "Lemmas", "Theorem", "Theorems", "Figure", "Figures", "Fig.", "Figs.", "Section",
+    "Sections", "Sec.", "Secs.", "Remark", "Remarks", "§",
 ];
 
 /// A decimal found: its offset (bytes) and its text.
@@ -27,26 +27,31 @@ pub fn typed_by_hand<'a>(text: &'a str, allowed: &[String]) -> Vec<Decimal<'a>> 
     // A number that no letter, digit or underscore precedes, with a fraction or a power of ten.
     let number = Regex::new(r"\b[0-9]+(?:(?:\.[0-9]+)+(?:[eE][+-]?[0-9]+)?|[eE][+-]?[0-9]+)");
     let found = number.iter().flat_map(|number| number.find_iter(text));
-    let found =
-        found.filter(|n| !is_label(text, n.start(), n.end()) && !allowed.iter().any(|a| a == n.as_str()));
+    let found = found.filter(|n| {
+        !is_label(text, n.start(), n.end()) && !allowed.iter().any(|a| a == n.as_str())
+    });
     found.map(|n| Decimal { start: n.start(), text: n.as_str() }).collect()
 }
 
 /// True for `S.k` in parentheses, in the range of the paper's equations, or after a word such as "Lemma".
 fn is_label(text: &str, start: usize, end: usize) -> bool {
     let Some((section, number)) = text[start..end].split_once('.') else { return false };
-    let (Ok(section), Ok(number)) = (section.parse::<u32>(), number.parse::<u32>()) else { return false };
-    let exists = LAST_EQUATION.iter().any(|&(s, last)| s == section && (1..=last).contains(&number));
+    let (Ok(section), Ok(number)) = (section.parse::<u32>(), number.parse::<u32>()) else {
+        return false;
+    };
+    let exists =
+        LAST_EQUATION.iter().any(|&(s, last)| s == section && (1..=last).contains(&number));
     let before = text[..start].trim_end();
     let in_parentheses = text[..start].ends_with('(') && text[end..].starts_with(')');
     let in_tag = text[..start].ends_with(r"\tag{");
     let named = LABEL_WORDS.iter().any(|word| before.ends_with(word));
     // "Theorems 3.1 and 4.1", "Lemmas 6.1, 6.2"
-    let listed = before.strip_suffix("and").or_else(|| before.strip_suffix(',')).is_some_and(|list| {
-        let list = list.trim_end();
-        let first = list.rfind(|c: char| !c.is_ascii_digit() && c != '.').map_or(0, |k| k + 1);
-        first < list.len() && is_label(list, first, list.len())
-    });
+    let listed =
+        before.strip_suffix("and").or_else(|| before.strip_suffix(',')).is_some_and(|list| {
+            let list = list.trim_end();
+            let first = list.rfind(|c: char| !c.is_ascii_digit() && c != '.').map_or(0, |k| k + 1);
+            first < list.len() && is_label(list, first, list.len())
+        });
     exists && (in_parentheses || in_tag || named || listed)
 }
 

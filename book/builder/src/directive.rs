@@ -88,10 +88,11 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             code::test(sources.tests, key, Some(function)).map(Meaning::Name)
         }
         // The list of the course stands beside the pictures of ideas.
-        ("course", None) => {
-            course::part(sources.ideas.parent().unwrap_or(sources.ideas), key).map(Meaning::Markdown)
+        ("course", None) => course::part(sources.ideas.parent().unwrap_or(sources.ideas), key)
+            .map(Meaning::Markdown),
+        ("code", Some(function)) => {
+            code::block(sources.examples, key, function).map(Meaning::Markdown)
         }
-        ("code", Some(function)) => code::block(sources.examples, key, function).map(Meaning::Markdown),
         ("table", None) => table(key, data).map(Meaning::Block),
         ("figure", Some(caption)) if !caption.is_empty() => {
             let (full, svg) = data.figure(key).map_err(|e| e.words("figure"))?;
@@ -100,12 +101,14 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
         ("idea", Some(caption)) if !caption.is_empty() => {
             idea::inline(sources.ideas, key, caption).map(Meaning::Block)
         }
-        ("slider", Some(rest)) => match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {
-            Some((list, caption)) if !caption.is_empty() => {
-                slider::inline(key, list, caption, data).map(Meaning::Block)
+        ("slider", Some(rest)) => {
+            match rest.split_once(':').map(|(list, caption)| (list, caption.trim())) {
+                Some((list, caption)) if !caption.is_empty() => {
+                    slider::inline(key, list, caption, data).map(Meaning::Block)
+                }
+                _ => Err("slider without a caption".to_owned()),
             }
-            _ => Err("slider without a caption".to_owned()),
-        },
+        }
         ("figure" | "slider" | "idea", _) => Err(format!("{name} without a caption")),
         _ => Err("unknown directive".to_owned()),
     }
@@ -115,17 +118,22 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
 pub fn figures(text: &str, data: &Data) -> Vec<String> {
     let parts: Vec<&str> = text.splitn(4, ':').map(str::trim).collect();
     match parts.as_slice() {
-        ["figure", name, ..] => data.figure(name).map(|(full, _)| full.to_owned()).into_iter().collect(),
-        ["slider", _, list, ..] => {
-            slider::frames(list, data).unwrap_or_default().into_iter().map(|(_, name)| name).collect()
+        ["figure", name, ..] => {
+            data.figure(name).map(|(full, _)| full.to_owned()).into_iter().collect()
         }
+        ["slider", _, list, ..] => slider::frames(list, data)
+            .unwrap_or_default()
+            .into_iter()
+            .map(|(_, name)| name)
+            .collect(),
         _ => Vec::new(),
     }
 }
 
 /// Outcome, words and comparison of a finding; a claim that does not hold is none that a page may make.
 fn parts(finding: &Value) -> Result<[&str; 3], String> {
-    let [outcome, words, comparison] = ["outcome", "words", "comparison"].map(|key| finding[key].as_str());
+    let [outcome, words, comparison] =
+        ["outcome", "words", "comparison"].map(|key| finding[key].as_str());
     let (Some(outcome), Some(words), Some(comparison)) = (outcome, words, comparison) else {
         return Err("damaged finding: an outcome, words and a comparison are expected".to_owned());
     };
@@ -143,7 +151,9 @@ fn finding(finding: &Value) -> Result<String, String> {
     let says_so = words.starts_with(outcome);
     let words = typography::html(words);
     let mark = match outcome {
-        "fails" | "undecided" if !says_so => format!("<strong class=\"outcome\">{outcome}:</strong> "),
+        "fails" | "undecided" if !says_so => {
+            format!("<strong class=\"outcome\">{outcome}:</strong> ")
+        }
         _ => String::new(),
     };
     let class = outcome.replace(' ', "-");
@@ -192,8 +202,9 @@ type Cells<'a> = (Vec<[&'a str; 2]>, Vec<Vec<&'a str>>);
 /// The table of a headline; `None` where a title is missing or a row does not have its cells.
 fn cells(headline: &Value) -> Option<Cells<'_>> {
     let columns = headline["columns"].as_array()?.iter();
-    let columns: Vec<[&str; 2]> =
-        columns.map(|c| Some([c["title"].as_str()?, c["meaning"].as_str()?])).collect::<Option<_>>()?;
+    let columns: Vec<[&str; 2]> = columns
+        .map(|c| Some([c["title"].as_str()?, c["meaning"].as_str()?]))
+        .collect::<Option<_>>()?;
     let rows = headline["rows"].as_array()?.iter().map(words).collect::<Option<Vec<_>>>()?;
     rows.iter().all(|row| row.len() == columns.len()).then_some((columns, rows))
 }
@@ -217,7 +228,9 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
         html.push_str("<tr>");
         for cell in row {
             let _ = match cell.parse::<f64>() {
-                Ok(_) => write!(html, "<td class=\"number\">{}</td>", Written::from_text(cell).html()),
+                Ok(_) => {
+                    write!(html, "<td class=\"number\">{}</td>", Written::from_text(cell).html())
+                }
                 Err(_) => write!(html, "<td>{}</td>", typography::html(cell)),
             };
         }
@@ -227,7 +240,9 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
     let meanings: Vec<String> = columns
         .iter()
         .filter(|[_, meaning]| !meaning.is_empty())
-        .map(|[title, meaning]| format!("<b>{}</b> {}", typography::html(title), typography::html(meaning)))
+        .map(|[title, meaning]| {
+            format!("<b>{}</b> {}", typography::html(title), typography::html(meaning))
+        })
         .collect();
     if !meanings.is_empty() {
         let _ = write!(html, "<p class=\"table-key\">{}</p>", meanings.join("; "));
@@ -266,17 +281,25 @@ mod tests {
         assert_eq!(resolve("value:gamma", &sources), number(0.29156, Format::Significant(4)));
         assert_eq!(resolve(" value : ex/gamma : f2 ", &sources), number(0.29156, Format::Fixed(2)));
         assert_eq!(resolve("verdict: ex", &sources), Ok(Meaning::Words("holds".into())));
-        let Ok(Meaning::Words(held)) = resolve("finding: ex/a", &sources) else { panic!("no finding") };
+        let Ok(Meaning::Words(held)) = resolve("finding: ex/a", &sources) else {
+            panic!("no finding")
+        };
         assert!(held.contains("class=\"finding holds\" title=\"0.5 &lt;= 1\">ν"), "{held}");
-        let Ok(Meaning::Words(failed)) = resolve("finding: ex/b", &sources) else { panic!("no finding") };
+        let Ok(Meaning::Words(failed)) = resolve("finding: ex/b", &sources) else {
+            panic!("no finding")
+        };
         assert!(failed.contains("<strong class=\"outcome\">fails:</strong> no"), "{failed}");
         assert_eq!(claim("gamma (of ν) (0.5 ≤ 1)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
         assert_eq!(claim("gamma (of ν)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
-        assert!(matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1")));
+        assert!(
+            matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1"))
+        );
         let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");
         assert!(html.contains("<b>ν</b> order"), "{html}");
-        assert!(matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b")));
+        assert!(
+            matches!(resolve("figure:f:a: b", &sources), Ok(Meaning::Block(h)) if h.contains("a: b"))
+        );
     }
 }

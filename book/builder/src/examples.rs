@@ -33,8 +33,9 @@ pub fn gather(repository: &Path, committed: &Data) -> Result<Data> {
         run(name, program, &[], cache)?;
         write(&cache.join("stamp"), stamp)
     };
-    let (beside, alone): (Vec<_>, Vec<_>) =
-        changed.iter().partition(|(_, _, name, ..)| committed.examples.get(name).is_some_and(has_no_clock));
+    let (beside, alone): (Vec<_>, Vec<_>) = changed
+        .iter()
+        .partition(|(_, _, name, ..)| committed.examples.get(name).is_some_and(has_no_clock));
     let next = AtomicUsize::new(0);
     let work = || -> Result<()> {
         while let Some(one) = beside.get(next.fetch_add(1, Ordering::Relaxed)) {
@@ -45,7 +46,8 @@ pub fn gather(repository: &Path, committed: &Data) -> Result<Data> {
     let workers = std::thread::available_parallelism().map_or(1, usize::from).min(MOST_BESIDE);
     std::thread::scope(|scope| {
         let handles: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
-        let failed = |_| Error::Example { name: "(a run)".to_owned(), message: "broke off".to_owned() };
+        let failed =
+            |_| Error::Example { name: "(a run)".to_owned(), message: "broke off".to_owned() };
         handles.into_iter().try_for_each(|handle| handle.join().map_err(failed)?)
     })?;
     alone.into_iter().try_for_each(renew)?;
@@ -71,15 +73,19 @@ fn cache(program: &Path) -> PathBuf {
 fn has_no_clock(outcome: &Value) -> bool {
     let silent = |sentence: &str| {
         let words: Vec<&str> = sentence.split_whitespace().collect();
-        let counts =
-            |pair: &[&str]| pair[0].parse::<f64>().is_ok() && pair[1].trim_end_matches([',', '.']) == "s";
+        let counts = |pair: &[&str]| {
+            pair[0].parse::<f64>().is_ok() && pair[1].trim_end_matches([',', '.']) == "s"
+        };
         let mut parts = sentence.split(|c: char| !c.is_alphanumeric());
-        !words.windows(2).any(counts) && !parts.any(|word| matches!(word, "seconds" | "ms" | "speedup"))
+        !words.windows(2).any(counts)
+            && !parts.any(|word| matches!(word, "seconds" | "ms" | "speedup"))
     };
     match outcome {
         Value::String(words) => silent(words),
         Value::Array(entries) => entries.iter().all(has_no_clock),
-        Value::Object(entries) => entries.iter().all(|(key, entry)| silent(key) && has_no_clock(entry)),
+        Value::Object(entries) => {
+            entries.iter().all(|(key, entry)| silent(key) && has_no_clock(entry))
+        }
         _ => true,
     }
 }
@@ -102,10 +108,12 @@ pub struct Run {
 /// # Errors
 /// [`Error::Example`] when the example is not there, does not build or run, [`Error::File`].
 pub fn with_arguments(repository: &Path, run: &Run) -> Result<Data> {
-    let failed = |message: &str| Error::Example { name: run.example.clone(), message: message.to_owned() };
+    let failed =
+        |message: &str| Error::Example { name: run.example.clone(), message: message.to_owned() };
     let programs = build(repository)?;
-    let program =
-        programs.iter().find(|program| program.file_stem().is_some_and(|stem| stem == &*run.example));
+    let program = programs
+        .iter()
+        .find(|program| program.file_stem().is_some_and(|stem| stem == &*run.example));
     let program = program.ok_or_else(|| failed("is not there"))?;
     let cache = cache_directory(program).join("large").join(&run.name);
     let arguments: Vec<&str> = run.arguments.split_whitespace().collect();
@@ -150,7 +158,8 @@ fn cache_directory(program: &Path) -> PathBuf {
 
 /// Changes whenever the program does.
 fn stamp(program: &Path) -> Result<String> {
-    let bytes = std::fs::read(program).map_err(|source| Error::File { path: program.to_owned(), source })?;
+    let bytes = std::fs::read(program)
+        .map_err(|source| Error::File { path: program.to_owned(), source })?;
     let mut hasher = DefaultHasher::new();
     hasher.write(&bytes);
     Ok(format!("{:016x} {}", hasher.finish(), bytes.len()))
@@ -160,7 +169,8 @@ fn stamp(program: &Path) -> Result<String> {
 fn run(name: &str, program: &Path, arguments: &[&str], cache: &Path) -> Result<()> {
     let failed = |message: String| Error::Example { name: name.to_owned(), message };
     if cache.exists() {
-        std::fs::remove_dir_all(cache).map_err(|source| Error::File { path: cache.to_owned(), source })?;
+        std::fs::remove_dir_all(cache)
+            .map_err(|source| Error::File { path: cache.to_owned(), source })?;
     }
     write(&cache.join("headline.json"), "")?; // makes the directory too
     let output = Command::new(program)
@@ -181,7 +191,8 @@ fn run(name: &str, program: &Path, arguments: &[&str], cache: &Path) -> Result<(
 /// What may be asked of an example, as it says itself.
 fn describe(name: &str, program: &Path) -> Result<Value> {
     let failed = |message: String| Error::Example { name: name.to_owned(), message };
-    let output = Command::new(program).arg("--describe").output().map_err(|e| failed(e.to_string()))?;
+    let output =
+        Command::new(program).arg("--describe").output().map_err(|e| failed(e.to_string()))?;
     serde_json::from_slice(&output.stdout).map_err(|e| failed(format!("--describe: {e}")))
 }
 

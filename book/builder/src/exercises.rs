@@ -69,7 +69,8 @@ pub fn list(book: &Path) -> Result<BTreeMap<String, Vec<Exercise>>> {
     let parsed: Value = toml::from_str(&read(&path)?).map_err(|e| wrong(e.to_string()))?;
     let mut found = BTreeMap::new();
     for (page, entries) in parsed.as_object().into_iter().flatten() {
-        let entries = entries.as_array().ok_or_else(|| wrong(format!("{page}: [[{page}]] expected")))?;
+        let entries =
+            entries.as_array().ok_or_else(|| wrong(format!("{page}: [[{page}]] expected")))?;
         let exercises: std::result::Result<Vec<_>, String> = entries.iter().map(exercise).collect();
         found.insert(page.clone(), exercises.map_err(|what| wrong(format!("{page}: {what}")))?);
     }
@@ -104,10 +105,16 @@ impl Exercise {
 
 /// The exercises of a page on a sheet of their own.
 pub fn sheet(title: &str, list: &[Exercise], with_solutions: bool) -> String {
-    let mut text = format!("# {title}: exercises{}\n", if with_solutions { " with solutions" } else { "" });
+    let mut text =
+        format!("# {title}: exercises{}\n", if with_solutions { " with solutions" } else { "" });
     for (k, exercise) in (1..).zip(list) {
-        let _ =
-            write!(text, "\n**{k}.** *{}* {}\n{}", exercise.kind.word(), exercise.ask, exercise.commands());
+        let _ = write!(
+            text,
+            "\n**{k}.** *{}* {}\n{}",
+            exercise.kind.word(),
+            exercise.ask,
+            exercise.commands()
+        );
         if let Some(hint) = &exercise.hint {
             let _ = write!(text, "\n*Hint.* {hint}\n");
         }
@@ -132,7 +139,8 @@ fn markdown(list: &[Exercise]) -> String {
     for (k, exercise) in list.iter().enumerate() {
         let _ = write!(text, "\n**{}.** *{}* {}\n", k + 1, exercise.kind.word(), exercise.ask);
         text.push_str(&exercise.commands());
-        let folded = [("Hint", exercise.hint.as_deref()), ("Solution", Some(exercise.answer.as_str()))];
+        let folded =
+            [("Hint", exercise.hint.as_deref()), ("Solution", Some(exercise.answer.as_str()))];
         for (title, body) in folded {
             if let Some(body) = body {
                 let open = format!("<details class=\"answer\"><summary>{title}</summary>");
@@ -145,25 +153,36 @@ fn markdown(list: &[Exercise]) -> String {
 
 /// What is wrong with the program that an exercise asks for: it has a hole and one test.
 fn wrong_program(program: &str, book: &Path) -> Option<&'static str> {
-    let Some((file, function)) = program.split_once("::") else { return Some("`program` is file::function") };
+    let Some((file, function)) = program.split_once("::") else {
+        return Some("`program` is file::function");
+    };
     let file = book.join("course/tests").join(file).with_extension("rs");
     let text = std::fs::read_to_string(file).unwrap_or_default();
-    let body = text.split(&format!("\nfn {function}(")).nth(1).and_then(|rest| rest.split("\n}\n").next());
-    let tests = text.split("#[test]\nfn ").skip(1).filter(|test| test.starts_with(function)).count();
+    let body =
+        text.split(&format!("\nfn {function}(")).nth(1).and_then(|rest| rest.split("\n}\n").next());
+    let tests =
+        text.split("#[test]\nfn ").skip(1).filter(|test| test.starts_with(function)).count();
     match body {
         None => Some("no such program"),
         Some(body) if !body.contains("\n    // solution: ") => Some("a program without a hole"),
-        _ if tests != 1 => Some("a program needs one test, whose name begins with that of the program"),
+        _ if tests != 1 => {
+            Some("a program needs one test, whose name begins with that of the program")
+        }
         _ => None,
     }
 }
 
 /// Exercises of pages that are not there, too few or too many on a page, none that asks why; programs without a hole or a
 /// test; words that a sheet without its page does not explain.
-pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book: &Path) -> Vec<Fault> {
+pub fn faults(
+    exercises: &BTreeMap<String, Vec<Exercise>>,
+    pages: &[Page],
+    book: &Path,
+) -> Vec<Fault> {
     let mut found = Vec::new();
     for (name, list) in exercises {
-        let mut fault = |what: &str| found.push(Fault::new(&book.join(FILE), 1, what, name.as_str()));
+        let mut fault =
+            |what: &str| found.push(Fault::new(&book.join(FILE), 1, what, name.as_str()));
         if !pages.iter().any(|page| page.html.strip_suffix(".html") == Some(name)) {
             fault("exercises of a page that is not there");
         }
@@ -171,7 +190,8 @@ pub fn faults(exercises: &BTreeMap<String, Vec<Exercise>>, pages: &[Page], book:
             fault("a page has two to eight exercises");
         }
         for exercise in list {
-            let program = exercise.program.as_deref().and_then(|program| wrong_program(program, book));
+            let program =
+                exercise.program.as_deref().and_then(|program| wrong_program(program, book));
             program.iter().for_each(|what| fault(what));
             if ["of the page", "on this page", "of the table"]
                 .iter()
@@ -211,8 +231,9 @@ mod tests {
             assert!(GOOD.contains(from) && with(&GOOD.replace(from, to)).is_err(), "{to}");
         }
         let page = Page { file: "one.md".into(), html: "one.html".into(), text: String::new() };
-        let what =
-            |text: &str| faults(&with(text).unwrap(), std::slice::from_ref(&page), Path::new("b")).len();
+        let what = |text: &str| {
+            faults(&with(text).unwrap(), std::slice::from_ref(&page), Path::new("b")).len()
+        };
         assert_eq!(what(GOOD), 0);
         assert_eq!(what(&GOOD.replace("'why'", "'try'")), 1);
         assert_eq!(what(&GOOD.replace("[[one]]", "[[two]]")), 1);

@@ -17,7 +17,10 @@ const PAPER: [&str; 4] = ["white", "#fff", "#ffffff", "rgb(255,255,255)"];
 pub fn inline(name: &str, text: &str, caption: &str, has_data: bool) -> Result<String, String> {
     let svg = svg(name, text, caption)?;
     let data = if has_data { data_link(name) } else { String::new() };
-    Ok(format!("<figure class=\"chart\">{svg}<figcaption>{}{data}</figcaption></figure>", escape(caption)))
+    Ok(format!(
+        "<figure class=\"chart\">{svg}<figcaption>{}{data}</figcaption></figure>",
+        escape(caption)
+    ))
 }
 
 /// A link to the numbers behind the figure `name`.

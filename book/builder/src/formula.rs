@@ -64,7 +64,9 @@ pub fn convert(formulas: &[Formula]) -> Result<(Vec<String>, Labels), Vec<Refuse
             if !is_plain {
                 refused.push(refuse(k, "label not of letters, digits and hyphens", label));
             }
-            if labels.insert(label.to_owned(), Label { page: formula.page, number: String::new() }).is_some()
+            if labels
+                .insert(label.to_owned(), Label { page: formula.page, number: String::new() })
+                .is_some()
             {
                 refused.push(refuse(k, "label given twice", label));
             }
@@ -96,7 +98,8 @@ pub fn convert(formulas: &[Formula]) -> Result<(Vec<String>, Labels), Vec<Refuse
         match result {
             Ok(mathml) => converted.push(mathml),
             Err((what, at)) => {
-                let text = formula.latex.get(at).filter(|t| !t.is_empty()).unwrap_or(&formula.latex);
+                let text =
+                    formula.latex.get(at).filter(|t| !t.is_empty()).unwrap_or(&formula.latex);
                 let what = format!("formula does not parse ({what}) in {}", formula.latex.trim());
                 refused.push(refuse(k, &what, text));
             }
@@ -118,7 +121,9 @@ fn mathml(formulas: &[Formula]) -> Vec<Converted> {
     let converter = LatexToMathML::new(config).unwrap_or_default();
     let snippets: Vec<(&str, MathDisplay)> = formulas
         .iter()
-        .map(|f| (f.latex.trim(), if f.is_display { MathDisplay::Block } else { MathDisplay::Inline }))
+        .map(|f| {
+            (f.latex.trim(), if f.is_display { MathDisplay::Block } else { MathDisplay::Inline })
+        })
         .collect();
     let results = converter.convert_all(&snippets).into_iter().zip(formulas);
     results
@@ -138,7 +143,8 @@ fn mathml(formulas: &[Formula]) -> Vec<Converted> {
 /// `ssty`) and sets the one that is small and high already still smaller and higher.
 fn primes(mathml: &str) -> String {
     const PRIME: &str = "<mo>′</mo>";
-    const LOWERED: &str = r#"<mpadded voffset="-0.4em" height="0.2em"><mo scriptlevel="0">′</mo></mpadded>"#;
+    const LOWERED: &str =
+        r#"<mpadded voffset="-0.4em" height="0.2em"><mo scriptlevel="0">′</mo></mpadded>"#;
     ["</msup>", "</msubsup>"].iter().fold(mathml.to_owned(), |text, end| {
         text.replace(&format!("{PRIME}{end}"), &format!("{LOWERED}{end}"))
     })
@@ -146,7 +152,10 @@ fn primes(mathml: &str) -> String {
 
 /// The arguments of a command, such as the labels of `\label{...}`.
 fn arguments<'a>(latex: &'a str, command: &'a str) -> impl Iterator<Item = &'a str> {
-    latex.split(command).skip(1).filter_map(|rest| rest.split_once('}').map(|(argument, _)| argument))
+    latex
+        .split(command)
+        .skip(1)
+        .filter_map(|rest| rest.split_once('}').map(|(argument, _)| argument))
 }
 
 #[cfg(test)]

@@ -61,8 +61,9 @@ pub fn build(root: &Path, marked: &Marked) -> Result<PathBuf> {
     let output = book.build_dir_for("html");
     for name in names(&output)?.into_iter().filter(|name| name.ends_with(".html")) {
         let file = output.join(&name);
-        let html =
-            marked.unmark(&name, &read(&file)?).map_err(|what| Error::Mdbook(format!("{name}: {what}")))?;
+        let html = marked
+            .unmark(&name, &read(&file)?)
+            .map_err(|what| Error::Mdbook(format!("{name}: {what}")))?;
         write(&file, html)?;
     }
     for name in names(&output)?.into_iter().filter(|name| name.starts_with("searchindex")) {

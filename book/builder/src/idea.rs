@@ -34,7 +34,8 @@ fn attribute(svg: &str, name: &str) -> String {
 
 /// What the slider of a picture moves, such as θ.
 pub fn parameter(ideas: &Path, file: &str) -> String {
-    std::fs::read_to_string(ideas.join(file)).map_or(String::new(), |svg| attribute(&svg, "data-parameter"))
+    std::fs::read_to_string(ideas.join(file))
+        .map_or(String::new(), |svg| attribute(&svg, "data-parameter"))
 }
 
 /// The picture `name` as HTML with its caption.
@@ -52,7 +53,10 @@ pub fn inline(ideas: &Path, name: &str, caption: &str) -> Result<String, String>
     }
     Ok(match drawn.as_slice() {
         [(_, svg)] => {
-            format!("<figure class=\"chart\">{svg}<figcaption>{}</figcaption></figure>", escape(caption))
+            format!(
+                "<figure class=\"chart\">{svg}<figcaption>{}</figcaption></figure>",
+                escape(caption)
+            )
         }
         _ => slider::html(&parameter, &drawn, caption),
     })

@@ -35,21 +35,25 @@ fn fault(body: &str, fence: &str, source: &Path) -> Option<String> {
         return Some("included file does not exist".to_owned());
     };
     let has = |mark: &str| {
-        text.lines().any(|line| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor))
+        text.lines()
+            .any(|line| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor))
     };
     let is_found = anchor.is_empty() || (has("ANCHOR: ") && has("ANCHOR_END: "));
     if !is_found {
         return Some("included file has no such anchor".to_owned());
     }
     let is_rust = Path::new(path).extension().is_some_and(|e| e == "rs");
-    (is_rust && fence != "rust,ignore").then(|| "included Rust code not in a `rust,ignore` block".to_owned())
+    (is_rust && fence != "rust,ignore")
+        .then(|| "included Rust code not in a `rust,ignore` block".to_owned())
 }
 
 /// The lines that `path:anchor` names, without the marks of anchors; `None` where there are none.
 pub fn text(target: &str, source: &Path) -> Option<String> {
     let (path, anchor) = target.trim().split_once(':').unwrap_or((target.trim(), ""));
     let text = std::fs::read_to_string(source.join(path)).ok()?;
-    let is = |line: &str, mark: &str| line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor);
+    let is = |line: &str, mark: &str| {
+        line.split_once(mark).is_some_and(|(_, name)| name.trim() == anchor)
+    };
     let mut lines: Vec<&str> = text.lines().collect();
     if !anchor.is_empty() {
         let start = lines.iter().position(|line| is(line, "ANCHOR: "))?;

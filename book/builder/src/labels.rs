@@ -80,7 +80,8 @@ fn lines_with<'a>(file: &'a str, text: &'a str) -> impl Iterator<Item = usize> +
 fn one(value: &toml::Value, line: usize) -> std::result::Result<Label, String> {
     let mut label = Label { line, ..Label::default() };
     for (key, value) in value.as_table().into_iter().flatten() {
-        let words = || value.as_str().map(str::to_owned).ok_or_else(|| format!("{key} is not a text"));
+        let words =
+            || value.as_str().map(str::to_owned).ok_or_else(|| format!("{key} is not a text"));
         match key.as_str() {
             "label" => label.label = words()?,
             "group" => label.group = words()?,
@@ -129,7 +130,9 @@ pub fn faults(labels: &[Label], repository: &Path) -> Result<Vec<Fault>> {
         if !label.test.is_empty() && code::test(&tests, file, function).is_err() {
             fault("unknown test", &label.test);
         }
-        if !label.page.is_empty() && !repository.join(format!("book/src/{}.md", label.page)).exists() {
+        if !label.page.is_empty()
+            && !repository.join(format!("book/src/{}.md", label.page)).exists()
+        {
             fault("unknown page", &label.page);
         }
         if !label.room.is_empty() && !repository.join(&label.room).is_file() {
@@ -187,17 +190,21 @@ mod tests {
         let directory = repository();
         assert!(faults(&list(directory.path()).unwrap(), directory.path()).unwrap().is_empty());
         for more in ["proved = \"yes\"", "seen = \"so\""] {
-            let entry =
-                format!("[[label]]\nlabel = \"a\"\ngroup = \"g\"\nwords = \"w\"\nnote = \"n\"\n{more}\n");
+            let entry = format!(
+                "[[label]]\nlabel = \"a\"\ngroup = \"g\"\nwords = \"w\"\nnote = \"n\"\n{more}\n"
+            );
             write(&directory.path().join(LIST), ENTRY.to_owned() + &entry).unwrap();
             assert!(
                 !faults(&list(directory.path()).unwrap(), directory.path()).unwrap().is_empty(),
                 "{more}"
             );
         }
-        for text in
-            ["[[label]]\nlabel = 3\n", "[[label]]\nwhat = \"x\"\n", "[[label", "[[label]]\nlabel = \"a\"\n"]
-        {
+        for text in [
+            "[[label]]\nlabel = 3\n",
+            "[[label]]\nwhat = \"x\"\n",
+            "[[label",
+            "[[label]]\nlabel = \"a\"\n",
+        ] {
             write(&directory.path().join(LIST), text).unwrap();
             assert!(list(directory.path()).is_err(), "{text}");
         }

@@ -46,14 +46,17 @@ pub fn list(book: &Path) -> Result<Vec<Run>> {
 pub fn faults(runs: &[Run], kept: &Data) -> Vec<Fault> {
     let file = Path::new("book").join(FILE);
     let as_written = |run: &&Run| {
-        kept.examples.get(&run.name).is_some_and(|outcome| outcome["arguments"] == run.arguments.as_str())
+        kept.examples
+            .get(&run.name)
+            .is_some_and(|outcome| outcome["arguments"] == run.arguments.as_str())
     };
     let missing = runs.iter().filter(|run| !as_written(run)).map(|run| {
         let what = format!("not run with these arguments: `cargo book large {}`", run.name);
         Fault::new(&file, 1, what, &run.arguments)
     });
     let unknown = kept.examples.keys().filter(|name| !runs.iter().any(|run| run.name == **name));
-    let unknown = unknown.map(|name| Fault::new(&file, 1, "an outcome of no run in this file", name));
+    let unknown =
+        unknown.map(|name| Fault::new(&file, 1, "an outcome of no run in this file", name));
     missing.chain(unknown).collect()
 }
 
@@ -93,18 +96,26 @@ mod tests {
         write(&book.path().join(FILE), text).unwrap();
         let runs = list(book.path()).unwrap();
         let mut kept = Data::default();
-        let messages = |kept: &Data| faults(&runs, kept).iter().map(ToString::to_string).collect::<Vec<_>>();
+        let messages =
+            |kept: &Data| faults(&runs, kept).iter().map(ToString::to_string).collect::<Vec<_>>();
         assert_eq!(
             messages(&kept),
-            ["book/large.toml:1: not run with these arguments: `cargo book large fine`: `--levels 2-11`"]
+            [
+                "book/large.toml:1: not run with these arguments: `cargo book large fine`: `--levels 2-11`"
+            ]
         );
         kept.examples.insert("fine".into(), serde_json::json!({"arguments": "--levels 2-11"}));
         assert_eq!(messages(&kept), Vec::<String>::new());
         kept.examples.insert("gone".into(), serde_json::json!({"arguments": ""}));
-        assert_eq!(messages(&kept), ["book/large.toml:1: an outcome of no run in this file: `gone`"]);
+        assert_eq!(
+            messages(&kept),
+            ["book/large.toml:1: an outcome of no run in this file: `gone`"]
+        );
         kept.examples["fine"]["arguments"] = "--levels 2-9".into();
         assert_eq!(messages(&kept).len(), 2);
         write(&book.path().join(FILE), "[fine]\nexample = 'ex'\n").unwrap();
-        assert!(list(book.path()).unwrap_err().to_string().contains("fine: `arguments` is missing"));
+        assert!(
+            list(book.path()).unwrap_err().to_string().contains("fine: `arguments` is missing")
+        );
     }
 }

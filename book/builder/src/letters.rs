@@ -37,21 +37,25 @@ pub struct Letters(Vec<Letter>);
 impl Letters {
     /// Reads the notation page, if there is one.
     pub fn read(pages: &[Page]) -> Self {
-        let Some(page) = pages.iter().find(|page| page.html == NOTATION) else { return Self::default() };
+        let Some(page) = pages.iter().find(|page| page.html == NOTATION) else {
+            return Self::default();
+        };
         let mut letters: Vec<Letter> = Vec::new();
         let mut section = String::new();
         for line in page.text.lines() {
             if let Some(title) = line.strip_prefix("## ") {
                 section = anchor(title);
             }
-            let Some((first, rest)) = line.strip_prefix("| ").and_then(|row| row.split_once(" | ")) else {
+            let Some((first, rest)) = line.strip_prefix("| ").and_then(|row| row.split_once(" | "))
+            else {
                 continue;
             };
             let symbols = first.split('$').skip(1).step_by(2);
             let symbols: Vec<&str> =
                 symbols.map(|symbol| symbol.split('=').next().unwrap_or("").trim()).collect();
             if section.ends_with(SEVERAL) {
-                for letter in letters.iter_mut().filter(|letter| symbols.contains(&&*letter.latex)) {
+                for letter in letters.iter_mut().filter(|letter| symbols.contains(&&*letter.latex))
+                {
                     letter.elsewhere.extend(links(rest.rsplit(" | ").next().unwrap_or("")));
                 }
             } else {
@@ -73,13 +77,15 @@ impl Letters {
             return Vec::new();
         }
         let found = pieces(&page.text).unwrap_or_default();
-        let formulas = found.iter().filter(|piece| matches!(piece.kind, Kind::Inline | Kind::Display));
+        let formulas =
+            found.iter().filter(|piece| matches!(piece.kind, Kind::Inline | Kind::Display));
         let formulas: Vec<Vec<String>> = formulas.map(|piece| tokens(piece.text)).collect();
         let is_in = |formula: &[String], letter: &Letter| {
             (0..formula.len()).any(|at| begins(&formula[at..], &formula[..at], &letter.pattern))
         };
         let is_used = |letter: &&Letter| {
-            !letter.elsewhere.contains(&page.html) && formulas.iter().any(|formula| is_in(formula, letter))
+            !letter.elsewhere.contains(&page.html)
+                && formulas.iter().any(|formula| is_in(formula, letter))
         };
         self.0.iter().filter(is_used).cloned().collect()
     }
@@ -87,7 +93,10 @@ impl Letters {
 
 /// The anchor of a heading.
 pub fn anchor(title: &str) -> String {
-    title.to_lowercase().replace(' ', "-").replace(|c: char| !c.is_alphanumeric() && !"-_".contains(c), "")
+    title
+        .to_lowercase()
+        .replace(' ', "-")
+        .replace(|c: char| !c.is_alphanumeric() && !"-_".contains(c), "")
 }
 
 /// Built pages that a cell leads to.
@@ -120,7 +129,9 @@ fn pattern(latex: &str) -> Vec<String> {
     let all = tokens(latex);
     match all.iter().position(|token| token == "(") {
         // C(q) keeps its argument, a(u, v) and γ_θ(ν) do not.
-        Some(1) if all[2..].iter().all(|token| "uv,)".contains(token.as_str())) => all[..2].to_vec(),
+        Some(1) if all[2..].iter().all(|token| "uv,)".contains(token.as_str())) => {
+            all[..2].to_vec()
+        }
         Some(open) if open > 1 => all[..open].to_vec(),
         _ => all,
     }
@@ -128,7 +139,9 @@ fn pattern(latex: &str) -> Vec<String> {
 
 /// Whether the rest of a formula begins with the pattern; an index or a power makes another symbol.
 fn begins(rest: &[String], before: &[String], pattern: &[String]) -> bool {
-    if let Some(bars) = pattern.iter().position(|token| token == "v").filter(|_| pattern[0].len() > 1) {
+    if let Some(bars) =
+        pattern.iter().position(|token| token == "v").filter(|_| pattern[0].len() > 1)
+    {
         // Any function between the bars of \abs{v}_\nu.
         let close = rest.iter().scan(0, |depth, token| {
             *depth += i32::from(token == "{") - i32::from(token == "}");
@@ -154,7 +167,11 @@ mod tests {
     use super::*;
 
     fn found(text: &str) -> Vec<String> {
-        let page = |html: &str, text: &str| Page { file: html.into(), html: html.into(), text: text.into() };
+        let page = |html: &str, text: &str| Page {
+            file: html.into(),
+            html: html.into(),
+            text: text.into(),
+        };
         let notation = "## Norms and zones\n\n| letter | meaning |\n| --- | --- |\n| $\\theta$, $K$, $K^h$ | a |\n\
             | $\\abs{v}_\\nu$ | b |\n| $\\gamma_\\theta(\\nu)$ | c |\n| $\\nu = \\tau - \\frac32$, $h$, $n$ | d |\n\
             | $a(u, v)$, $C(q)$, $T$ | e |\n\n## One letter, several pages\n\n| $T$ | here | time: [x](p.md) |\n";

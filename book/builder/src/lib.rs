@@ -93,7 +93,8 @@ fn pages(layout: &Layout, data: &Data) -> Result<(PathBuf, Vec<(String, String)>
     faults.extend(exercises::faults(&exercises::list(&layout.book)?, &pages, &layout.book));
     faults.extend(coverage::faults(&pages, &layout.repository)?);
     let ideas = layout.book.join("ideas");
-    let sources = Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
+    let sources =
+        Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
     let marked = match page::mark(&pages, &sources) {
         Ok(marked) => marked,
         Err(more) => {
@@ -122,7 +123,12 @@ pub fn check_fresh(layout: &Layout, committed: &Data, computed: &Data) -> Result
     let faults = stale::compare(committed, computed).into_iter().map(|stale| {
         let file = generated.join(&stale.file);
         let text = read(&layout.repository.join(&file)).unwrap_or_default();
-        Fault::new(&file, line_of(&text, &stale.entry), format!("stale: {}", stale.what), stale.entry)
+        Fault::new(
+            &file,
+            line_of(&text, &stale.entry),
+            format!("stale: {}", stale.what),
+            stale.entry,
+        )
     });
     none_of(faults.collect())
 }

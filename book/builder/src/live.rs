@@ -40,12 +40,15 @@ pub fn example(text: &str, data: &Data) -> Option<String> {
 pub fn directives(page: &str, data: &Data) -> Vec<(String, String)> {
     let found = pieces(page).unwrap_or_default();
     let directives = found.iter().filter(|piece| piece.kind == Kind::Directive);
-    directives.filter_map(|piece| Some((piece.text.trim().to_owned(), example(piece.text, data)?))).collect()
+    directives
+        .filter_map(|piece| Some((piece.text.trim().to_owned(), example(piece.text, data)?)))
+        .collect()
 }
 
 /// Examples with options that show a table or a picture on the page.
 pub fn examples(page: &str, data: &Data) -> BTreeSet<String> {
-    let takes_options = |example: &String| data.options.get(example).is_some_and(|d| !declared(d).is_empty());
+    let takes_options =
+        |example: &String| data.options.get(example).is_some_and(|d| !declared(d).is_empty());
     let is_block = |text: &str| BLOCKS.contains(&text.split(':').next().unwrap_or("").trim());
     let found = directives(page, data).into_iter().filter(|(text, _)| is_block(text));
     found.map(|(_, example)| example).filter(takes_options).collect()
@@ -102,14 +105,22 @@ mod tests {
     fn directives_belong_to_one_example() {
         let data = data();
         let of = |text: &str| example(text, &data);
-        for text in
-            ["table: ex", "finding: ex/key", "value: ex/key: s3", "figure: b: c", "slider: t: ex/*: c"]
-        {
+        for text in [
+            "table: ex",
+            "finding: ex/key",
+            "value: ex/key: s3",
+            "figure: b: c",
+            "slider: t: ex/*: c",
+        ] {
             assert_eq!(of(text).as_deref(), Some("ex"), "{text}");
         }
-        for text in
-            ["value: key", "slider: t: x = ex/a, y = other/a: c", "table: none", "code: ex: run", "test: x"]
-        {
+        for text in [
+            "value: key",
+            "slider: t: x = ex/a, y = other/a: c",
+            "table: none",
+            "code: ex: run",
+            "test: x",
+        ] {
             assert_eq!(of(text), None, "{text}");
         }
     }

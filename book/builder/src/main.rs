@@ -9,14 +9,16 @@ use book_builder::data::Data;
 use book_builder::error::{Error, Result};
 use book_builder::serve::{Laboratory, Limits, Server};
 use book_builder::{
-    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, slides, stale, tables,
+    Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, slides,
+    stale, tables,
 };
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str = "usage: cargo book [build | check | course | labels | large NAME | serve [--port P]]";
+const USAGE: &str =
+    "usage: cargo book [build | check | course | labels | large NAME | serve [--port P]]";
 
 fn main() -> ExitCode {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -93,7 +95,8 @@ fn serve(layout: &Layout, port: u16) -> Result<PathBuf> {
     let data = committed(layout)?;
     let output = build(layout, &data)?;
     let programs = examples::build(&layout.repository)?;
-    let server = Server::bind(Laboratory::new(layout, data, &output, &programs, Limits::default())?, port)?;
+    let server =
+        Server::bind(Laboratory::new(layout, data, &output, &programs, Limits::default())?, port)?;
     println!("http://{}/ (Ctrl-C ends it)", server.address());
     server.run().map(|()| output)
 }
@@ -121,8 +124,8 @@ fn check_sessions(layout: &Layout) -> Result<()> {
     match python(&["-m", "doctest", PAGE]) {
         Some(done) if done.status.success() => Ok(()),
         done => {
-            let message =
-                done.map_or(String::new(), |done| String::from_utf8_lossy(&done.stdout).into_owned());
+            let message = done
+                .map_or(String::new(), |done| String::from_utf8_lossy(&done.stdout).into_owned());
             Err(Error::Example { name: PAGE.to_owned(), message })
         }
     }

@@ -104,13 +104,16 @@ fn one(option: &Value, value: &str) -> Result<(), String> {
 
 /// A finite number, written with digits, signs, a point and an exponent.
 fn number(text: &str) -> Result<f64, String> {
-    let is_plain = text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
+    let is_plain =
+        text.bytes().all(|b| b.is_ascii_digit() || matches!(b, b'+' | b'-' | b'.' | b'e' | b'E'));
     let value = text.parse::<f64>().ok().filter(|value| is_plain && value.is_finite());
     value.ok_or_else(|| "not a number".to_owned())
 }
 
 fn in_range(option: &Value, value: f64) -> Result<(), String> {
-    let [Some(low), Some(high)] = [0, 1].map(|k| option["range"][k].as_f64()) else { return Ok(()) };
+    let [Some(low), Some(high)] = [0, 1].map(|k| option["range"][k].as_f64()) else {
+        return Ok(());
+    };
     if low <= value && value <= high { Ok(()) } else { Err(format!("not within {low} and {high}")) }
 }
 
@@ -160,7 +163,9 @@ mod tests {
             ("scene", "cantor:0.3:12"),
             ("zone", "0.25|centre"),
         ];
-        for (name, value) in good.into_iter().flat_map(|(name, all)| all.split('|').map(move |v| (name, v))) {
+        for (name, value) in
+            good.into_iter().flat_map(|(name, all)| all.split('|').map(move |v| (name, v)))
+        {
             assert_eq!(asked(name, value), Ok(vec![format!("--{name}={value}")]), "{name} {value}");
         }
         assert_eq!(asked("lines", "true"), Ok(vec!["--lines".to_owned()]));

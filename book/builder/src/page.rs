@@ -85,7 +85,12 @@ impl Marker<'_> {
         self.opens = true;
         let found = pieces(&page.text).unwrap_or_else(|error| {
             let rest = page.text[error.start..].lines().next().unwrap_or("");
-            self.faults.push(Fault::new(&page.file, line_at(&page.text, error.start), error.what, rest));
+            self.faults.push(Fault::new(
+                &page.file,
+                line_at(&page.text, error.start),
+                error.what,
+                rest,
+            ));
             Vec::new()
         });
         let mut text = String::new();
@@ -137,7 +142,8 @@ impl Marker<'_> {
     }
 
     fn directive(&mut self, number: usize, page: &Page, piece: &Piece<'_>, text: &mut String) {
-        let example = live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
+        let example =
+            live::example(piece.text, self.sources.data).filter(|e| self.live.contains(e));
         let begins = sentence::begins(text);
         let inline = |html: String| match example {
             Some(_) => live::inline(piece.text, &html, begins),
@@ -156,7 +162,8 @@ impl Marker<'_> {
                 text.push_str(&guarded(&format!("<code>{name}</code>")));
             }
             Ok(Meaning::Block(html)) => {
-                let mut html = if example.is_some() { live::block(piece.text, &html) } else { html };
+                let mut html =
+                    if example.is_some() { live::block(piece.text, &html) } else { html };
                 if let Some(example) = example.filter(|example| self.panels.remove(example)) {
                     html.push_str(&live::panel(&example, &self.sources.data.options[&example]));
                 }
@@ -174,17 +181,26 @@ impl Marker<'_> {
     }
 
     fn decimals(&mut self, page: &Page, start: usize, text: &str) {
-        self.faults.extend(decimal::typed_by_hand(text, self.sources.allowed).into_iter().map(|found| {
-            let line = line_at(&page.text, start + found.start);
-            Fault::new(&page.file, line, "decimal typed by hand (use {{value:...}})", found.text)
-        }));
+        self.faults.extend(decimal::typed_by_hand(text, self.sources.allowed).into_iter().map(
+            |found| {
+                let line = line_at(&page.text, start + found.start);
+                Fault::new(
+                    &page.file,
+                    line,
+                    "decimal typed by hand (use {{value:...}})",
+                    found.text,
+                )
+            },
+        ));
     }
 
     /// All formulas of the book at once.
     fn finish(mut self, pages: &[Page]) -> Result<Marked, Vec<Fault>> {
         match formula::convert(&self.formulas) {
             Ok((mathml, labels)) => {
-                for ((&place, formula), mathml) in self.places.iter().zip(&self.formulas).zip(mathml) {
+                for ((&place, formula), mathml) in
+                    self.places.iter().zip(&self.formulas).zip(mathml)
+                {
                     let class = if formula.is_display { "display" } else { "inline" };
                     let html = format!("<span class=\"{class}-formula\">{mathml}</span>");
                     self.marked.snippets[place] = Snippet::Inline(html);
@@ -223,14 +239,17 @@ pub(crate) fn fill(latex: &str, sources: &Sources<'_>) -> Result<String, (String
 /// HTML that Markdown leaves alone within a line.
 fn guarded(html: &str) -> String {
     let special = |c: char| matches!(c, '*' | '_' | '`' | '[' | ']' | '\\' | '|' | '~' | '$');
-    html.chars().map(|c| if special(c) { format!("&#{};", u32::from(c)) } else { c.to_string() }).collect()
+    html.chars()
+        .map(|c| if special(c) { format!("&#{};", u32::from(c)) } else { c.to_string() })
+        .collect()
 }
 
 /// A text that was built, without marks.
 pub fn without_marks(text: &str) -> String {
     let mut parts = text.split(MARK.0);
     let first = parts.next().unwrap_or("").to_owned();
-    parts.fold(first, |kept, part| kept + part.split_once(MARK.1).map_or(part, |(_, behind)| behind))
+    parts
+        .fold(first, |kept, part| kept + part.split_once(MARK.1).map_or(part, |(_, behind)| behind))
 }
 
 impl Marked {
@@ -261,10 +280,17 @@ impl Marked {
                     html.push_str(&self.linked(inline, name));
                 }
                 Snippet::Block(block) => {
-                    let before = before.strip_suffix("<p>").ok_or("a figure or table inside a paragraph")?;
-                    rest = behind.strip_prefix("</p>").ok_or("a figure or table inside a paragraph")?;
+                    let before =
+                        before.strip_suffix("<p>").ok_or("a figure or table inside a paragraph")?;
+                    rest = behind
+                        .strip_prefix("</p>")
+                        .ok_or("a figure or table inside a paragraph")?;
                     html.push_str(before);
-                    html.push_str(if name == "print.html" { live::without_panel(block) } else { block });
+                    html.push_str(if name == "print.html" {
+                        live::without_panel(block)
+                    } else {
+                        block
+                    });
                 }
             }
         }
@@ -280,7 +306,8 @@ impl Marked {
         for (label, &Label { page, .. }) in &self.labels {
             let home = &self.html[page];
             if home != name && !(page == 0 && name == "index.html") {
-                linked = linked.replace(&format!("href=\"#{label}\""), &format!("href=\"{home}#{label}\""));
+                linked = linked
+                    .replace(&format!("href=\"#{label}\""), &format!("href=\"{home}#{label}\""));
             }
         }
         linked

@@ -99,7 +99,12 @@ pub fn stale(layout: &Layout, files: &[(String, String)]) -> Result<Vec<Fault>> 
         let line = pairs.position(|(old, new)| old != new).unwrap_or(committed.lines().count());
         if committed != *text {
             let now = text.lines().nth(line).unwrap_or("");
-            faults.push(Fault::new(&place(name), line + 1, "not what `cargo book build` writes", now));
+            faults.push(Fault::new(
+                &place(name),
+                line + 1,
+                "not what `cargo book build` writes",
+                now,
+            ));
         }
     }
     let unknown = crate::data::names(&directory)?;
@@ -114,11 +119,19 @@ pub fn refused(files: &[(String, String)]) -> Vec<Fault> {
     for (name, text) in files {
         for (k, line) in text.lines().enumerate() {
             let words = line.split('\\').skip(1);
-            let words = words.map(|rest| rest.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or(""));
-            faults.extend(words.filter(|word| line.contains('$') && REFUSED.contains(word)).map(|word| {
-                let place = Path::new("book").join(DIRECTORY).join(name);
-                Fault::new(&place, k + 1, "a macro that a repository's page does not render", word)
-            }));
+            let words = words
+                .map(|rest| rest.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or(""));
+            faults.extend(words.filter(|word| line.contains('$') && REFUSED.contains(word)).map(
+                |word| {
+                    let place = Path::new("book").join(DIRECTORY).join(name);
+                    Fault::new(
+                        &place,
+                        k + 1,
+                        "a macro that a repository's page does not render",
+                        word,
+                    )
+                },
+            ));
         }
     }
     faults
@@ -137,7 +150,8 @@ struct Writer<'a> {
 impl Writer<'_> {
     fn write(&self) -> String {
         let source = self.page.html.replace(".html", ".md");
-        let mut text = format!("<!-- Written by `cargo book` from book/src/{source}; do not edit. -->\n\n");
+        let mut text =
+            format!("<!-- Written by `cargo book` from book/src/{source}; do not edit. -->\n\n");
         let mut opens = true;
         for piece in pieces(&self.page.text).unwrap_or_default() {
             match piece.kind {
@@ -171,8 +185,11 @@ impl Writer<'_> {
         }
         let is_rust = text.starts_with("```rust");
         let mut lines = Vec::new();
-        for line in text.lines().filter(|line| !(is_rust && (line.starts_with("# ") || *line == "#"))) {
-            let body = line.trim().strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}"));
+        for line in
+            text.lines().filter(|line| !(is_rust && (line.starts_with("# ") || *line == "#")))
+        {
+            let body =
+                line.trim().strip_prefix("{{#include ").and_then(|rest| rest.strip_suffix("}}"));
             match body.and_then(|body| include::text(body, &self.layout.book.join("src"))) {
                 Some(included) => lines.push(included),
                 None if line.starts_with("```rust") => lines.push("```rust".to_owned()),
@@ -187,7 +204,11 @@ impl Writer<'_> {
         let latex = latex.replace("\n>", "\n");
         let only = latex.trim().strip_prefix(r"\eqref{").and_then(|rest| rest.strip_suffix('}'));
         if let Some(label) = only.and_then(|label| self.labels.get(label)) {
-            return format!("[({})]({})", label.number, self.pages[label.page].html.replace(".html", ".md"));
+            return format!(
+                "[({})]({})",
+                label.number,
+                self.pages[label.page].html.replace(".html", ".md")
+            );
         }
         let latex = portable(&latex, self.labels);
         if piece.kind == Kind::Display { format!("$${latex}$$") } else { format!("${latex}$") }
@@ -210,10 +231,13 @@ impl Writer<'_> {
             }
             ["idea", name, caption] => {
                 let frames = idea::frames(self.sources.ideas, name).unwrap_or_default();
-                let parameter =
-                    frames.first().map_or(String::new(), |f| idea::parameter(self.sources.ideas, &f.1));
-                let frames: Vec<_> =
-                    frames.into_iter().map(|(label, file)| (label, format!("../ideas/{file}"))).collect();
+                let parameter = frames
+                    .first()
+                    .map_or(String::new(), |f| idea::parameter(self.sources.ideas, &f.1));
+                let frames: Vec<_> = frames
+                    .into_iter()
+                    .map(|(label, file)| (label, format!("../ideas/{file}")))
+                    .collect();
                 (self.picture(&frames, &parameter, caption, ""), true)
             }
             _ => match directive::resolve(text, self.sources) {
@@ -241,13 +265,20 @@ impl Writer<'_> {
     }
 
     /// The frame that a book shows first, links to the others, the caption, and the numbers behind a chart.
-    fn picture(&self, frames: &[(String, String)], parameter: &str, caption: &str, data: &str) -> String {
+    fn picture(
+        &self,
+        frames: &[(String, String)],
+        parameter: &str,
+        caption: &str,
+        data: &str,
+    ) -> String {
         let shown = frames.len().saturating_sub(1) / 2;
         let Some((label, file)) = frames.get(shown) else { return String::new() };
         let mut text = format!("![{0}]({1})\n\n*{0}*", caption.replace(['[', ']'], ""), file);
         if frames.len() > 1 {
             let others = frames.iter().filter(|frame| frame.0 != *label);
-            let others: Vec<String> = others.map(|(label, file)| format!("[{label}]({file})")).collect();
+            let others: Vec<String> =
+                others.map(|(label, file)| format!("[{label}]({file})")).collect();
             text.push_str(&format!(" ({parameter}: {label}; also {})", others.join(", ")));
         }
         if self.sources.data.series.contains_key(data) {
@@ -276,8 +307,9 @@ fn inline(html: &str) -> String {
 /// Stars and underscores as such, but for code.
 fn escaped(text: &str) -> String {
     let parts = text.split('`').enumerate();
-    let written = parts
-        .map(|(k, part)| if k % 2 == 0 { part.replace('*', r"\*").replace('_', r"\_") } else { part.into() });
+    let written = parts.map(|(k, part)| {
+        if k % 2 == 0 { part.replace('*', r"\*").replace('_', r"\_") } else { part.into() }
+    });
     written.collect::<Vec<_>>().join("`")
 }
 
@@ -357,8 +389,11 @@ fn expand(latex: &str) -> String {
                 at = behind;
                 continue;
             }
-            let end =
-                if meaning.contains("#1") { argument(&text, behind) } else { Some((String::new(), behind)) };
+            let end = if meaning.contains("#1") {
+                argument(&text, behind)
+            } else {
+                Some((String::new(), behind))
+            };
             let Some((inner, end)) = end else { break };
             text.replace_range(found..end, &meaning.replace("#1", &inner));
             at = found;
@@ -372,7 +407,8 @@ fn argument(text: &str, at: usize) -> Option<(String, usize)> {
     let start = at + text[at..].find(|c: char| !c.is_whitespace())?;
     if !text[start..].starts_with('{') {
         let first = text[start..].chars().next()?;
-        let name = text[start + first.len_utf8()..].find(|c: char| !c.is_ascii_alphabetic() || first != '\\');
+        let name = text[start + first.len_utf8()..]
+            .find(|c: char| !c.is_ascii_alphabetic() || first != '\\');
         let end = start + first.len_utf8() + name.unwrap_or(text.len() - start - first.len_utf8());
         return Some((text[start..end].to_owned(), end));
     }
@@ -404,8 +440,13 @@ fn numbered(latex: &str, labels: &Labels) -> String {
     let mut text = latex.replace(r"\begin{equation}", "").replace(r"\end{equation}", "");
     for (name, label) in labels {
         let (at, reference) = (format!("\\label{{{name}}}"), format!("\\eqref{{{name}}}"));
-        let tag = if text.contains(r"\tag{") { String::new() } else { format!("\\tag{{{}}}", label.number) };
-        text = text.replace(&at, &tag).replace(&reference, &format!("\\text{{({})}}", label.number));
+        let tag = if text.contains(r"\tag{") {
+            String::new()
+        } else {
+            format!("\\tag{{{}}}", label.number)
+        };
+        text =
+            text.replace(&at, &tag).replace(&reference, &format!("\\text{{({})}}", label.number));
     }
     text
 }
@@ -419,13 +460,29 @@ mod tests {
     fn formulas_need_no_macro_and_survive_markdown() {
         let labels = [("bound".to_owned(), Label { page: 0, number: "5.2".to_owned() })].into();
         let of = |latex: &str| portable(latex, &labels);
-        assert_eq!(of(r"\abs{\uN'}_\nu < \R"), r"\left\vert u_{\mathrm N}'\right\vert_\nu \lt \mathbb{R}");
-        assert_eq!(of(r"\int \norm{v} \dd x"), r"\int \left\Vert v\right\Vert \thinspace\mathrm{d} x");
-        assert_eq!(of(r"\abs{\abs{a} b}\Rho"), r"\left\vert\left\vert a\right\vert b\right\vert\Rho");
-        assert_eq!(of(r"\abs E + \abs \theta"), r"\left\vert E\right\vert + \left\vert\theta\right\vert");
-        assert_eq!(of(r"\operatorname{div} u &\phantom{{}\le{}} a"), r"\mathop{\mathrm{div}} u & a");
-        let page =
-            |formula: &str| refused(&[("a.md".to_owned(), format!("text $\\{formula}{{a}}$\n"))]).len();
+        assert_eq!(
+            of(r"\abs{\uN'}_\nu < \R"),
+            r"\left\vert u_{\mathrm N}'\right\vert_\nu \lt \mathbb{R}"
+        );
+        assert_eq!(
+            of(r"\int \norm{v} \dd x"),
+            r"\int \left\Vert v\right\Vert \thinspace\mathrm{d} x"
+        );
+        assert_eq!(
+            of(r"\abs{\abs{a} b}\Rho"),
+            r"\left\vert\left\vert a\right\vert b\right\vert\Rho"
+        );
+        assert_eq!(
+            of(r"\abs E + \abs \theta"),
+            r"\left\vert E\right\vert + \left\vert\theta\right\vert"
+        );
+        assert_eq!(
+            of(r"\operatorname{div} u &\phantom{{}\le{}} a"),
+            r"\mathop{\mathrm{div}} u & a"
+        );
+        let page = |formula: &str| {
+            refused(&[("a.md".to_owned(), format!("text $\\{formula}{{a}}$\n"))]).len()
+        };
         assert_eq!(["phantom", "mathrm", "mbox"].map(page), [1, 0, 1]);
         assert_eq!(of(r"\{a\} * b \\ c"), r"\lbrace a\rbrace \ast b \cr c");
         assert_eq!(of("\\begin{equation}\n a \\label{bound}\n\\end{equation}"), r"a \tag{5.2}");

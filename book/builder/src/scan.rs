@@ -181,9 +181,13 @@ mod tests {
 
     #[test]
     fn code_comments_and_escapes_hide_dollars() {
-        for text in
-            ["`$x$`", "``a ` $x$``", "```sh\necho $HOME $x\n```\n", "<!-- $x$ -->", "{{#include a.rs:b}}"]
-        {
+        for text in [
+            "`$x$`",
+            "``a ` $x$``",
+            "```sh\necho $HOME $x\n```\n",
+            "<!-- $x$ -->",
+            "{{#include a.rs:b}}",
+        ] {
             assert_eq!(kinds(text), vec![(Kind::Code, text)], "{text}");
         }
         assert_eq!(kinds(r"costs 3\$ and 4\$"), vec![(Kind::Prose, r"costs 3\$ and 4\$")]);

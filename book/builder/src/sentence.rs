@@ -14,7 +14,9 @@ pub fn begins(text: &str) -> bool {
         return begins(trimmed.trim_end_matches('>'));
     }
     let is_item = matches!(line, "-" | "*" | "+")
-        || line.strip_suffix('.').is_some_and(|n| !n.is_empty() && n.chars().all(|c| c.is_ascii_digit()));
+        || line
+            .strip_suffix('.')
+            .is_some_and(|n| !n.is_empty() && n.chars().all(|c| c.is_ascii_digit()));
     let stop = trimmed.trim_end_matches("**");
     !gap.is_empty() && (is_item || stop.ends_with(['.', '?', '!']))
 }
@@ -27,10 +29,12 @@ pub fn capitalised(html: &str) -> String {
         let Some(end) = html[at..].find('>') else { break };
         at += end + 1;
     }
-    let word = &html[at..at + html[at..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(html.len() - at)];
+    let word = &html
+        [at..at + html[at..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(html.len() - at)];
     let behind = html[at + word.len()..].chars().next().unwrap_or(' ');
     let is_word = word.len() > 1 || word == "a";
-    if !is_word || !word.starts_with(|c: char| c.is_ascii_lowercase()) || "*/^_=<(".contains(behind) {
+    if !is_word || !word.starts_with(|c: char| c.is_ascii_lowercase()) || "*/^_=<(".contains(behind)
+    {
         return html.to_owned();
     }
     let mut capital = html.to_owned();
@@ -59,7 +63,8 @@ mod tests {
             ("(E1) is", None),
             ("J is", None),
         ] {
-            let expected = expected.map_or_else(|| html.replace(">no set", ">No set"), str::to_owned);
+            let expected =
+                expected.map_or_else(|| html.replace(">no set", ">No set"), str::to_owned);
             assert_eq!(capitalised(html), expected, "{html}");
         }
     }

@@ -24,7 +24,8 @@ pub fn frames(list: &str, data: &Data) -> Result<Vec<Frame>, String> {
             let rest = |name: &String| Some((name.strip_prefix(prefix)?.to_owned(), name.clone()));
             found.extend(data.figures.keys().filter_map(rest));
         } else {
-            let (label, name) = item.split_once('=').ok_or("a frame is `label = figure` or `prefix*`")?;
+            let (label, name) =
+                item.split_once('=').ok_or("a frame is `label = figure` or `prefix*`")?;
             let (full, _) = data.figure(name.trim()).map_err(|e| e.words("figure"))?;
             found.push((label.trim().to_owned(), full.to_owned()));
         }
@@ -47,7 +48,8 @@ pub fn inline(parameter: &str, list: &str, caption: &str, data: &Data) -> Result
     let mut drawn = Vec::new();
     for (label, name) in frames(list, data)? {
         let spoken = format!("{caption}; {parameter}: {label}");
-        let link = if data.series.contains_key(&name) { figure::data_link(&name) } else { String::new() };
+        let link =
+            if data.series.contains_key(&name) { figure::data_link(&name) } else { String::new() };
         drawn.push((label, figure::svg(&name, &data.figures[&name], &spoken)? + &link));
     }
     Ok(html(parameter, &drawn, caption))
@@ -62,7 +64,11 @@ pub fn html(parameter: &str, frames: &[Frame], caption: &str) -> String {
     );
     for (k, (label, svg)) in frames.iter().enumerate() {
         let hidden = if k == shown { "" } else { " hidden" };
-        let _ = write!(html, "<div class=\"frame\" data-label=\"{}\"{hidden}>{svg}</div>", escape(label));
+        let _ = write!(
+            html,
+            "<div class=\"frame\" data-label=\"{}\"{hidden}>{svg}</div>",
+            escape(label)
+        );
     }
     let _ = write!(html, "</figure-slider><figcaption>{}</figcaption></figure>", escape(caption));
     html

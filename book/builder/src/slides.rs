@@ -27,8 +27,9 @@ pub fn write_all(layout: &Layout, mut data: Data) -> Result<Vec<PathBuf>> {
     for (k, page) in (1..).zip(entries(&list, "page")) {
         let name = text(page, "name");
         let title = title(&layout.book, name)?;
-        let sheet =
-            |solutions| exercises::sheet(&title, exercises.get(name).map_or(&[], Vec::as_slice), solutions);
+        let sheet = |solutions| {
+            exercises::sheet(&title, exercises.get(name).map_or(&[], Vec::as_slice), solutions)
+        };
         own.push(one(DIRECTORIES[0], &format!("slides_{k}.html"), slides(&title, page)));
         own.push(one(DIRECTORIES[0], &format!("sheet_{k}.html"), sheet(false)));
         own.push(one(DIRECTORIES[1], &format!("sheet_{k}.html"), sheet(true)));
@@ -38,11 +39,17 @@ pub fn write_all(layout: &Layout, mut data: Data) -> Result<Vec<PathBuf>> {
     let first = pages.len();
     pages.extend(own);
     data.options.clear();
-    let allowed = decimal::allow_list(&read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default());
+    let allowed =
+        decimal::allow_list(&read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default());
     let (examples, tests) = (layout.repository.join("examples"), layout.repository.join("tests"));
     let ideas = layout.book.join("ideas");
-    let sources =
-        Sources { data: &data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &allowed };
+    let sources = Sources {
+        data: &data,
+        examples: &examples,
+        tests: &tests,
+        ideas: &ideas,
+        allowed: &allowed,
+    };
     let marked = page::mark(&pages, &sources).map_err(Error::Faults)?;
     let mut files = Vec::new();
     for (page, text) in pages.iter().zip(&marked.texts).skip(first) {
@@ -77,7 +84,9 @@ fn markdown(text: &str) -> String {
     let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("*Letters:*")).collect();
     let text = lines.join("\n");
     pulldown_cmark::html::push_html(&mut body, Parser::new_ext(&text, Options::ENABLE_TABLES));
-    body.replace(".md\"", ".html\"").replace(".md#", ".html#").replace("<h2>", "</section><section><h2>")
+    body.replace(".md\"", ".html\"")
+        .replace(".md#", ".html#")
+        .replace("<h2>", "</section><section><h2>")
 }
 
 /// The files stand one directory below the pages.

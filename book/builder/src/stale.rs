@@ -27,7 +27,8 @@ pub struct Stale {
 /// What of `committed` differs from `computed`. Figures are compared where they are committed.
 pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     let mut found = Vec::new();
-    let values = |entry: String, what: String| Stale { file: "values.json".to_owned(), entry, what };
+    let values =
+        |entry: String, what: String| Stale { file: "values.json".to_owned(), entry, what };
     for (name, new) in &computed.examples {
         let Some(old) = committed.examples.get(name) else {
             found.push(values(name.clone(), "computed and not committed".to_owned()));
@@ -42,7 +43,8 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
     }
     for name in committed.options.keys().chain(computed.options.keys()).collect::<BTreeSet<_>>() {
         if committed.options.get(name) != computed.options.get(name) {
-            let (file, what) = ("options.json".to_owned(), "not what the example describes now".to_owned());
+            let (file, what) =
+                ("options.json".to_owned(), "not what the example describes now".to_owned());
             found.push(Stale { file, entry: name.clone(), what });
         }
     }
@@ -58,7 +60,11 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
             Some(new) if !is_timed(name) && !same_text(old, new) => "drawn differently now",
             Some(_) => continue,
         };
-        found.push(Stale { file: format!("figures/{name}.svg"), entry: name.clone(), what: what.to_owned() });
+        found.push(Stale {
+            file: format!("figures/{name}.svg"),
+            entry: name.clone(),
+            what: what.to_owned(),
+        });
     }
     found
 }
@@ -68,12 +74,14 @@ pub fn compare(committed: &Data, computed: &Data) -> Vec<Stale> {
 pub fn kept(committed: &Data, mut computed: Data) -> Data {
     let stale = compare(committed, &computed);
     let is_same = |file: &str, name: &str| {
-        let is_part =
-            |entry: &str| entry == name || entry.strip_prefix(name).is_some_and(|r| r.starts_with('/'));
+        let is_part = |entry: &str| {
+            entry == name || entry.strip_prefix(name).is_some_and(|r| r.starts_with('/'))
+        };
         !stale.iter().any(|stale| stale.file == file && is_part(&stale.entry))
     };
     for (name, old) in &committed.examples {
-        if let Some(new) = computed.examples.get_mut(name).filter(|_| is_same("values.json", name)) {
+        if let Some(new) = computed.examples.get_mut(name).filter(|_| is_same("values.json", name))
+        {
             new.clone_from(old);
         }
     }
@@ -114,13 +122,16 @@ fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, Str
                 difference(&format!("{path}/{k}"), a, b, found);
             }
         }
-        (Value::Object(a), Value::Object(b)) if a.contains_key("finding") && b.contains_key("finding") => {
+        (Value::Object(a), Value::Object(b))
+            if a.contains_key("finding") && b.contains_key("finding") =>
+        {
             // Words and comparison repeat the number, as far as it has digits.
             for key in ["finding", "outcome", "role", "bound", "value"] {
                 let is_timed = matches!(key, "outcome" | "bound" | "value")
                     && a["finding"].as_str().is_some_and(is_timed);
-                let entry =
-                    |map: &serde_json::Map<String, Value>| map.get(key).cloned().unwrap_or(Value::Null);
+                let entry = |map: &serde_json::Map<String, Value>| {
+                    map.get(key).cloned().unwrap_or(Value::Null)
+                };
                 if !is_timed {
                     difference(&format!("{path}/{key}"), &entry(a), &entry(b), found);
                 }

@@ -66,8 +66,11 @@ fn cards_table(labels: &[&Label]) -> String {
         let directive = |name: &str, key: &str| {
             if key.is_empty() { "none".to_owned() } else { format!("{{{{{name}: {key}}}}}") }
         };
-        let verdict =
-            if label.note.is_empty() { directive("verdict", &label.example) } else { label.note.clone() };
+        let verdict = if label.note.is_empty() {
+            directive("verdict", &label.example)
+        } else {
+            label.note.clone()
+        };
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {verdict} |",
@@ -94,7 +97,8 @@ fn certainty_table(labels: &[Label]) -> String {
 /// The README, then the chapters in the order of the summary.
 fn chapters(repository: &Path) -> Result<String> {
     let summary = read(&repository.join(SUMMARY))?;
-    let files = summary.split("](").skip(1).filter_map(|rest| rest.split_once(')').map(|(file, _)| file));
+    let files =
+        summary.split("](").skip(1).filter_map(|rest| rest.split_once(')').map(|(file, _)| file));
     let mut text = "    readme: \"../../README.md\",\n".to_owned();
     for name in files.filter_map(|file| file.strip_suffix(".md")) {
         let _ = writeln!(text, "    {name}: \"{name}.md\",");
@@ -180,7 +184,10 @@ mod tests {
         put("examples/ex.rs", "");
         put(SUMMARY, "# Summary\n\n[How](how.md)\n\n- [(3.2): so](lemma.md)\n");
         put(CERTAINTY, "<!-- labels -->\n<!-- end of labels -->\n");
-        put(CHAPTERS, "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n");
+        put(
+            CHAPTERS,
+            "chapters! {\n    // chapters\n    old: \"old.md\",\n    // end of chapters\n}\n",
+        );
         let cards = "<!-- labels: tools -->\n<!-- end of labels -->\n<!-- labels: rest -->\n";
         put(CARDS, &format!("{cards}<!-- end of labels -->\n"));
         directory

@@ -40,10 +40,13 @@ fn greek(text: &str) -> String {
     let mut result = String::new();
     let mut rest = text;
     while let Some(start) = rest.find(char::is_alphabetic) {
-        let length = rest[start..].find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len() - start);
+        let length =
+            rest[start..].find(|c: char| !c.is_alphanumeric()).unwrap_or(rest.len() - start);
         let word = &rest[start..start + length];
         result.push_str(&rest[..start]);
-        result.push_str(LETTERS.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter));
+        result.push_str(
+            LETTERS.iter().find(|(name, _)| *name == word).map_or(word, |(_, letter)| letter),
+        );
         rest = &rest[start + length..];
     }
     (result + rest).replace("<=", "≤").replace(">=", "≥").replace("->", "→").replace("sqrt(", "√(")
@@ -92,7 +95,8 @@ fn word_end(text: &str) -> usize {
     let next = |at: usize| text[at..].chars().nth(1);
     // `H^1/2` is one exponent, `u^h/at` is not.
     let is_fraction = |at: usize| {
-        text[..at].ends_with(|c: char| c.is_ascii_digit()) && next(at).is_some_and(|c| c.is_ascii_digit())
+        text[..at].ends_with(|c: char| c.is_ascii_digit())
+            && next(at).is_some_and(|c| c.is_ascii_digit())
     };
     let joins = |at: usize, c: char| match c {
         '.' => next(at).is_some_and(char::is_alphanumeric),
@@ -105,10 +109,12 @@ fn word_end(text: &str) -> usize {
         .find(|&(at, c)| !(is_inner(c) || joins(at, c)))
         .map_or(text.len(), |(at, _)| at);
     // A number with a power of ten.
-    let ten =
-        text[..end].strip_suffix('e').filter(|mantissa| mantissa.ends_with(|c: char| c.is_ascii_digit()));
+    let ten = text[..end]
+        .strip_suffix('e')
+        .filter(|mantissa| mantissa.ends_with(|c: char| c.is_ascii_digit()));
     let digits = text[end..].strip_prefix('-').filter(|_| ten.is_some());
-    let length = digits.map_or(0, |rest| rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()));
+    let length =
+        digits.map_or(0, |rest| rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len()));
     match (end > sign, length) {
         (true, 0) => end,
         (true, length) => end + 1 + length,
@@ -124,13 +130,15 @@ fn minus(text: &str, before: char) -> Option<(String, usize)> {
 
 /// A number with a power of ten at the start of `text`, as HTML, and its length.
 fn power(text: &str, before: char) -> Option<(String, usize)> {
-    if before.is_alphanumeric() || before == '.' || !text.starts_with(|c: char| c.is_ascii_digit()) {
+    if before.is_alphanumeric() || before == '.' || !text.starts_with(|c: char| c.is_ascii_digit())
+    {
         return None;
     }
     let mantissa = text.find(|c: char| !c.is_ascii_digit() && c != '.')?;
     let exponent = text[mantissa..].strip_prefix('e')?;
     let sign = usize::from(exponent.starts_with(['-', '+']));
-    let digits = exponent[sign..].find(|c: char| !c.is_ascii_digit()).unwrap_or(exponent.len() - sign);
+    let digits =
+        exponent[sign..].find(|c: char| !c.is_ascii_digit()).unwrap_or(exponent.len() - sign);
     let length = mantissa + 1 + sign + digits;
     (digits > 0).then(|| (Written::from_text(&text[..length]).html(), length))
 }

@@ -63,7 +63,12 @@ fn look(html: &str) -> Built {
 }
 
 /// Why a link of page `name` leads nowhere, if so.
-fn dead(link: &str, name: &str, built: &BTreeMap<String, Built>, output: &Path) -> Option<&'static str> {
+fn dead(
+    link: &str,
+    name: &str,
+    built: &BTreeMap<String, Built>,
+    output: &Path,
+) -> Option<&'static str> {
     if link.contains("://") || link.starts_with("//") || link.starts_with("data:") {
         return Some("link out of the book");
     }
@@ -79,7 +84,8 @@ fn dead(link: &str, name: &str, built: &BTreeMap<String, Built>, output: &Path) 
 
 /// The source line that a fault of a built page comes from.
 fn locate(what: &str, link: &str, name: &str, pages: &[Page]) -> Fault {
-    let home = if name == "index.html" { pages.first() } else { pages.iter().find(|p| p.html == name) };
+    let home =
+        if name == "index.html" { pages.first() } else { pages.iter().find(|p| p.html == name) };
     let Some(page) = home else {
         return Fault::new(Path::new(name), 1, what, link);
     };

@@ -42,20 +42,27 @@ impl Fixture {
     fn new() -> Self {
         let fixture = Self(tempfile::tempdir().unwrap());
         let toml =
-            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml")).unwrap();
+            std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../book.toml"))
+                .unwrap();
         fixture.write("book/book.toml", &toml);
         fixture.write("book/style/slider.js", "");
         fixture.write("book/style/fit.js", "");
         fixture.write("book/style/live.js", "");
         fixture.write("book/style/book.css", "math { font-family: math; }");
         fixture.write("book/ideas/wave.svg", CHART);
-        fixture.write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n");
+        fixture.write(
+            "book/src/SUMMARY.md",
+            "# Summary\n\n- [First](first.md)\n- [Second](second.md)\n",
+        );
         fixture.write("book/src/first.md", &FIRST.replace(" {{table: ex}}", "\n\n{{table: ex}}"));
         fixture.write("book/src/second.md", SECOND);
-        let chapters =
-            "    readme: \"../../README.md\",\n    first: \"first.md\",\n    second: \"second.md\",\n";
-        fixture.write("src/book.rs", &format!("    // chapters\n{chapters}    // end of chapters\n"));
-        fixture.write("examples/ex.rs", "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n");
+        let chapters = "    readme: \"../../README.md\",\n    first: \"first.md\",\n    second: \"second.md\",\n";
+        fixture
+            .write("src/book.rs", &format!("    // chapters\n{chapters}    // end of chapters\n"));
+        fixture.write(
+            "examples/ex.rs",
+            "// ANCHOR: run\nfn main() {}\n// ANCHOR_END: run\n\nfn walk() {}\n",
+        );
         fixture.write("tests/lemma.rs", "#[test]\nfn holds() {}\n");
         data(0.29156).write(&fixture.layout().generated()).unwrap();
         fixture
@@ -137,9 +144,13 @@ fn a_sound_book_builds_and_is_complete() {
     let fixture = Fixture::new();
     fixture.build().unwrap();
     let first = fixture.read("book/html/first.html");
-    for part in
-        ["role=\"img\"", "aria-label=\"gamma against theta\"", "stroke=\"currentColor\"", "0.2916", "(5.2)"]
-    {
+    for part in [
+        "role=\"img\"",
+        "aria-label=\"gamma against theta\"",
+        "stroke=\"currentColor\"",
+        "0.2916",
+        "(5.2)",
+    ] {
         assert!(first.contains(part), "{part}");
     }
     let second = fixture.read("book/html/second.html");
@@ -333,11 +344,15 @@ fn unknown_directives_fail() {
 
 #[test]
 fn a_figure_that_is_missing_or_torn_fails_where_it_is_shown() {
-    for (spoil, words) in [("", "figure"), ("<svg width=\"1\"", "figure"), ("not a picture", "figure")] {
+    for (spoil, words) in
+        [("", "figure"), ("<svg width=\"1\"", "figure"), ("not a picture", "figure")]
+    {
         let fixture = Fixture::new();
         fixture.write("book/generated/figures/ex/chart.svg", spoil);
         let message = fixture.build().expect_err(spoil).to_string();
-        let at = |place: &str| message.lines().any(|line| line.starts_with(place) && line.contains(words));
+        let at = |place: &str| {
+            message.lines().any(|line| line.starts_with(place) && line.contains(words))
+        };
         assert!(at("book/src/first.md:3:") && at("book/src/second.md:13:"), "{message}");
     }
     let fixture = Fixture::new();
@@ -353,7 +368,13 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
         ("second", "lemma::holds", "theorem::holds", "second:15", "unknown test file"),
         ("second", "lemma::holds", "lemma::fails", "second:15", "no such test"),
         ("second", "--example ex", "--example no", "second:15", "unknown example: `no`"),
-        ("second", "Backed by", "Backed by `src/no.rs`,", "second:15", "does not exist: `src/no.rs`"),
+        (
+            "second",
+            "Backed by",
+            "Backed by `src/no.rs`,",
+            "second:15",
+            "does not exist: `src/no.rs`",
+        ),
     ]);
     let fixture = Fixture::new();
     fixture.write("examples/alone.rs", "fn main() {}\n");
@@ -364,7 +385,13 @@ fn examples_tests_and_commands_that_do_not_exist_fail() {
 #[test]
 fn formulas_in_unmarked_places_fail() {
     expect(&[("first", "# First", "# First $x$", "first:1", "formula in a heading")]);
-    expect(&[("first", "# First", "# Other", "first:1", "not the title that SUMMARY.md gives the page")]);
+    expect(&[(
+        "first",
+        "# First",
+        "# Other",
+        "first:1",
+        "not the title that SUMMARY.md gives the page",
+    )]);
     let twice = "$\\begin{equation} x \\label{bound} \\end{equation}$ by $\\eqref{bound}$";
     expect(&[("second", "$\\eqref{bound}$", twice, "second:5", "label given twice")]);
 }
@@ -373,7 +400,13 @@ fn formulas_in_unmarked_places_fail() {
 fn faults_of_links_fail() {
     expect(&[
         ("first", "second.md#two", "third.md", "first:9", "dead link: `third."),
-        ("first", "second.md#two", "second.md#three", "first:9", "dead anchor: `second.html#three`"),
+        (
+            "first",
+            "second.md#two",
+            "second.md#three",
+            "first:9",
+            "dead anchor: `second.html#three`",
+        ),
         ("first", "second.md#two", "https://example.org", "first:9", "link out of the book"),
     ]);
 }
@@ -401,7 +434,8 @@ fn stale_values_and_figures_fail() {
 
     let message = check_fresh(&layout, &committed, &data(0.2917)).unwrap_err().to_string();
     assert!(
-        message.starts_with("book/generated/values.json:9: stale: committed 0.29156, computed 0.2917"),
+        message
+            .starts_with("book/generated/values.json:9: stale: committed 0.29156, computed 0.2917"),
         "{message}"
     );
 

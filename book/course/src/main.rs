@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-const USAGE: &str = "usage: cargo course skeleton NAME, NAME one of before, contact, estimate, zone, rates";
+const USAGE: &str =
+    "usage: cargo course skeleton NAME, NAME one of before, contact, estimate, zone, rates";
 /// Before the hint of a hole, and behind a hole.
 const HOLE: [&str; 2] = ["    // solution: ", "    // end"];
 
@@ -89,7 +90,11 @@ mod tests {
             assert!(holes >= 4, "{name}");
             assert_eq!(holes, lines.iter().filter(|line| **line == HOLE[1]).count(), "{name}");
             for pair in lines.windows(2) {
-                assert!(!pair[1].starts_with(HOLE[0]) || pair[0].ends_with('{'), "{name}: {}", pair[0]);
+                assert!(
+                    !pair[1].starts_with(HOLE[0]) || pair[0].ends_with('{'),
+                    "{name}: {}",
+                    pair[0]
+                );
                 assert!(pair[0] != HOLE[1] || pair[1] == "}", "{name}: {}", pair[1]);
             }
         }

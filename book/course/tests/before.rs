@@ -76,7 +76,8 @@ fn seminorm_squared_of_the_line() {
 
 #[test]
 fn rate_of_powers() {
-    let errors: Vec<(f64, f64)> = (2..9).map(|k| 0.5_f64.powi(k)).map(|h| (h, 3.0 * h.powf(0.7))).collect();
+    let errors: Vec<(f64, f64)> =
+        (2..9).map(|k| 0.5_f64.powi(k)).map(|h| (h, 3.0 * h.powf(0.7))).collect();
     near("rate", "errors 3 h^0.7", rate(&errors), 0.7, 1e-12);
 }
 
@@ -98,6 +99,12 @@ fn term_of_a_kink() {
     for (place, exact) in [(0.5, 1.0 / 16.0), (2.0 / 3.0, 2.0 / 27.0)] {
         let u = |x: f64| -(x - place).max(0.0);
         let sigma = |x: f64| if x < place { -1.0 } else { 0.0 };
-        near("term", &format!("contact on (0, {place}), 3000 cells"), term(u, sigma, 3000), exact, 1e-6);
+        near(
+            "term",
+            &format!("contact on (0, {place}), 3000 cells"),
+            term(u, sigma, 3000),
+            exact,
+            1e-6,
+        );
     }
 }

@@ -24,7 +24,9 @@ fn gauss_seidel(a: &[Vec<f64>], f: &[f64], steps: usize) -> Vec<f64> {
 fn residual(a: &[Vec<f64>], f: &[f64], v: &[f64]) -> f64 {
     // solution: a maximum over the rows
     let force = |i: usize| a[i].iter().zip(v).map(|(a, v)| a * v).sum::<f64>() - f[i];
-    (0..v.len()).map(|i| v[i].max(force(i)).max((v[i] * force(i)).abs()).max(0.0)).fold(0.0, f64::max)
+    (0..v.len())
+        .map(|i| v[i].max(force(i)).max((v[i] * force(i)).abs()).max(0.0))
+        .fold(0.0, f64::max)
     // end
 }
 
@@ -86,9 +88,27 @@ fn gauss_seidel_finds_the_minimum() {
 #[test]
 fn residual_sees_each_violation() {
     let a = string(2);
-    near("residual", "f = (0, 0), v = (1/2, 0): v > 0", residual(&a, &[0.0, 0.0], &[0.5, 0.0]), 1.0, 0.0);
-    near("residual", "f = (−1, 0), v = 0: the stop pulls", residual(&a, &[-1.0, 0.0], &[0.0, 0.0]), 1.0, 0.0);
-    near("residual", "f = (0, 1), v = 0: the solution", residual(&a, &[0.0, 1.0], &[0.0, 0.0]), 0.0, 0.0);
+    near(
+        "residual",
+        "f = (0, 0), v = (1/2, 0): v > 0",
+        residual(&a, &[0.0, 0.0], &[0.5, 0.0]),
+        1.0,
+        0.0,
+    );
+    near(
+        "residual",
+        "f = (−1, 0), v = 0: the stop pulls",
+        residual(&a, &[-1.0, 0.0], &[0.0, 0.0]),
+        1.0,
+        0.0,
+    );
+    near(
+        "residual",
+        "f = (0, 1), v = 0: the solution",
+        residual(&a, &[0.0, 1.0], &[0.0, 0.0]),
+        0.0,
+        0.0,
+    );
 }
 
 #[test]

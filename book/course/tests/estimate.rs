@@ -17,7 +17,9 @@ fn excess(v: [f64; 2]) -> [f64; 2] {
 fn wave(n: usize) -> Result<f64> {
     // solution: Function::from_fn with the nodes as breakpoints, then norm(-0.5, 1e-6)
     let nodes: Vec<f64> = (0..=n).map(|k| k as f64 / n as f64).collect();
-    let u = Function::from_fn(&nodes, move |x| (2.0 * std::f64::consts::PI * n as f64 * x).cos() - 1.0)?;
+    let u = Function::from_fn(&nodes, move |x| {
+        (2.0 * std::f64::consts::PI * n as f64 * x).cos() - 1.0
+    })?;
     Ok(u.norm(-0.5, 1e-6)?.value)
     // end
 }
@@ -52,7 +54,8 @@ fn cantor_gaps(generations: u32) -> Vec<(f64, f64)> {
         let half = 0.5 * 0.25_f64.powi(k as i32 + 1);
         let middles: Vec<f64> = pieces.iter().map(|(a, b)| 0.5 * (a + b)).collect();
         gaps.extend(middles.iter().map(|m| (m - half, m + half)));
-        let split = pieces.iter().zip(&middles).flat_map(|(&(a, b), m)| [(a, m - half), (m + half, b)]);
+        let split =
+            pieces.iter().zip(&middles).flat_map(|(&(a, b), m)| [(a, m - half), (m + half, b)]);
         pieces = split.collect();
     }
     gaps
@@ -108,7 +111,13 @@ fn diameter_counts_what_lies_between() {
 fn cantor_gaps_fill_one_half() {
     let gaps = cantor_gaps(12);
     let length: f64 = gaps.iter().map(|(a, b)| b - a).sum();
-    check("cantor_gaps", "number of gaps, 12 generations", gaps.len(), "4095", gaps.len() == (1 << 12) - 1);
+    check(
+        "cantor_gaps",
+        "number of gaps, 12 generations",
+        gaps.len(),
+        "4095",
+        gaps.len() == (1 << 12) - 1,
+    );
     near("cantor_gaps", "their length together", length, 0.5 * (1.0 - 0.5_f64.powi(12)), 1e-9);
     let outside = gaps.iter().find(|&&(a, b)| !(0.0 < a && a < b && b < 1.0));
     check("cantor_gaps", "a gap (a, b) without 0 < a < b < 1", outside, "none", outside.is_none());

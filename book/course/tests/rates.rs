@@ -28,7 +28,8 @@ fn balance(tau: f64, h: f64) -> f64 {
     for _ in 0..100 {
         let middle: f64 = 0.5 * (low + high);
         let theta = middle.exp();
-        let quotient = h * theta.powf(tau - 1.0) / (h.powf(2.0 * tau - 2.0) * theta.powf(tau - 2.0));
+        let quotient =
+            h * theta.powf(tau - 1.0) / (h.powf(2.0 * tau - 2.0) * theta.powf(tau - 2.0));
         if quotient < 1.0 { low = middle } else { high = middle }
     }
     low.exp()
@@ -92,7 +93,13 @@ fn explicit_constant() -> f64 {
 fn exponents_meet_at_the_ends() {
     for (tau, expected) in [(1.5, [0.5, 0.5, 0.5]), (2.0, [0.75, 1.0, 1.0])] {
         let found = exponents(tau);
-        check("exponents", &format!("τ = {tau}"), found, &format!("{expected:?}"), found == expected);
+        check(
+            "exponents",
+            &format!("τ = {tau}"),
+            found,
+            &format!("{expected:?}"),
+            found == expected,
+        );
     }
 }
 
@@ -141,8 +148,9 @@ fn segment_constant_is_accurate_near_zero() {
 
 #[test]
 fn explicit_constant_has_the_interpolation_constant_of_kikuchi_and_liu() {
-    let known =
-        (0.4929124517549f64.powi(2) + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh()).sqrt();
+    let known = (0.4929124517549f64.powi(2)
+        + 0.5 * std::f64::consts::PI / std::f64::consts::PI.tanh())
+    .sqrt();
     near(
         "explicit_constant",
         "the scalar problem, right isosceles triangles",

@@ -17,7 +17,10 @@ fn ramp(theta: f64) -> Result<f64> {
     // solution: Function::from_fn with the breakpoints 0, θ, 1; norm(0.0, ..) is that of L²
     let length = -theta.ln();
     let u =
-        Function::from_fn(&[0.0, theta, 1.0], move |x| if x < theta { 0.0 } else { 1.0 + x.ln() / length })?;
+        Function::from_fn(
+            &[0.0, theta, 1.0],
+            move |x| if x < theta { 0.0 } else { 1.0 + x.ln() / length },
+        )?;
     Ok(u.norm(0.0, 1e-6)?.value / u.seminorm(0.5, 1e-6)?.value)
     // end
 }
@@ -25,14 +28,19 @@ fn ramp(theta: f64) -> Result<f64> {
 /// The bound of γ at the zone θ^(2^n) that n steps γ_(θ²) ≤ γ_θ (1 + θ^(ν − ½)) give, from `start` = γ_θ.
 fn doubling(start: f64, theta: f64, nu: f64, n: u32) -> f64 {
     // solution: θ is squared in each step
-    (0..n).fold((start, theta), |(bound, theta), _| (bound * (1.0 + theta.powf(nu - 0.5)), theta * theta)).0
+    (0..n)
+        .fold((start, theta), |(bound, theta), _| {
+            (bound * (1.0 + theta.powf(nu - 0.5)), theta * theta)
+        })
+        .0
     // end
 }
 
 /// Which of the places k/8, k = 0 .. 8, has the smallest constant γ for functions that vanish there, ν = 3/4.
 fn best_place() -> Result<usize> {
     // solution: Constraint::vanishing_at(x)
-    let at = |k: usize| Ok(gamma(0.75, Constraint::vanishing_at(k as f64 / 8.0), 1e-6)?.constant.value);
+    let at =
+        |k: usize| Ok(gamma(0.75, Constraint::vanishing_at(k as f64 / 8.0), 1e-6)?.constant.value);
     let values: Vec<f64> = (0..=8).map(at).collect::<Result<_>>()?;
     Ok((0..=8).min_by(|&i, &k| values[i].total_cmp(&values[k])).unwrap_or(0))
     // end
@@ -92,14 +100,22 @@ fn ramp_is_a_lower_bound_that_grows() {
         let best = gamma(0.5, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap().constant.value;
         let found = ramp(theta).unwrap();
         let expected = format!("between 0.8 and 1 times {best}");
-        check("ramp", &format!("θ = {theta}"), found, &expected, 0.8 * best < found && found < best);
+        check(
+            "ramp",
+            &format!("θ = {theta}"),
+            found,
+            &expected,
+            0.8 * best < found && found < best,
+        );
     }
 }
 
 #[test]
 fn doubling_is_an_upper_bound() {
     for nu in [0.25, 0.5, 0.75] {
-        let at = |theta: f64| gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap().constant.value;
+        let at = |theta: f64| {
+            gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap().constant.value
+        };
         for n in 1..4 {
             let bound = doubling(at(0.25), 0.25, nu, n);
             let gamma = at(0.25_f64.powi(1 << n));

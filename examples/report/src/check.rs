@@ -110,7 +110,11 @@ impl Checked {
     /// Whether the relation would hold for the other plausible outcome as well, with the error of this value.
     fn admits_alternative(&self) -> bool {
         let Some(other) = self.alternative else { return false };
-        let other = Self { value: Measured::new(other, self.value.error), alternative: None, ..self.clone() };
+        let other = Self {
+            value: Measured::new(other, self.value.error),
+            alternative: None,
+            ..self.clone()
+        };
         other.decision() == Decision::Holds
     }
 
@@ -280,7 +284,8 @@ impl<'a> Claim<'a> {
     fn record(self, value: Measured, relation: Relation, bound: Measured, source: &str) {
         let Self { checks, claim, role, alternative } = self;
         let source = source.to_owned();
-        let mut check = Checked { claim, role, value, relation, bound, alternative, source, cases: 1 };
+        let mut check =
+            Checked { claim, role, value, relation, bound, alternative, source, cases: 1 };
         match checks.iter_mut().find(|known| known.claim == check.claim) {
             Some(known) => {
                 check.cases = known.cases + 1;
@@ -317,8 +322,9 @@ mod tests {
         assert_eq!(decided(|c| c.near((1.05, 0.1), 1.0, 0.1, "")).decision(), Decision::Undecided);
         assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
         // A tolerance that admits another outcome decides nothing; a violation stays one.
-        let against =
-            |value, tolerance| decided(|c| c.against(0.0).near(value, 1.0, tolerance, "")).decision();
+        let against = |value, tolerance| {
+            decided(|c| c.against(0.0).near(value, 1.0, tolerance, "")).decision()
+        };
         assert_eq!([against(0.9, 0.2), against(0.9, 1.0)], [Decision::Holds, Decision::Undecided]);
         assert_eq!(against(3.0, 1.0), Decision::Fails);
     }

@@ -18,8 +18,8 @@ macro_rules! by_name {
     };
 }
 const ONE: [(&str, Of1); 21] = by_name![
-    abs, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor, exp, sqrt, cbrt,
-    log10, ln
+    abs, sin, cos, tan, asin, acos, atan, sinh, cosh, tanh, asinh, acosh, atanh, floor, exp, sqrt,
+    cbrt, log10, ln
 ];
 const TWO: [(&str, Of2); 3] = [("min", f64::min), ("max", f64::max), ("atan2", f64::atan2)];
 

@@ -51,8 +51,9 @@ def contact(
     edges: list[list[int]],
     names: list[str],
     regions: list[str],
-    load: Any,
+    given: list[tuple[str, str, Any, list[float]]],
     values: Array,
     lame: list[tuple[str, float, float]] | None,
     cone: str,
+    tolerance: float | None,
 ) -> Any: ...

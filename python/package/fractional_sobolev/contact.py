@@ -28,6 +28,7 @@ from . import _native
 __all__ = ["Solution", "solve"]
 
 Group = Callable[[float, float], bool] | ArrayLike | str | int
+Datum = Callable[[float, float], Any] | ArrayLike
 
 # Integer data of cells that hold the groups of a file, and its entities, which do not.
 _NOT_GROUPS = ("gmsh:geometrical", "gmsh:dim_tags", "gmsh:bounding_entities")
@@ -59,6 +60,16 @@ class Solution:
         −∫ σ_N over the contact edges.
     residual : float
         Largest scaled residual of the Karush-Kuhn-Tucker conditions.
+    supports : dict
+        For every clamped and contact group (force x, force y, moment about the origin) on the body.
+    error : (float, float) or None
+        With a tolerance: guaranteed error in the energy norm, absolute and relative to that of the exact solution.
+    energy_bounds : (float, float) or None
+        With a tolerance: J of the exact solution from below and from above.
+    force_bounds : list or None
+        With a tolerance: for every contact edge its force from below and from above, None where it meets a clamp.
+    shares : ndarray or None
+        With a tolerance: the share of every triangle in the square of the bound.
     """
 
     def __init__(self, solved, components) -> None:
@@ -75,6 +86,11 @@ class Solution:
         self.energy = solved.energy
         self.contact_force = solved.contact_force
         self.residual = solved.residual
+        self.supports = {name: (x, y, moment) for name, x, y, moment in solved.supports}
+        self.error = solved.error
+        self.energy_bounds = solved.energy_bounds
+        self.force_bounds = solved.force_bounds
+        self.shares = solved.shares
         self._solved = solved
 
     def __repr__(self) -> str:
@@ -175,14 +191,32 @@ def _chosen(given: Group, nodes: NDArray, outer: NDArray, edges: Mapping[tuple[i
     return np.asarray(given, dtype=np.intp).reshape(-1, 2).tolist()
 
 
+def _given(kind: str, datum: Any, components: int) -> list[tuple[str, str, Callable | None, list[float]]]:
+    """What acts, by place: (kind, name or "", function or None, constant)."""
+    found = []
+    for place, one in ({} if datum is None else datum if isinstance(datum, Mapping) else {"": datum}).items():
+        if callable(one):
+            found.append((kind, place, one, [0.0, 0.0]))
+            continue
+        constant = np.asarray(one, dtype=np.float64).ravel().tolist()
+        if len(constant) != components:
+            raise ValueError(f"{kind}: {len(constant)} components, expected {components}")
+        found.append((kind, place, None, (constant + [0.0])[:2]))
+    return found
+
+
 def solve(
     mesh: Any,
-    load: Callable[..., Any] | ArrayLike = (0.0, 0.0),
+    load: Datum | Mapping[str, Datum] | None = None,
     *,
+    traction: Datum | Mapping[str, Datum] | None = None,
+    displacement: Datum | Mapping[str, Datum] | None = None,
+    gap: Datum | Mapping[str, Datum] | None = None,
     groups: Mapping[str, Group] | None = None,
     regions: ArrayLike | None = None,
     lame: tuple[float, float] | Mapping[str, tuple[float, float]] | None = (1.0, 1.0),
     cone: str = "nodal",
+    tolerance: float | None = None,
 ) -> Solution:
     """Solves Signorini's problem without friction on a triangulation, with piecewise linear elements.
 
@@ -192,8 +226,13 @@ def solve(
         A mesh of any format of meshio, whose lines have groups: names of cell sets, or an integer per cell with the names in
         `field_data`; sets of points name the edges between them if they are called clamped, contact or free. Or the points,
         shape (n, 2), and the corners of the triangles, shape (m, 3), in either orientation.
-    load : callable or array_like
-        Volume load: a function of x and y, or values at the nodes, or one constant vector (a number if `lame` is None).
+    load : callable, array_like or dict, optional
+        Volume load: a function of x and y, or values at the nodes, or one constant vector (a number if `lame` is None); or
+        functions and constants by the names of regions.
+    traction, displacement, gap : callable, array_like or dict, optional
+        Force per length on the free boundary, displacement of the clamped one, distance to the floor along the normal: a
+        function of x and y, or a constant, or a dict of these by the names of groups. A group in such a dict is free, clamped
+        or in contact, whatever its name. Default 0.
     groups : dict, optional
         Names of boundary edges: each with pairs of nodes, shape (k, 2), a condition on the midpoint (x, y) of an edge, or
         the name or number of a group in the mesh, which is renamed. Boundary edges in no group are free.
@@ -202,7 +241,9 @@ def solve(
     lame : (lambda, mu), dict or None
         Lamé constants, plane strain, of the body or of its regions by name; None for the scalar problem −Δu = f.
     cone : {"nodal", "midpoint"}
-        u_N ≤ 0 at the nodes, or in the mean over the segments of the contact edge.
+        u_N ≤ g at the nodes, or in the mean over the segments of the contact edge.
+    tolerance : float, optional
+        Refines the mesh until the error in the energy norm relative to |||u||| is at most this number, guaranteed.
 
     Returns
     -------
@@ -212,7 +253,9 @@ def solve(
     Raises
     ------
     SobolevError
-        Invalid data, or an iteration that did not converge.
+        Invalid data, a name that the mesh does not have, or an iteration that did not converge.
+    ToleranceNotMet
+        More than a million unknowns are required, or rounding is reached.
 
     Examples
     --------
@@ -220,6 +263,13 @@ def solve(
     >>> found = solve(square, (0.0, -1.0), groups={"contact": [(0, 1)], "clamped": [(2, 3)]})
     >>> round(found.contact_force, 6)
     0.5
+    >>> x, y = found.supports["contact"][:2]
+    >>> abs(y - found.contact_force) < 1e-12
+    True
+    >>> sides = {"floor": [(0, 1)], "clamped": [(2, 3)]}
+    >>> found = solve(square, (0.0, -1.0), gap={"floor": 0.1}, groups=sides, tolerance=0.2)
+    >>> found.error[1] <= 0.2 and found.energy_bounds[0] <= found.energy
+    True
     """
     if hasattr(mesh, "points"):
         nodes, corners, edges, names = _arrays(mesh)
@@ -235,18 +285,18 @@ def solve(
     if regions is not None:
         names = [str(name) for name in np.asarray(regions).ravel().tolist()]
     components = 1 if lame is None else 2
-    function, values = None, np.empty(0)
-    if callable(load):
-        function = load
-    else:
-        given = np.asarray(load, dtype=np.float64)
-        if given.size == components:
-            given = np.broadcast_to(given, (len(nodes), components))
+    values = np.empty(0)
+    if load is not None and not callable(load) and not isinstance(load, Mapping) and np.size(load) != components:
+        if tolerance is not None:
+            raise ValueError("with a tolerance the load is a function or a constant, not values at the nodes")
         # Nodes in no triangle are omitted.
-        values = np.ascontiguousarray(given.reshape(-1, components)[np.unique(corners)])
+        values = np.asarray(load, dtype=np.float64).reshape(-1, components)[np.unique(corners)]
+        load = None
+    data = {"load": load, "traction": traction, "displacement": displacement, "gap": gap}
+    given = [one for kind, datum in data.items() for one in _given(kind, datum, 1 if kind == "gap" else components)]
     material = lame if lame is None or isinstance(lame, Mapping) else {"": tuple(lame)}
     solved = _native.contact(
-        nodes, corners, [list(edge) for edge in edges], list(edges.values()), names, function, values.ravel(),
-        None if material is None else [(name, *constants) for name, constants in material.items()], cone,
+        nodes, corners, [list(edge) for edge in edges], list(edges.values()), names, given, values.ravel(),
+        None if material is None else [(name, *constants) for name, constants in material.items()], cone, tolerance,
     )
     return Solution(solved, components)

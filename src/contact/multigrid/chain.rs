@@ -64,7 +64,11 @@ fn check(problem: &ContactProblem, hierarchy: &Hierarchy) -> Result<()> {
         return Ok(());
     }
     let name = "nodes of the finest mesh of the hierarchy (the mesh of the problem)";
-    Err(Error::Toolkit(ToolkitError::LengthMismatch { name, given: given.len(), expected: expected.len() }))
+    Err(Error::Toolkit(ToolkitError::LengthMismatch {
+        name,
+        given: given.len(),
+        expected: expected.len(),
+    }))
 }
 
 /// The problem on a coarser mesh.

@@ -19,16 +19,22 @@ pub(super) struct Coarsest {
 impl Coarsest {
     pub(super) fn new(problem: &ContactProblem) -> Result<Self> {
         let normals = problem.normal_unknowns();
-        let condensation =
-            Condensation::new(problem.matrix(), problem.mesh.nodes(), &problem.prescribed, &normals)?;
+        let condensation = Condensation::new(
+            problem.matrix(),
+            problem.mesh.nodes(),
+            &problem.prescribed,
+            &normals,
+        )?;
         Ok(Self { condensation, free: Vec::new(), factor: None })
     }
 
     /// The mean of S_kk/K_kk along the contact edge; both scale in the same way from level to level.
     pub(super) fn condensed_share(&self, problem: &ContactProblem) -> f64 {
         let (schur, normals) = (self.condensation.schur(), problem.normal_unknowns());
-        let shares =
-            normals.iter().enumerate().map(|(k, &unknown)| schur[(k, k)] / problem.diagonal(unknown));
+        let shares = normals
+            .iter()
+            .enumerate()
+            .map(|(k, &unknown)| schur[(k, k)] / problem.diagonal(unknown));
         shares.sum::<f64>() / normals.len() as f64
     }
 

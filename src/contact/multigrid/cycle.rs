@@ -43,7 +43,8 @@ impl<'a, L: Level> Cycle<'a, L> {
         coarsest: &'a mut Coarsest,
         coarse_places: &'a [usize],
     ) -> Self {
-        let work = levels.iter().zip(problems).map(|(level, problem)| Work::new(level, problem)).collect();
+        let work =
+            levels.iter().zip(problems).map(|(level, problem)| Work::new(level, problem)).collect();
         Self { levels, links, coarsest, coarse_places, work, sawtooths: Vec::new() }
     }
 
@@ -56,7 +57,9 @@ impl<'a, L: Level> Cycle<'a, L> {
                 work.fixed[place] = prescribed || held;
             }
             if k == 0 {
-                held.iter_mut().zip(&work.normals).for_each(|(held, &(_, prescribed))| *held |= prescribed);
+                held.iter_mut()
+                    .zip(&work.normals)
+                    .for_each(|(held, &(_, prescribed))| *held |= prescribed);
             } else {
                 held = self.links[k - 1].touched(&held);
             }
@@ -112,7 +115,8 @@ impl<'a, L: Level> Cycle<'a, L> {
 
     fn solve_coarsest(&mut self) {
         let (level, work) = (&self.levels[0], &mut self.work[0]);
-        let b: Vec<f64> = self.coarse_places.iter().map(|&place| f64::from(work.b[place])).collect();
+        let b: Vec<f64> =
+            self.coarse_places.iter().map(|&place| f64::from(work.b[place])).collect();
         for (&place, x) in self.coarse_places.iter().zip(self.coarsest.solve(&b)) {
             work.x[place] = (x * level.unit()) as f32;
         }
@@ -127,7 +131,8 @@ impl Work {
             fixed[level.place(unknown)] = true;
         }
         let normals = problem.normal_unknowns().into_iter();
-        let normals = normals.map(|unknown| (level.place(unknown), problem.prescribed[unknown])).collect();
+        let normals =
+            normals.map(|unknown| (level.place(unknown), problem.prescribed[unknown])).collect();
         Self { x: zeros(), b: zeros(), residual: zeros(), fixed, normals }
     }
 }

@@ -33,7 +33,12 @@ pub(super) struct Contact {
 }
 
 impl Edge {
-    pub(super) fn new<L: Level>(problem: &ContactProblem, level: &L, cone: Cone, condensed: f64) -> Self {
+    pub(super) fn new<L: Level>(
+        problem: &ContactProblem,
+        level: &L,
+        cone: Cone,
+        condensed: f64,
+    ) -> Self {
         let cone = problem.edge_cone(cone);
         let normals = problem.normal_unknowns();
         let row = |&unknown: &usize| {
@@ -58,7 +63,12 @@ impl Edge {
     /// The bound on B w for changes w of the iterate.
     pub(super) fn slack(&self, x: &[f64]) -> Vec<f64> {
         let normal: Vec<f64> = self.places.iter().map(|&place| x[place]).collect();
-        self.cone.apply(&normal).into_iter().zip(&self.bound).map(|(mean, bound)| bound - mean).collect()
+        self.cone
+            .apply(&normal)
+            .into_iter()
+            .zip(&self.bound)
+            .map(|(mean, bound)| bound - mean)
+            .collect()
     }
 
     /// x ← x + change along the edge.
@@ -80,15 +90,23 @@ impl Edge {
         let settled = |i: usize| self.cone.support(i).all(|node| self.fixed[node]);
         let slack = self.slack(x);
         let size = |i: usize| {
-            self.cone.support(i).map(|k| x[self.places[k]].abs()).fold(self.bound[i].abs(), f64::max)
+            self.cone
+                .support(i)
+                .map(|k| x[self.places[k]].abs())
+                .fold(self.bound[i].abs(), f64::max)
         };
         let holds = |i: usize| set.contains(i) && !settled(i) && slack[i].abs() <= HELD * size(i);
-        let gap: Vec<f64> = (0..slack.len()).map(|i| if holds(i) { 0.0 } else { -slack[i] }).collect();
+        let gap: Vec<f64> =
+            (0..slack.len()).map(|i| if holds(i) { 0.0 } else { -slack[i] }).collect();
         let sizes: Vec<f64> = (0..self.places.len())
-            .map(|k| self.loads[k] + self.rows[k].iter().map(|&(place, v)| v * x[place].abs()).sum::<f64>())
+            .map(|k| {
+                self.loads[k]
+                    + self.rows[k].iter().map(|&(place, v)| v * x[place].abs()).sum::<f64>()
+            })
             .collect();
         let is_wrong = |&i: &usize| {
-            let largest = |value: &dyn Fn(usize) -> f64| self.cone.support(i).map(value).fold(0.0, f64::max);
+            let largest =
+                |value: &dyn Fn(usize) -> f64| self.cone.support(i).map(value).fold(0.0, f64::max);
             if set.contains(i) {
                 let force = largest(&|k| sizes[k]);
                 multiplier[i] < -ROUNDING * force || gap[i] != 0.0 && !settled(i)
@@ -124,7 +142,12 @@ impl Edge {
     /// exchanged; otherwise it consists of the constraints active at the projection of w + D⁻¹ B'λ. If a contact
     /// interval is too short by one segment, the force at its end causes an oscillation of all its multipliers, which
     /// the projection would follow.
-    pub(super) fn next_set(&self, x: &[f64], set: &ContactSet, contact: &Contact) -> Result<ContactSet> {
+    pub(super) fn next_set(
+        &self,
+        x: &[f64],
+        set: &ContactSet,
+        contact: &Contact,
+    ) -> Result<ContactSet> {
         if self.cone.kind() == Cone::Nodal || only_ends_move(set, &contact.wrong) {
             return Ok(changed(set, &contact.wrong));
         }
@@ -137,7 +160,8 @@ impl Edge {
             .collect();
         let mut slack = self.slack(x);
         (0..slack.len()).filter(|&i| set.contains(i)).for_each(|i| slack[i] = 0.0);
-        let nearest = Weighted { weight, bound: |i: usize| slack[i], is_fixed: |k: usize| self.fixed[k] };
+        let nearest =
+            Weighted { weight, bound: |i: usize| slack[i], is_fixed: |k: usize| self.fixed[k] };
         Ok(ContactSet::new(&project_weighted(&target, &nearest).1))
     }
 
@@ -157,7 +181,8 @@ impl Edge {
 /// contact inside a non-contact interval, are treated by the projection.
 fn only_ends_move(set: &ContactSet, wrong: &[usize]) -> bool {
     wrong.chunk_by(|&a, &b| a + 1 == b && set.contains(a) == set.contains(b)).all(|stretch| {
-        let (first, last, is_active) = (stretch[0], stretch[stretch.len() - 1], set.contains(stretch[0]));
+        let (first, last, is_active) =
+            (stretch[0], stretch[stretch.len() - 1], set.contains(stretch[0]));
         let differs = |i: usize| i < set.constraints() && set.contains(i) != is_active;
         match (first.checked_sub(1).is_some_and(differs), differs(last + 1)) {
             (before, after) if is_active => before != after,

@@ -72,7 +72,8 @@ impl ContactProblem {
             return self.directly(cone, Fallback::NoLevels);
         }
         // Inside the thread pool, so that short tasks are not passed to another thread.
-        let (found, ()) = rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
+        let (found, ()) =
+            rayon::join(|| nested::solve(self, &chain, cone, accuracy, observe), || ());
         let mut found = found?;
         if let Some(error) = found.multigrid.as_ref().and_then(|report| report.error.as_ref()) {
             found.energy_rounding += 0.5 * error.error * error.error;
@@ -103,7 +104,9 @@ impl ContactProblem {
     fn compressibility(&self) -> f64 {
         match &self.form {
             Form::Scalar { .. } => 0.0,
-            Form::Elastic { materials } => materials.iter().map(|m| m.lambda() / m.mu()).fold(0.0, f64::max),
+            Form::Elastic { materials } => {
+                materials.iter().map(|m| m.lambda() / m.mu()).fold(0.0, f64::max)
+            }
         }
     }
 }

@@ -29,8 +29,10 @@ impl Sawtooth {
                 *row.entry(level.place(column)).or_insert(0.0) += sign * value / level.unit();
             }
         }
-        let nodes: Vec<(usize, f64)> = run.into_iter().map(|(u, sign)| (level.place(u), sign)).collect();
-        let own: f64 = nodes.iter().map(|(place, sign)| sign * row.get(place).copied().unwrap_or(0.0)).sum();
+        let nodes: Vec<(usize, f64)> =
+            run.into_iter().map(|(u, sign)| (level.place(u), sign)).collect();
+        let own: f64 =
+            nodes.iter().map(|(place, sign)| sign * row.get(place).copied().unwrap_or(0.0)).sum();
         Self {
             nodes,
             row: row.into_iter().map(|(place, value)| (place, value as f32)).collect(),
@@ -87,7 +89,8 @@ impl FreePart {
         let mut sawtooths = Vec::new();
         for run in runs.into_iter().filter(|run| run.len() > 1) {
             // The smallest change that satisfies the constraints.
-            let mean = run.iter().map(|&(k, sign)| sign * change[k]).sum::<f64>() / run.len() as f64;
+            let mean =
+                run.iter().map(|&(k, sign)| sign * change[k]).sum::<f64>() / run.len() as f64;
             for &(k, sign) in &run {
                 change[k] -= sign * mean;
                 held[k] = true;

@@ -58,7 +58,12 @@ impl Gradients {
     }
 
     /// Performs one step; false if there is no descent direction.
-    pub(super) fn step<L: Level>(&mut self, level: &L, cycle: &mut Cycle<'_, L>, x: &mut [f64]) -> bool {
+    pub(super) fn step<L: Level>(
+        &mut self,
+        level: &L,
+        cycle: &mut Cycle<'_, L>,
+        x: &mut [f64],
+    ) -> bool {
         level.multiply(&self.direction, &mut self.image);
         let curvature = dot(&self.direction, &self.image);
         let length = self.rho / curvature;

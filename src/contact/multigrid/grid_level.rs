@@ -50,7 +50,8 @@ impl<const C: usize> GridLevel<C> {
         let row = |j: usize| x.get(j * width..(j + 1) * width).unwrap_or_default();
         let rows = out.par_chunks_mut(width).enumerate().with_min_len(self.rows_a_task());
         rows.for_each(|(j, out)| {
-            let beside = Beside { below: row(j.wrapping_sub(1).min(self.grid.ny + 1)), above: row(j + 1) };
+            let beside =
+                Beside { below: row(j.wrapping_sub(1).min(self.grid.ny + 1)), above: row(j + 1) };
             stencils.add_product(kind(j, self.grid.ny), row(j), beside, out);
         });
     }
@@ -112,14 +113,17 @@ impl<const C: usize> Level for GridLevel<C> {
     }
 
     fn residual(&self, x: &[f32], b: &[f32], out: &mut [f32]) {
-        out.par_chunks_mut(GRAIN).zip(b.par_chunks(GRAIN)).for_each(|(out, b)| out.copy_from_slice(b));
+        out.par_chunks_mut(GRAIN)
+            .zip(b.par_chunks(GRAIN))
+            .for_each(|(out, b)| out.copy_from_slice(b));
         self.add_product(&self.negated, x, out);
     }
 
     fn restrict(&self, fine: &[f32], coarse: &mut [f32]) {
         let m = self.grid.nx + 1;
         let count = self.grid.nx / 2 + 1;
-        let row = |j: usize, a: usize| fine.get((j * C + a) * m..(j * C + a + 1) * m).unwrap_or_default();
+        let row =
+            |j: usize, a: usize| fine.get((j * C + a) * m..(j * C + a + 1) * m).unwrap_or_default();
         let rows = coarse.par_chunks_mut(count).enumerate().with_min_len(self.rows_a_task());
         rows.for_each(|(k, out)| {
             let (j, a) = (2 * (k / C), k % C);
@@ -129,8 +133,11 @@ impl<const C: usize> Level for GridLevel<C> {
             let half = |row: &[f32], i: usize| row.get(i).map_or(0.0, |value| 0.5 * value);
             for (i, out) in out.iter_mut().enumerate() {
                 let i = 2 * i;
-                let mut sum =
-                    own[i] + half(own, i + 1) + half(above, i) + half(above, i + 1) + half(below, i);
+                let mut sum = own[i]
+                    + half(own, i + 1)
+                    + half(above, i)
+                    + half(above, i + 1)
+                    + half(below, i);
                 if i > 0 {
                     sum += half(own, i - 1) + half(below, i - 1);
                 }

@@ -36,8 +36,9 @@ pub(super) struct Beside<'a, T> {
 impl<T: Real, const C: usize> RowStencils<T, C> {
     /// `factor` times the blocks.
     pub(super) fn new(blocks: &[[Block; 7]; 9], factor: f64) -> Self {
-        let scaled =
-            |block: &Block| std::array::from_fn(|a| std::array::from_fn(|b| T::of(factor * block[a][b])));
+        let scaled = |block: &Block| {
+            std::array::from_fn(|a| std::array::from_fn(|b| T::of(factor * block[a][b])))
+        };
         let inverse = |stencil: &[Block; 7]| {
             let inverse = inverse_of::<C>(&stencil[OWN]);
             std::array::from_fn(|a| std::array::from_fn(|b| T::of(inverse[a][b] / factor.abs())))
@@ -49,7 +50,13 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
     }
 
     /// out ← out + (factor · K x) in row `row_kind` (0 bottom, 1 inside, 2 top).
-    pub(super) fn add_product(&self, row_kind: usize, row: &[T], beside: Beside<'_, T>, out: &mut [T]) {
+    pub(super) fn add_product(
+        &self,
+        row_kind: usize,
+        row: &[T],
+        beside: Beside<'_, T>,
+        out: &mut [T],
+    ) {
         let m = out.len() / C;
         if row_kind == 1 {
             self.add_others(beside, out);
@@ -71,9 +78,18 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         for a in 0..C {
             let out = &mut out[a * m + 1..(a + 1) * m - 1];
             for b in 0..C {
-                let (below, above) = (&beside.below[b * m..(b + 1) * m], &beside.above[b * m..(b + 1) * m]);
-                add_two(out, (s[SOUTH_WEST][a][b], &below[..m - 2]), (s[SOUTH][a][b], &below[1..m - 1]));
-                add_two(out, (s[NORTH][a][b], &above[1..m - 1]), (s[NORTH_EAST][a][b], &above[2..]));
+                let (below, above) =
+                    (&beside.below[b * m..(b + 1) * m], &beside.above[b * m..(b + 1) * m]);
+                add_two(
+                    out,
+                    (s[SOUTH_WEST][a][b], &below[..m - 2]),
+                    (s[SOUTH][a][b], &below[1..m - 1]),
+                );
+                add_two(
+                    out,
+                    (s[NORTH][a][b], &above[1..m - 1]),
+                    (s[NORTH_EAST][a][b], &above[2..]),
+                );
             }
         }
     }
@@ -152,7 +168,12 @@ impl<T: Real, const C: usize> RowStencils<T, C> {
         beside: Beside<'_, T>,
         (b, fixed): (&[T], &[bool]),
     ) {
-        let sum = node_sum::<T, C>(&self.stencils[kind], (i, m), [beside.below, row, beside.above], false);
+        let sum = node_sum::<T, C>(
+            &self.stencils[kind],
+            (i, m),
+            [beside.below, row, beside.above],
+            false,
+        );
         let rest: [T; C] = std::array::from_fn(|a| b[a * m + i] + sum[a]);
         let held: [bool; C] = std::array::from_fn(|a| fixed[a * m + i]);
         if held.iter().all(|&held| !held) {

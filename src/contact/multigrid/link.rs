@@ -13,7 +13,11 @@ pub(super) struct Link {
 }
 
 impl Link {
-    pub(super) fn new(fine: &ContactEdge, coarse: &ContactEdge, parents: &[[u32; 2]]) -> Result<Self> {
+    pub(super) fn new(
+        fine: &ContactEdge,
+        coarse: &ContactEdge,
+        parents: &[[u32; 2]],
+    ) -> Result<Self> {
         let places: HashMap<usize, usize> =
             coarse.nodes().iter().enumerate().map(|(k, &node)| (node, k)).collect();
         let place = |node: u32| {
@@ -43,7 +47,12 @@ impl Link {
     /// The constraints of the fine edge that lie in a coarse set. Where segments of the midpoint cone are alternately
     /// active, they are alternately active on the fine edge as well: the pattern is that of the mesh, its extent that
     /// of the solution.
-    pub(super) fn refined(&self, cone: Cone, constraints: usize, coarse: &ContactSet) -> ContactSet {
+    pub(super) fn refined(
+        &self,
+        cone: Cone,
+        constraints: usize,
+        coarse: &ContactSet,
+    ) -> ContactSet {
         if cone == Cone::Nodal {
             let active = |k: usize| self.parents[k].iter().all(|&a| coarse.contains(a));
             return ContactSet::new(&(0..constraints).map(active).collect::<Vec<_>>());
@@ -54,7 +63,8 @@ impl Link {
         for k in 0..constraints {
             // The segment between the first and the last coarse parent of the ends of the fine segment.
             let ends = [self.parents[k], self.parents[k + 1]];
-            let segment = ends.as_flattened().iter().min().copied().filter(|&s| s < coarse.constraints());
+            let segment =
+                ends.as_flattened().iter().min().copied().filter(|&s| s < coarse.constraints());
             let turn = segment.and_then(|segment| turns[segment]);
             active.push(match (turn, segment) {
                 (Some(_), _) if turn == before => !active[k - 1],
@@ -86,8 +96,10 @@ mod tests {
     #[test]
     fn contact_by_turns_stays_so() {
         // Coarse node a is fine node 2 a.
-        let link = Link { parents: (0..17_usize).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
-        let set = |text: &str| ContactSet::new(&text.bytes().map(|b| b == b'1').collect::<Vec<_>>());
+        let link =
+            Link { parents: (0..17_usize).map(|k| [k / 2, k.div_ceil(2)]).collect(), coarse: 9 };
+        let set =
+            |text: &str| ContactSet::new(&text.bytes().map(|b| b == b'1').collect::<Vec<_>>());
         for (coarse, fine) in [
             ("11100000", "1111110000000000"),
             ("10101110", "1010101011111100"),

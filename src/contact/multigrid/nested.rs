@@ -45,7 +45,8 @@ pub(super) fn solve(
     observe: &mut Observer<'_>,
 ) -> Result<ContactSolution> {
     let problems: Vec<&ContactProblem> = chain.problems.iter().chain([problem]).collect();
-    let stencils: Option<Vec<&Stencils>> = problems.iter().map(|problem| problem.stencils()).collect();
+    let stencils: Option<Vec<&Stencils>> =
+        problems.iter().map(|problem| problem.stencils()).collect();
     let job = Job { problems: &problems, chain, cone, accuracy };
     match (stencils, problem.form.components()) {
         (Some(stencils), 1) => {
@@ -85,7 +86,8 @@ impl<'a> Job<'a> {
         let first = condensed::solve_by_cascade(self.problems[0], self.cone)?;
         let factorization = start.elapsed().as_secs_f64();
         let start = Instant::now();
-        let places: Vec<usize> = (0..levels[0].unknowns()).map(|unknown| levels[0].place(unknown)).collect();
+        let places: Vec<usize> =
+            (0..levels[0].unknowns()).map(|unknown| levels[0].place(unknown)).collect();
         let mut x = vec![0.0; places.len()];
         let framed = self.problems[0].to_frame(&first.displacement);
         framed.into_iter().zip(&places).for_each(|(value, &place)| x[place] = value);
@@ -97,16 +99,19 @@ impl<'a> Job<'a> {
             let begun = Instant::now();
             let goal = self.goal(k == last, &discretisation);
             let link = &self.chain.links[k - 1];
-            let guess = link.refined(self.cone, self.problems[k].edge_cone(self.cone).constraints(), &set);
+            let guess =
+                link.refined(self.cone, self.problems[k].edge_cone(self.cone).constraints(), &set);
             x = prolonged(&levels[k], self.problems[k], &x);
             let links = &self.chain.links[..k];
-            let mut cycle = Cycle::new(&levels[..=k], &self.problems[..=k], links, &mut coarsest, &places);
+            let mut cycle =
+                Cycle::new(&levels[..=k], &self.problems[..=k], links, &mut coarsest, &places);
             let unknowns = levels[k].unknowns();
             let mut report = |step: usize, error: f64| {
                 observe(&Progress { level: k, levels: last + 1, unknowns, step, error })
             };
             let elimination = ELIMINATED.iter().find(|(most, _)| unknowns <= *most);
-            let patience = elimination.filter(|_| self.cone == Cone::Midpoint).map(|(_, steps)| *steps);
+            let patience =
+                elimination.filter(|_| self.cone == Cone::Midpoint).map(|(_, steps)| *steps);
             let mut stage =
                 Stage::new(self.problems[k], &levels[k], &mut cycle, self.cone, (least, condensed));
             stage.guess = Guess::Signs(patience.unwrap_or(STEPS));
@@ -186,8 +191,13 @@ impl<'a> Job<'a> {
         )?;
         let error = Estimate::new(outcome.norm, error, work)?;
         let discretisation = levels.last().and_then(|level| level.discretisation);
-        let report =
-            MultigridReport { error: Some(error), discretisation, coarsest_steps, levels, fallback: None };
+        let report = MultigridReport {
+            error: Some(error),
+            discretisation,
+            coarsest_steps,
+            levels,
+            fallback: None,
+        };
         let seconds = Seconds { recovery: start.elapsed().as_secs_f64(), ..seconds };
         Ok(ContactSolution { seconds, multigrid: Some(report), ..solution })
     }
@@ -215,7 +225,11 @@ fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> V
 
 /// Node-major values from the layout of the level.
 fn node_major<L: Level>(level: &L, x: &[f64]) -> Vec<f64> {
-    (0..x.len()).into_par_iter().with_min_len(1 << 14).map(|unknown| x[level.place(unknown)]).collect()
+    (0..x.len())
+        .into_par_iter()
+        .with_min_len(1 << 14)
+        .map(|unknown| x[level.place(unknown)])
+        .collect()
 }
 
 /// An estimate of the rounding error of F − K u in the dual norm: ε times the size of each row, divided by the root
@@ -226,6 +240,7 @@ fn rounding(problem: &ContactProblem, u: &[f64]) -> f64 {
     let root = |(rows, load): (&[f64], &[f64])| {
         rows.iter().zip(load).map(|(size, force)| size + force.abs()).fold(0.0, f64::hypot)
     };
-    let pieces: Vec<f64> = rows.par_chunks(1 << 14).zip(problem.load.par_chunks(1 << 14)).map(root).collect();
+    let pieces: Vec<f64> =
+        rows.par_chunks(1 << 14).zip(problem.load.par_chunks(1 << 14)).map(root).collect();
     f64::EPSILON * pieces.into_iter().fold(0.0, f64::hypot) / stiff.sqrt()
 }

@@ -141,7 +141,8 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
         let (mut set, mut history, mut seen) = (start, Vec::new(), HashSet::new());
         if self.guess != Guess::Known {
             self.hold(x, &set);
-            let ends: Vec<usize> = set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]).collect();
+            let ends: Vec<usize> =
+                set.runs().into_iter().flat_map(|run| [run.start, run.end - 1]).collect();
             self.mend(x, &mut set, &ends)?;
         }
         let (mut decided, mut one_at_a_time, mut fewest) = (DECIDED, false, usize::MAX);
@@ -163,7 +164,8 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
                 let wanted = (decided * before).max(spare * goal);
                 let mut stuck = false;
                 while error_of(&gradients) > wanted && !stuck {
-                    stuck = steps_here >= GRADIENT_STEPS || !gradients.step(self.level, self.cycle, x);
+                    stuck =
+                        steps_here >= GRADIENT_STEPS || !gradients.step(self.level, self.cycle, x);
                     steps_here += 1;
                 }
                 before = error_of(&gradients);
@@ -220,7 +222,13 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
     /// Changes the iterate so that the constraints of the set hold.
     fn hold(&self, x: &mut [f64], set: &ContactSet) -> FreePart {
         let slack = self.edge.slack(x);
-        let part = FreePart::new(self.problem, self.level, (self.edge.cone, set), &slack, &self.edge.fixed);
+        let part = FreePart::new(
+            self.problem,
+            self.level,
+            (self.edge.cone, set),
+            &slack,
+            &self.edge.fixed,
+        );
         self.edge.add(x, &part.change);
         part
     }
@@ -231,7 +239,12 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
     }
 
     /// Moves the iterate to the face of the set and starts the conjugate gradients there.
-    fn begin(&mut self, x: &mut [f64], set: &ContactSet, gradients: &mut Gradients) -> Result<Sizes> {
+    fn begin(
+        &mut self,
+        x: &mut [f64],
+        set: &ContactSet,
+        gradients: &mut Gradients,
+    ) -> Result<Sizes> {
         let part = self.hold(x, set);
         self.cycle.hold(&part.held, part.sawtooths)?;
         let sizes = self.residual(x, &mut gradients.residual);
@@ -240,13 +253,20 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
     }
 
     /// Estimates the error of the iterate from its true residual.
-    fn end(&mut self, x: &[f64], set: &ContactSet, gradients: &mut Gradients, goal: f64) -> Result<Outcome> {
+    fn end(
+        &mut self,
+        x: &[f64],
+        set: &ContactSet,
+        gradients: &mut Gradients,
+        goal: f64,
+    ) -> Result<Outcome> {
         let least = gradients.least();
         let Sizes { norm, energy } = self.residual(x, &mut gradients.residual);
         let contact = self.edge.contact(x, &gradients.residual, set);
         let error = self.estimate(&contact, gradients, least)?;
         let relative = if norm > 0.0 { error / norm } else { 0.0 };
-        let status = if error <= goal { Status::Converged } else { Status::Stalled { residual: relative } };
+        let status =
+            if error <= goal { Status::Converged } else { Status::Stalled { residual: relative } };
         Ok(Outcome {
             set: ContactSet::default(),
             multiplier: contact.multiplier,
@@ -271,9 +291,15 @@ impl<'s, 'c, L: Level> Stage<'s, 'c, L> {
 
     /// The error estimate |u − x|_a ≤ R/2 + (R²/4 + C)^{1/2}, R the dual norm of F − K x − B'λ⁺ on the whole body and
     /// C = λ⁺·(g − B x), both for x without its penetration, which is added.
-    fn estimate(&mut self, contact: &Contact, gradients: &mut Gradients, least: f64) -> Result<f64> {
+    fn estimate(
+        &mut self,
+        contact: &Contact,
+        gradients: &mut Gradients,
+        least: f64,
+    ) -> Result<f64> {
         let positive: Vec<f64> = contact.multiplier.iter().map(|l| l.max(0.0)).collect();
-        let gaping: f64 = positive.iter().zip(&contact.gap).map(|(l, gap)| l * (-gap).max(0.0)).sum();
+        let gaping: f64 =
+            positive.iter().zip(&contact.gap).map(|(l, gap)| l * (-gap).max(0.0)).sum();
         self.edge.subtract_force(&mut gradients.residual, &positive)?;
         self.prescribed.iter().for_each(|&place| gradients.residual[place] = 0.0);
         self.cycle.hold(&vec![false; self.edge.fixed.len()], Vec::new())?;

@@ -121,7 +121,8 @@ impl Patch {
         }
         let points: Vec<_> = self.nodes.iter().map(|&node| problem.mesh.nodes()[node]).collect();
         let (normals, fixed): (Vec<usize>, Vec<bool>) = self.kept.iter().copied().unzip();
-        let condensation = Condensation::new(&BlockMatrix::of_rows(c, &rows), &points, &held, &normals)?;
+        let condensation =
+            Condensation::new(&BlockMatrix::of_rows(c, &rows), &points, &held, &normals)?;
         let reduced = condensation.reduce(&residual);
         let cone = edge.cone.kind();
         let constraints = self.edge.start..self.edge.start + cone.constraints(self.edge.len());
@@ -148,7 +149,11 @@ impl Patch {
 }
 
 /// The nodes within [`DEPTH`] edges of the given ones, along paths that avoid `outside`.
-fn ball(problem: &ContactProblem, centre: Vec<usize>, outside: &BTreeSet<usize>) -> BTreeSet<usize> {
+fn ball(
+    problem: &ContactProblem,
+    centre: Vec<usize>,
+    outside: &BTreeSet<usize>,
+) -> BTreeSet<usize> {
     let c = problem.form.components();
     let mut found: BTreeSet<usize> = centre.iter().copied().collect();
     let mut layer = centre;
@@ -156,7 +161,10 @@ fn ball(problem: &ContactProblem, centre: Vec<usize>, outside: &BTreeSet<usize>)
         let rows = layer.iter().flat_map(|node| node * c..(node + 1) * c);
         let beside: BTreeSet<usize> =
             rows.flat_map(|unknown| problem.row(unknown)).map(|(column, _)| column / c).collect();
-        layer = beside.into_iter().filter(|node| !outside.contains(node) && found.insert(*node)).collect();
+        layer = beside
+            .into_iter()
+            .filter(|node| !outside.contains(node) && found.insert(*node))
+            .collect();
     }
     found
 }

@@ -32,7 +32,8 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
     /// The level of an assembled matrix; `parents` is empty on the coarsest one.
     pub(super) fn new(matrix: &'a BlockMatrix, parents: Vec<[u32; 2]>) -> Self {
         let count = matrix.nodes();
-        let unit = (0..matrix.unknowns()).map(|i| matrix.diagonal(i)).fold(f64::MIN_POSITIVE, f64::max);
+        let unit =
+            (0..matrix.unknowns()).map(|i| matrix.diagonal(i)).fold(f64::MIN_POSITIVE, f64::max);
         let mut level = Self {
             matrix,
             unit,
@@ -49,11 +50,15 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
             {
                 let scaled = |a: usize, b: usize| block[a * C + b] / unit;
                 level.columns.push(column);
-                level.values.push(std::array::from_fn(|a| std::array::from_fn(|b| scaled(a, b) as f32)));
+                level
+                    .values
+                    .push(std::array::from_fn(|a| std::array::from_fn(|b| scaled(a, b) as f32)));
                 if column as usize == node {
-                    let own =
-                        std::array::from_fn(|a| std::array::from_fn(|b| scaled(a.min(C - 1), b.min(C - 1))));
-                    level.inverses[node] = inverse_of::<C>(&own).map(|row| row.map(|value| value as f32));
+                    let own = std::array::from_fn(|a| {
+                        std::array::from_fn(|b| scaled(a.min(C - 1), b.min(C - 1)))
+                    });
+                    level.inverses[node] =
+                        inverse_of::<C>(&own).map(|row| row.map(|value| value as f32));
                 }
             }
             level.offsets.push(level.columns.len() as u32);
@@ -92,7 +97,10 @@ impl<'a, const C: usize> SparseLevel<'a, C> {
         } else if let Some(a) = (0..C).find(|&a| !held[a]) {
             // C = 2: the other one is held.
             let entries = self.offsets[node] as usize..self.offsets[node + 1] as usize;
-            let own = entries.clone().find(|&k| self.columns[k] as usize == node).unwrap_or(entries.start);
+            let own = entries
+                .clone()
+                .find(|&k| self.columns[k] as usize == node)
+                .unwrap_or(entries.start);
             let (row, other) = (&self.values[own][a], C - 1 - a);
             value[a] = (rest[a] - row[other] * value[other]) / row[a];
         }
@@ -105,8 +113,9 @@ fn colours(matrix: &BlockMatrix) -> Vec<Vec<u32>> {
     let mut colours: Vec<Vec<u32>> = Vec::new();
     let mut colour_of = vec![usize::MAX; matrix.nodes()];
     for node in 0..matrix.nodes() {
-        let is_taken =
-            |colour: usize| matrix.neighbours(node).iter().any(|&n| colour_of[n as usize] == colour);
+        let is_taken = |colour: usize| {
+            matrix.neighbours(node).iter().any(|&n| colour_of[n as usize] == colour)
+        };
         let colour = (0..colours.len()).find(|&colour| !is_taken(colour)).unwrap_or(colours.len());
         if colour == colours.len() {
             colours.push(Vec::new());
@@ -147,7 +156,9 @@ impl<const C: usize> Level for SparseLevel<'_, C> {
             }
             let parts: Vec<Vec<[f32; C]>> = colour
                 .par_chunks(GRAIN)
-                .map(|nodes| nodes.iter().map(|&node| self.relaxed(node as usize, x, b, fixed)).collect())
+                .map(|nodes| {
+                    nodes.iter().map(|&node| self.relaxed(node as usize, x, b, fixed)).collect()
+                })
                 .collect();
             for (&node, value) in colour.iter().zip(parts.iter().flatten()) {
                 x[node as usize * C..(node as usize + 1) * C].copy_from_slice(value);
@@ -177,10 +188,13 @@ impl<const C: usize> Level for SparseLevel<'_, C> {
 
     fn prolong<T: Real>(&self, coarse: &[T], fine: &mut [T]) {
         let half = T::of(0.5);
-        fine.par_chunks_mut(C).zip(&self.parents).with_min_len(GRAIN).for_each(|(fine, &[p, q])| {
-            for a in 0..C {
-                fine[a] += half * coarse[p as usize * C + a] + half * coarse[q as usize * C + a];
-            }
-        });
+        fine.par_chunks_mut(C).zip(&self.parents).with_min_len(GRAIN).for_each(
+            |(fine, &[p, q])| {
+                for a in 0..C {
+                    fine[a] +=
+                        half * coarse[p as usize * C + a] + half * coarse[q as usize * C + a];
+                }
+            },
+        );
     }
 }

@@ -9,14 +9,16 @@ const PIECE: usize = 1 << 13;
 
 /// Σ a_i b_i, b in f64 or in f32.
 pub(super) fn dot<T: Into<f64> + Copy + Sync>(a: &[f64], b: &[T]) -> f64 {
-    let pieces: Vec<f64> = a.par_chunks(PIECE).zip(b.par_chunks(PIECE)).map(|(a, b)| inner(a, b)).collect();
+    let pieces: Vec<f64> =
+        a.par_chunks(PIECE).zip(b.par_chunks(PIECE)).map(|(a, b)| inner(a, b)).collect();
     pieces.into_iter().sum()
 }
 
 /// max |a_i|; NaN where an entry is.
 pub(super) fn largest(a: &[f64]) -> f64 {
     let most = |m: f64, v: f64| if v > m || v.is_nan() { v } else { m };
-    let pieces: Vec<f64> = a.par_chunks(PIECE).map(|a| a.iter().fold(0.0, |m, v| most(m, v.abs()))).collect();
+    let pieces: Vec<f64> =
+        a.par_chunks(PIECE).map(|a| a.iter().fold(0.0, |m, v| most(m, v.abs()))).collect();
     pieces.into_iter().fold(0.0, most)
 }
 

@@ -116,11 +116,16 @@ pub fn parse_msh_with(content: impl AsRef<[u8]>, parts: &[(&str, Part)]) -> Resu
                 raw.read_partitioned_entities(&mut source, four)?;
             }
             ("$Nodes", Some(Format::Four(four))) => raw.read_blocks_of_nodes(&mut source, four)?,
-            ("$Elements", Some(Format::Four(four))) => raw.read_blocks_of_elements(&mut source, four)?,
+            ("$Elements", Some(Format::Four(four))) => {
+                raw.read_blocks_of_elements(&mut source, four)?
+            }
             ("$Nodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut source, false)?,
             ("$ParametricNodes", Some(Format::Two)) => raw.read_list_of_nodes(&mut source, true)?,
             ("$Elements", Some(Format::Two)) => raw.read_list_of_elements(&mut source)?,
-            ("$Nodes" | "$ParametricNodes" | "$Elements" | "$Entities" | "$PartitionedEntities", None) => {
+            (
+                "$Nodes" | "$ParametricNodes" | "$Elements" | "$Entities" | "$PartitionedEntities",
+                None,
+            ) => {
                 return Err(source.fault("$MeshFormat must precede all other sections"));
             }
             _ => {
@@ -154,8 +159,7 @@ fn read_format(source: &mut Source<'_>) -> Result<Format> {
         "2" | "2.0" | "2.1" | "2.2" => Format::Two,
         _ => {
             let found = quoted(version);
-            let what =
-                "expected 2.0 to 2.2, 4.0 or 4.1: gmsh body.msh -save -format msh41 -o new.msh converts it";
+            let what = "expected 2.0 to 2.2, 4.0 or 4.1: gmsh body.msh -save -format msh41 -o new.msh converts it";
             return Err(source.fault(&format!("found format {found}, {what}")));
         }
     };

@@ -55,7 +55,12 @@ impl Raw {
     /// The dimension of a name in format 2.0, which states none.
     pub(super) const ANY_DIMENSION: i32 = -1;
 
-    pub(super) fn add_node(&mut self, tag: u64, place: [f64; 3], source: &Source<'_>) -> Result<()> {
+    pub(super) fn add_node(
+        &mut self,
+        tag: u64,
+        place: [f64; 3],
+        source: &Source<'_>,
+    ) -> Result<()> {
         if !place.iter().all(|x| x.is_finite()) {
             return Err(source.fault("a coordinate is not finite"));
         }
@@ -81,7 +86,11 @@ impl Raw {
     }
 
     /// The triangulation; `end` is the last place of the file. A group of boundary edges in `parts` is that part.
-    pub(super) fn triangulation(&self, parts: &[(&str, Part)], end: usize) -> Result<Triangulation> {
+    pub(super) fn triangulation(
+        &self,
+        parts: &[(&str, Part)],
+        end: usize,
+    ) -> Result<Triangulation> {
         if self.triangles.is_empty() {
             return Err(self.fault(
                 end,
@@ -89,7 +98,8 @@ impl Raw {
                  group; add Physical Surface(\"body\") = {1};",
             ));
         }
-        let mut tags: Vec<u64> = self.triangles.iter().flat_map(|triangle| triangle.nodes).collect();
+        let mut tags: Vec<u64> =
+            self.triangles.iter().flat_map(|triangle| triangle.nodes).collect();
         tags.sort_unstable();
         tags.dedup();
         for Element { place, nodes, .. } in &self.triangles {
@@ -99,7 +109,8 @@ impl Raw {
         }
         let nodes = self.plane(&tags)?;
         let number = |tag: u64| tags.binary_search(&tag).ok();
-        let corners = |triangle: &Element| triangle.nodes.map(|tag| number(tag).unwrap_or_default());
+        let corners =
+            |triangle: &Element| triangle.nodes.map(|tag| number(tag).unwrap_or_default());
         let triangles: Vec<[usize; 3]> = self.triangles.iter().map(corners).collect();
         let (regions, region_names) = self.regions()?;
         let (mut edges, mut rows, mut names) = (Vec::new(), Vec::new(), HashMap::new());
@@ -124,12 +135,16 @@ impl Raw {
             parts,
         };
         let mesh = grouped.triangulation().map_err(|(cause, edge)| {
-            let place = edge.map(|edge| rows[edge]).or_else(|| self.place_of(&cause, &tags)).unwrap_or(end);
+            let place =
+                edge.map(|edge| rows[edge]).or_else(|| self.place_of(&cause, &tags)).unwrap_or(end);
             let numbers = |node: usize| tags.get(node).map_or(node, |&tag| tag as usize);
-            let triangle = |t: usize| self.triangles.get(t).map_or(t, |triangle| triangle.tag as usize);
+            let triangle =
+                |t: usize| self.triangles.get(t).map_or(t, |triangle| triangle.tag as usize);
             self.at(place, in_numbers(cause, numbers, triangle))
         })?;
-        Ok(mesh.with_numbers(tags.iter().map(|&tag| tag as usize).collect()).with_remarks(self.remarks()?))
+        Ok(mesh
+            .with_numbers(tags.iter().map(|&tag| tag as usize).collect())
+            .with_remarks(self.remarks()?))
     }
 
     /// The coordinates of nodes in the plane of the body.
@@ -151,11 +166,15 @@ impl Raw {
             Error::Toolkit(ToolkitError::Triangle { triangle, .. }) => {
                 Some(self.triangles.get(triangle)?.place)
             }
-            Error::Toolkit(ToolkitError::Node { node, .. }) => Some(self.nodes.get(tags.get(node)?)?.0),
+            Error::Toolkit(ToolkitError::Node { node, .. }) => {
+                Some(self.nodes.get(tags.get(node)?)?.0)
+            }
             Error::Toolkit(ToolkitError::Edge { nodes: [a, b], .. }) => {
                 let ends = [*tags.get(a)?, *tags.get(b)?];
                 let label = self.lines.iter().rfind(|edge| edge.has(ends));
-                label.or_else(|| self.triangles.iter().rfind(|t| t.has(ends))).map(|element| element.place)
+                label
+                    .or_else(|| self.triangles.iter().rfind(|t| t.has(ends)))
+                    .map(|element| element.place)
             }
             _ => None,
         }
@@ -177,8 +196,9 @@ impl Raw {
             return Ok(Some(element.group));
         }
         let all = self.groups.get(&(dimension, element.entity)).map_or(&[][..], |groups| groups);
-        let own =
-            |group: &&i64| !self.names.get(&(dimension, **group)).is_some_and(|n| n.starts_with("_part"));
+        let own = |group: &&i64| {
+            !self.names.get(&(dimension, **group)).is_some_and(|n| n.starts_with("_part"))
+        };
         let mut groups: Vec<i64> = all.iter().filter(own).copied().collect();
         groups.dedup();
         match groups[..] {
@@ -186,7 +206,8 @@ impl Raw {
             [group] => Ok(Some(group)),
             [one, two, ..] => {
                 let what = if dimension == 1 { "curve" } else { "surface" };
-                let [one, two] = [one, two].map(|group| crate::text::quoted(&self.name(dimension, group)));
+                let [one, two] =
+                    [one, two].map(|group| crate::text::quoted(&self.name(dimension, group)));
                 let why = format!(
                     "{what} {} is in the physical groups {one} and {two}: it must be in one",
                     element.entity
@@ -210,7 +231,10 @@ impl Raw {
             None => "rest".to_owned(),
         };
         let names = groups.iter().map(name).collect();
-        Ok((of.iter().map(|found| groups.partition_point(|other| other < found) as u32).collect(), names))
+        Ok((
+            of.iter().map(|found| groups.partition_point(|other| other < found) as u32).collect(),
+            names,
+        ))
     }
 
     /// What is read by its corners only, and the physical groups that are not used.
@@ -218,7 +242,8 @@ impl Raw {
         let mut remarks = Vec::new();
         if self.higher {
             remarks.push(
-                "elements of higher order are read by their corners: curved edges become straight".to_owned(),
+                "elements of higher order are read by their corners: curved edges become straight"
+                    .to_owned(),
             );
         }
         let used = |dimension: i32, elements: &[Element]| -> Result<BTreeSet<i64>> {
@@ -235,7 +260,8 @@ impl Raw {
         for (dimension, group) in groups {
             let name = crate::text::quoted(&self.name(dimension, group));
             match dimension {
-                0 => remarks.push(format!("Physical Point {name} is not used: conditions hold on curves")),
+                0 => remarks
+                    .push(format!("Physical Point {name} is not used: conditions hold on curves")),
                 1 | 2 if !used[dimension as usize - 1].contains(&group) => {
                     let what = if dimension == 1 { "Curve" } else { "Surface" };
                     remarks.push(format!("Physical {what} {name} is not used: it has no elements"));

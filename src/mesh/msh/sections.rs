@@ -22,8 +22,10 @@ impl Raw {
             let line = source.next_line()?;
             let bad = || source.fault("expected dimension, tag and \"name\"");
             let (head, name) = line.split_once('"').ok_or_else(bad)?;
-            let numbers: Vec<i64> =
-                head.split_whitespace().map(|word| word.parse().map_err(|_| bad())).collect::<Result<_>>()?;
+            let numbers: Vec<i64> = head
+                .split_whitespace()
+                .map(|word| word.parse().map_err(|_| bad()))
+                .collect::<Result<_>>()?;
             let (dimension, tag) = match numbers[..] {
                 [dimension, tag] => (i32::try_from(dimension).map_err(|_| bad())?, tag),
                 [tag] => (Self::ANY_DIMENSION, tag),
@@ -52,7 +54,11 @@ impl Raw {
 
     /// Numbers of partitions and of ghost entities, and as for entities, with dimension and tag of the entity that
     /// each is a part of.
-    pub(super) fn read_partitioned_entities(&mut self, source: &mut Source<'_>, format: Four) -> Result<()> {
+    pub(super) fn read_partitioned_entities(
+        &mut self,
+        source: &mut Source<'_>,
+        format: Four,
+    ) -> Result<()> {
         source.begin()?;
         source.size()?;
         if source.is_binary() {
@@ -83,7 +89,8 @@ impl Raw {
                 }
                 self.read_groups(source, format, (dimension, tag))?;
                 // A piece of a curve belongs to the groups of the curve; an interface of partitions to none.
-                let is_piece = parent.0 == dimension && !self.groups.contains_key(&(dimension, tag));
+                let is_piece =
+                    parent.0 == dimension && !self.groups.contains_key(&(dimension, tag));
                 if let (true, Some(groups)) = (is_piece, self.groups.get(&parent).cloned()) {
                     self.groups.insert((dimension, tag), groups);
                 }
@@ -93,7 +100,12 @@ impl Raw {
     }
 
     /// Coordinates or a bounding box, groups, and what bounds the entity.
-    fn read_groups(&mut self, source: &mut Source<'_>, format: Four, entity: (i32, i64)) -> Result<()> {
+    fn read_groups(
+        &mut self,
+        source: &mut Source<'_>,
+        format: Four,
+        entity: (i32, i64),
+    ) -> Result<()> {
         let is_point = entity.0 == 0;
         for _ in 0..if is_point && format == Four::One { 3 } else { 6 } {
             source.real()?;
@@ -138,7 +150,11 @@ impl Raw {
         Ok(counts)
     }
 
-    pub(super) fn read_blocks_of_nodes(&mut self, source: &mut Source<'_>, format: Four) -> Result<()> {
+    pub(super) fn read_blocks_of_nodes(
+        &mut self,
+        source: &mut Source<'_>,
+        format: Four,
+    ) -> Result<()> {
         let [blocks, total] = Self::blocks(source, format)?;
         for _ in 0..blocks {
             let (dimension, _, parametric, count) = Self::block(source, format)?;
@@ -176,7 +192,11 @@ impl Raw {
         self.add_node(tag, place, source)
     }
 
-    pub(super) fn read_blocks_of_elements(&mut self, source: &mut Source<'_>, format: Four) -> Result<()> {
+    pub(super) fn read_blocks_of_elements(
+        &mut self,
+        source: &mut Source<'_>,
+        format: Four,
+    ) -> Result<()> {
         let [blocks, total] = Self::blocks(source, format)?;
         let mut seen = 0;
         for _ in 0..blocks {
@@ -189,7 +209,8 @@ impl Raw {
             for _ in 0..count {
                 source.begin()?;
                 seen += 1;
-                let element = Element { tag: tag(source)?, entity, group: 0, ..Element::at(source.place()) };
+                let element =
+                    Element { tag: tag(source)?, entity, group: 0, ..Element::at(source.place()) };
                 self.read_element(source, shape, element, tag)?;
             }
         }
@@ -224,7 +245,11 @@ impl Raw {
     }
 
     /// One record for a node; with parameters also dimension and tag of its entity.
-    pub(super) fn read_list_of_nodes(&mut self, source: &mut Source<'_>, parametric: bool) -> Result<()> {
+    pub(super) fn read_list_of_nodes(
+        &mut self,
+        source: &mut Source<'_>,
+        parametric: bool,
+    ) -> Result<()> {
         let total = source.count()?;
         for _ in 0..total {
             source.begin()?;

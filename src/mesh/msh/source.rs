@@ -100,7 +100,8 @@ impl<'a> Source<'a> {
         let begin = (self.at, self.line);
         if self.binary.is_some() {
             // Numbers may hold any byte, so the end need not be a line of its own.
-            let found = self.bytes[self.at..].windows(end.len()).position(|part| part == end.as_bytes());
+            let found =
+                self.bytes[self.at..].windows(end.len()).position(|part| part == end.as_bytes());
             if let Some(found) = found {
                 self.at += found + end.len();
                 return Ok(());
@@ -166,7 +167,8 @@ impl<'a> Source<'a> {
     }
 
     fn number<T: FromStr>(&self, word: &str) -> Result<T> {
-        word.parse().map_err(|_| self.fault(&format!("{} is not an admissible number", quoted(word))))
+        word.parse()
+            .map_err(|_| self.fault(&format!("{} is not an admissible number", quoted(word))))
     }
 
     fn take<const N: usize>(&mut self) -> Result<[u8; N]> {
@@ -215,7 +217,9 @@ impl<'a> Source<'a> {
     /// The next number of the record, a real one.
     pub(super) fn real(&mut self) -> Result<f64> {
         match self.binary {
-            Some(Binary { swapped, .. }) => Ok(f64::from_ne_bytes(Self::in_order(self.take()?, swapped))),
+            Some(Binary { swapped, .. }) => {
+                Ok(f64::from_ne_bytes(Self::in_order(self.take()?, swapped)))
+            }
             None => {
                 let word = self.word()?;
                 self.number(&word)

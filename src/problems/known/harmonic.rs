@@ -44,9 +44,14 @@ pub(super) struct Harmonic {
 impl Harmonic {
     /// The solution with the powers of a transition at `position`, with contact conditions on the bottom or on the
     /// whole boundary.
-    pub(super) fn new(powers: TransitionPowers, position: f64, whole_boundary: bool) -> Result<Self> {
+    pub(super) fn new(
+        powers: TransitionPowers,
+        position: f64,
+        whole_boundary: bool,
+    ) -> Result<Self> {
         let TransitionPowers { opening, pressure, logarithm } = powers;
-        let is_in = (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
+        let is_in =
+            (0.3..=1.5).contains(&opening) && (opening == 1.0 || (opening - 1.0).abs() > 0.0999);
         Error::require("p", opening, "the union of [3/10, 9/10], {1} and [11/10, 3/2]", is_in)?;
         Error::require("q", pressure, "(-1, inf)", pressure > -1.0 && pressure.is_finite())?;
         let is_log = logarithm == 0.0 || opening == 1.0 && logarithm > 0.0 && logarithm.is_finite();
@@ -124,8 +129,8 @@ impl Harmonic {
                 continue;
             }
             for (t, weight) in rule.iter() {
-                let [p, q] =
-                    self.gradient([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
+                let [p, q] = self
+                    .gradient([from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1])]);
                 add(t, weight, p * normal[0] + q * normal[1]);
             }
         }
@@ -156,7 +161,10 @@ impl fmt::Display for Harmonic {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let TransitionPowers { opening, pressure, logarithm } = self.powers;
         let where_ = if self.whole_boundary { "whole boundary" } else { "bottom" };
-        write!(f, "mesh transition r^{opening}, r^{pressure}, |ln r|^-{logarithm}, contact on the {where_}")
+        write!(
+            f,
+            "mesh transition r^{opening}, r^{pressure}, |ln r|^-{logarithm}, contact on the {where_}"
+        )
     }
 }
 
@@ -189,7 +197,8 @@ pub(super) mod tests {
                     "{known} {t} {bottom}"
                 );
                 assert!(
-                    known.normal_stress(beyond) <= 0.0 && bottom * known.normal_stress(beyond) == 0.0,
+                    known.normal_stress(beyond) <= 0.0
+                        && bottom * known.normal_stress(beyond) == 0.0,
                     "{known} {t}"
                 );
                 for point in [[0.0, t], [1.0, t], [t, 1.0]] {
@@ -198,7 +207,8 @@ pub(super) mod tests {
             }
             // Central differences: h² times third derivatives, ε/h of rounding.
             let (h, [x, y]) = (1e-4, [0.7, 0.3]);
-            let around = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| known.displacement(p));
+            let around =
+                [[x + h, y], [x - h, y], [x, y + h], [x, y - h]].map(|p| known.displacement(p));
             let [p, q] = known.gradient([x, y]);
             assert!(((around[0] - around[1]) / (2.0 * h) - p).abs() < 1e-7, "{known}");
             assert!(((around[2] - around[3]) / (2.0 * h) - q).abs() < 1e-7, "{known}");
@@ -220,7 +230,8 @@ pub(super) mod tests {
         let n = 4;
         for whole_boundary in [false, true] {
             for known in all_known(whole_boundary) {
-                let problem = KnownSolution { formula: Formula::Harmonic(known) }.problem(n).unwrap();
+                let problem =
+                    KnownSolution { formula: Formula::Harmonic(known) }.problem(n).unwrap();
                 let mesh = problem.mesh();
                 let held = mesh.nodes_on(Part::Dirichlet);
                 let mut work = vec![0.0; mesh.nodes().len()];
@@ -236,7 +247,8 @@ pub(super) mod tests {
                         rule.on(triangle, &mut |point, weight| {
                             let ([p, q], u) = (known.gradient(point), known.displacement(point));
                             let share = doubled_area([point, b, c]) / doubled;
-                            work[node] += weight * (p * slope[0] + q * slope[1] + reaction * u * share);
+                            work[node] +=
+                                weight * (p * slope[0] + q * slope[1] + reaction * u * share);
                             volume[node] += weight * reaction * u * share;
                             Ok(())
                         })
@@ -247,7 +259,8 @@ pub(super) mod tests {
                 let rule = gauss_legendre(EDGE_POINTS).unwrap();
                 for i in 0..n {
                     let start = i as f64 / n as f64;
-                    for (t, weight, beyond) in known.points_on_bottom(start, 1.0 / n as f64, &rule) {
+                    for (t, weight, beyond) in known.points_on_bottom(start, 1.0 / n as f64, &rule)
+                    {
                         for (node, share) in [(i, 1.0 - t), (i + 1, t)] {
                             load[node] += weight * share / n as f64 * known.normal_stress(beyond);
                         }

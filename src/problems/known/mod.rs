@@ -232,7 +232,9 @@ impl KnownSolution {
         match self.formula {
             Formula::Westergaard(_) => 2.5,
             Formula::Power(known) => known.power + 1.0,
-            Formula::Harmonic(known) => (known.powers.opening + 1.0).min(known.powers.pressure + 2.0),
+            Formula::Harmonic(known) => {
+                (known.powers.opening + 1.0).min(known.powers.pressure + 2.0)
+            }
         }
     }
 
@@ -403,7 +405,12 @@ impl KnownSolution {
             }
             if points == MOST_POINTS {
                 let why = "quadrature of the error converges slowly near the transition";
-                return Err(Error::not_met("error in the energy norm", tolerance.relative(), found, why));
+                return Err(Error::not_met(
+                    "error in the energy norm",
+                    tolerance.relative(),
+                    found,
+                    why,
+                ));
             }
             (before, points) = (value, points + 1);
         }
@@ -453,7 +460,8 @@ impl KnownSolution {
         let tolerance = tolerance.given()?;
         match self.formula {
             Formula::Westergaard(known) => known.second_seminorm(n, tolerance),
-            _ => Err(self.without("the seminorm of second derivatives", "one with one or two transitions")),
+            _ => Err(self
+                .without("the seminorm of second derivatives", "one with one or two transitions")),
         }
     }
 
@@ -530,8 +538,9 @@ pub(super) fn three_halves_problem(mesh: Triangulation, scale: f64) -> Result<Co
     let load = vec![0.0; mesh.nodes().len()];
     let mut problem = ContactProblem::new(mesh, Form::LAPLACE, &load)?;
     problem.set_dirichlet(&Field::Scalar(&|point| scale * u.displacement(point)[0]))?;
-    problem
-        .add_boundary_load(Part::Neumann, &|point, normal| Ok([scale * u.traction(point, normal)[0], 0.0]))?;
+    problem.add_boundary_load(Part::Neumann, &|point, normal| {
+        Ok([scale * u.traction(point, normal)[0], 0.0])
+    })?;
     Ok(problem)
 }
 
@@ -570,7 +579,8 @@ mod tests {
     fn the_rule_of_the_errors_is_fine_enough() {
         let lame = Some(Lame::new(1.3, 0.7).unwrap());
         let powers = [0.65, 1.3].map(|p| KnownSolution::power(p, lame).unwrap());
-        let of_each = |lame| [KnownSolution::one_transition(lame), KnownSolution::two_transitions(lame)];
+        let of_each =
+            |lame| [KnownSolution::one_transition(lame), KnownSolution::two_transitions(lame)];
         let known = [of_each(None), of_each(lame), powers].concat();
         for known in known.into_iter().chain([KnownSolution::three_halves()]) {
             let problem = known.problem(8).unwrap();
@@ -591,8 +601,12 @@ mod tests {
         let known = KnownSolution::power(0.65, None).unwrap();
         let problem = known.problem(4).unwrap();
         let values = known.interpolant(&problem).unwrap();
-        let [rough, sharp] = [1e-2, 1e-5].map(|asked| known.error(&problem, &values, asked).unwrap());
-        assert!(sharp.error <= 1e-5 * sharp.value && (rough.value - sharp.value).abs() <= 2.0 * rough.error);
+        let [rough, sharp] =
+            [1e-2, 1e-5].map(|asked| known.error(&problem, &values, asked).unwrap());
+        assert!(
+            sharp.error <= 1e-5 * sharp.value
+                && (rough.value - sharp.value).abs() <= 2.0 * rough.error
+        );
         assert!(known.error(&problem, &values, 1e-15).is_err());
         assert!(known.second_seminorm(4, 1e-2).is_err());
         assert!(KnownSolution::three_halves().body_seminorm(1.75, 1e-3).is_err());
@@ -605,7 +619,10 @@ mod tests {
             let problem = known.problem(16).unwrap();
             let [nodal, midpoint] = [Cone::Nodal, Cone::Midpoint].map(|cone| {
                 let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
-                assert!(solution.status.is_converged() && solution.kkt.worst() < 1e-12, "{known} {cone}");
+                assert!(
+                    solution.status.is_converged() && solution.kkt.worst() < 1e-12,
+                    "{known} {cone}"
+                );
                 let error = known.error(&problem, &solution.displacement, 1e-2).unwrap();
                 assert!(error.error < 1e-3 * error.value, "{known} {cone}: {error:?}");
                 (solution.contact_set.count(), error.value)

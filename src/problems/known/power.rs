@@ -57,7 +57,8 @@ impl Power {
     /// The solution with power p; u ∈ H^τ for τ < p + 1.
     pub(super) fn new(power: f64, lame: Option<Lame>) -> Result<Self> {
         let admissible = power > 0.5 && power < 1.5 && (power - 1.0).abs() >= 0.01;
-        let power = Error::require("p", power, "the union of (1/2, 0.99] and [1.01, 3/2)", admissible)?;
+        let power =
+            Error::require("p", power, "the union of (1/2, 0.99] and [1.01, 3/2)", admissible)?;
         Ok(Self { power, lame })
     }
 
@@ -78,7 +79,8 @@ impl Power {
         let Some(lame) = self.lame else { return [-size * sin, 0.0] };
         let ((alpha, double), y) = (moduli(lame), p * phi.sin());
         let (low_sin, low_cos) = ((p - 1.0) * phi).sin_cos();
-        [y * low_sin - alpha * cos, (1.0 + alpha) * sin - y * low_cos].map(|part| size * part / double)
+        [y * low_sin - alpha * cos, (1.0 + alpha) * sin - y * low_cos]
+            .map(|part| size * part / double)
     }
 
     /// The gradient ∇u: row c is the gradient of component c.
@@ -90,7 +92,10 @@ impl Power {
         let ((alpha, double), y) = (moduli(lame), q * phi.sin());
         let (low_sin, low_cos) = ((q - 1.0) * phi).sin_cos();
         let (across, along) = ((1.0 + alpha) * sin, alpha * cos);
-        let rows = [[along - y * low_sin, across + y * low_cos], [y * low_cos - across, along + y * low_sin]];
+        let rows = [
+            [along - y * low_sin, across + y * low_cos],
+            [y * low_cos - across, along + y * low_sin],
+        ];
         rows.map(|row| row.map(|entry| size * entry / double))
     }
 
@@ -115,7 +120,9 @@ impl Power {
         }
         let order = Order::new(tau - 1.0)?;
         Ok(match material {
-            None => Function::sector_power(p, p, PI, radius)?.seminorm(order.plus_one(), tolerance)?,
+            None => {
+                Function::sector_power(p, p, PI, radius)?.seminorm(order.plus_one(), tolerance)?
+            }
             Some((alpha, double)) => {
                 let corner = Function::elastic_corner(p, alpha, radius)?;
                 corner.seminorm(order.plus_one(), tolerance)?.times(double.recip())?
@@ -136,7 +143,8 @@ impl Power {
 
     /// The factor of r^{p−1} in u_N' outside contact.
     fn slope(&self) -> f64 {
-        self.pressure() * self.lame.map(moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
+        self.pressure()
+            * self.lame.map(moduli).map_or(1.0, |(alpha, double)| (1.0 + alpha) / double)
     }
 
     /// |σ_N|_ν or |u_N'|_ν on the part (from, to) of the edge.
@@ -161,7 +169,8 @@ impl Power {
             return Ok(whole.seminorm(order, tolerance)?);
         }
         let breaks = [from, TRANSITION, to];
-        let at = |at: Position| value(if at.anchor() == 1 { at.offset() } else { at.x() - TRANSITION });
+        let at =
+            |at: Position| value(if at.anchor() == 1 { at.offset() } else { at.x() - TRANSITION });
         Ok(Function::from_positions(&breaks, at)?.seminorm(order, tolerance)?)
     }
 
@@ -182,13 +191,17 @@ impl Power {
         for i in 0..n {
             let (left, right) = (i as f64 * h, (i + 1) as f64 * h);
             for (size, side) in self.loads().into_iter().zip([-1.0, 1.0]) {
-                let (low, high) =
-                    if side < 0.0 { (left, right.min(TRANSITION)) } else { (left.max(TRANSITION), right) };
+                let (low, high) = if side < 0.0 {
+                    (left, right.min(TRANSITION))
+                } else {
+                    (left.max(TRANSITION), right)
+                };
                 if low >= high {
                     continue;
                 }
                 let distances = [low, high].map(|x| side * (x - TRANSITION));
-                let (near, far) = (distances[0].min(distances[1]).max(0.0), distances[0].max(distances[1]));
+                let (near, far) =
+                    (distances[0].min(distances[1]).max(0.0), distances[0].max(distances[1]));
                 let (whole, first) = (moment(1.0, near, far), moment(2.0, near, far));
                 // The hat function of the right node is (x − left)/h, x = a ± r.
                 let right_part = ((TRANSITION - left) * whole + side * first) / h;
@@ -214,7 +227,9 @@ mod tests {
     #[test]
     fn the_solution_meets_all_conditions_and_is_in_balance() {
         let elastic = Some(Lame::new(1.3, 0.7).unwrap());
-        for (power, lame) in [0.65, 0.8, 0.95, 1.1, 1.3].into_iter().flat_map(|p| [(p, None), (p, elastic)]) {
+        for (power, lame) in
+            [0.65, 0.8, 0.95, 1.1, 1.3].into_iter().flat_map(|p| [(p, None), (p, elastic)])
+        {
             let known = Power::new(power, lame).unwrap();
             for i in 0..=20 {
                 let x = f64::from(i) / 20.0 + 1e-3;
@@ -225,11 +240,18 @@ mod tests {
                     None => (u[0], 0.0, -s[0][1]),
                 };
                 let pressure = normal - known.loads()[side] * r.powf(power - 1.0);
-                assert!(u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14, "{power} {x}");
+                assert!(
+                    u <= 1e-15 && pressure <= 1e-14 && (u * pressure).abs() < 1e-14,
+                    "{power} {x}"
+                );
                 assert!(shear.abs() < 1e-14, "{power} {x}: {shear}");
-                let exact = [known.slope() / power * r.powf(power), known.pressure() * r.powf(power - 1.0)];
+                let exact =
+                    [known.slope() / power * r.powf(power), known.pressure() * r.powf(power - 1.0)];
                 let [given, found] = if side == 1 { [exact[0], u] } else { [exact[1], pressure] };
-                assert!(given < 0.0 && (given - found).abs() < 1e-14, "{power} {x}: {given} {found}");
+                assert!(
+                    given < 0.0 && (given - found).abs() < 1e-14,
+                    "{power} {x}: {given} {found}"
+                );
             }
             let (h, [x, y]) = (1e-5, [0.55, 0.2]);
             let points = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
@@ -237,7 +259,10 @@ mod tests {
             let s = points.map(|p| stress(lame, known.gradient(p)));
             for c in 0..2 {
                 for d in 0..2 {
-                    assert!(((u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h) - g[c][d]).abs() < 1e-8, "{power}");
+                    assert!(
+                        ((u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h) - g[c][d]).abs() < 1e-8,
+                        "{power}"
+                    );
                 }
                 let force = (s[0][c][0] - s[1][c][0] + s[2][c][1] - s[3][c][1]) / (2.0 * h);
                 assert!(force.abs() < 1e-7, "{power}: {force}");
@@ -250,6 +275,8 @@ mod tests {
         assert!(Power::new(1.0, None).is_err() && Power::new(0.4, None).is_err());
         let known = Power::new(0.8, None).unwrap();
         let order = Order::new(0.3).unwrap();
-        assert!(known.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err());
+        assert!(
+            known.edge_seminorm(EdgeDatum::Slope, [0.0, 1.0], order, Tolerance::fast()).is_err()
+        );
     }
 }

@@ -96,8 +96,10 @@ impl Westergaard {
         let g = if y == 0.0 { Complex::ZERO } else { g };
         let (alpha, double) = moduli(lame);
         let across = (1.0 + alpha) * f.re;
-        let rows =
-            [[-alpha * f.im - y * g.re, y * g.im - across], [across + y * g.im, -alpha * f.im + y * g.re]];
+        let rows = [
+            [-alpha * f.im - y * g.re, y * g.im - across],
+            [across + y * g.im, -alpha * f.im + y * g.re],
+        ];
         rows.map(|row| row.map(|entry| entry / double))
     }
 
@@ -107,8 +109,16 @@ impl Westergaard {
         let Some(lame) = self.lame else { return [[-f.re, f.im, f.re], [0.0; 3]] };
         let (alpha, double) = moduli(lame);
         let rows = [
-            [-alpha * f.im - y * g.re, y * g.im - (1.0 + alpha) * f.re, (alpha + 2.0) * f.im + y * g.re],
-            [(1.0 + alpha) * f.re + y * g.im, y * g.re - alpha * f.im, (1.0 - alpha) * f.re - y * g.im],
+            [
+                -alpha * f.im - y * g.re,
+                y * g.im - (1.0 + alpha) * f.re,
+                (alpha + 2.0) * f.im + y * g.re,
+            ],
+            [
+                (1.0 + alpha) * f.re + y * g.im,
+                y * g.re - alpha * f.im,
+                (1.0 - alpha) * f.re - y * g.im,
+            ],
         ];
         rows.map(|row| row.map(|entry| entry / double))
     }
@@ -131,14 +141,16 @@ impl Westergaard {
     /// |u|₂ on (0, 1) × (0, 1/n).
     pub(super) fn second_seminorm(&self, n: usize, tolerance: Tolerance) -> Result<Estimate> {
         let height = 1.0 / n as f64;
-        let mesh =
-            mapped_grid(n.max(4), (4 / n.max(1)).max(1), SideParts::HANGING, |[x, y]| [x, height * y])?;
+        let mesh = mapped_grid(n.max(4), (4 / n.max(1)).max(1), SideParts::HANGING, |[x, y]| {
+            [x, height * y]
+        })?;
         let integral = |points: usize| -> Result<(f64, u64)> {
             let (rule, mut sum, mut count) = (rule(points, self.transitions)?, 0.0, 0);
             for t in 0..mesh.triangles().len() {
                 rule.on(mesh.corners(t), &mut |point, weight| {
                     let squares = self.second_derivatives(point);
-                    sum += weight * squares.iter().map(|[p, q, r]| p * p + 2.0 * q * q + r * r).sum::<f64>();
+                    sum += weight
+                        * squares.iter().map(|[p, q, r]| p * p + 2.0 * q * q + r * r).sum::<f64>();
                     count += 1;
                     Ok(())
                 })?;
@@ -184,8 +196,8 @@ mod tests {
 
     fn all_known() -> [Westergaard; 5] {
         let lame = Some(Lame::new(1.3, 0.7).unwrap());
-        let [scalar, elastic] =
-            [None, lame].map(|lame| [Westergaard::one_transition(lame), Westergaard::two_transitions(lame)]);
+        let [scalar, elastic] = [None, lame]
+            .map(|lame| [Westergaard::one_transition(lame), Westergaard::two_transitions(lame)]);
         [scalar[0], scalar[1], elastic[0], elastic[1], Westergaard::three_halves()]
     }
 
@@ -199,8 +211,14 @@ mod tests {
                     Some(_) => (-u[1], -stress[1], stress[0]),
                     None => (u[0], stress[0], 0.0),
                 };
-                assert!(normal <= 0.0 && pressure <= 1e-15, "{known} {point:?}: {normal} {pressure}");
-                assert!((normal * pressure).abs() < 1e-15 && shear.abs() < 1e-15, "{known} {point:?}");
+                assert!(
+                    normal <= 0.0 && pressure <= 1e-15,
+                    "{known} {point:?}: {normal} {pressure}"
+                );
+                assert!(
+                    (normal * pressure).abs() < 1e-15 && shear.abs() < 1e-15,
+                    "{known} {point:?}"
+                );
             }
         }
     }
@@ -214,14 +232,18 @@ mod tests {
                 let [x, y] = point;
                 let (gradient, second) = (known.gradient(point), known.second_derivatives(point));
                 let sides = [[x + h, y], [x - h, y], [x, y + h], [x, y - h]];
-                let (u, g) = (sides.map(|p| known.displacement(p)), sides.map(|p| known.gradient(p)));
+                let (u, g) =
+                    (sides.map(|p| known.displacement(p)), sides.map(|p| known.gradient(p)));
                 for c in 0..2 {
                     for d in 0..2 {
                         let slope = (u[2 * d][c] - u[2 * d + 1][c]) / (2.0 * h);
                         assert!((slope - gradient[c][d]).abs() < tolerance, "{known} {point:?}");
                         for e in 0..2 {
                             let curve = (g[2 * d][c][e] - g[2 * d + 1][c][e]) / (2.0 * h);
-                            assert!((curve - second[c][d + e]).abs() < tolerance, "{known} {point:?}");
+                            assert!(
+                                (curve - second[c][d + e]).abs() < tolerance,
+                                "{known} {point:?}"
+                            );
                         }
                     }
                 }

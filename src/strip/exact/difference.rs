@@ -34,7 +34,8 @@ pub(super) struct Interpolated<'a> {
 impl Interpolation {
     /// The interpolation to the edge of period P, a power of two.
     pub(super) fn new(period: usize) -> Self {
-        let inverse = (0..=period / 2).map(|k| (PI * k as f64 / period as f64).sin().powi(-2)).collect();
+        let inverse =
+            (0..=period / 2).map(|k| (PI * k as f64 / period as f64).sin().powi(-2)).collect();
         Self { period, inverse }
     }
 
@@ -93,7 +94,8 @@ mod tests {
             let fine = 128;
             let interpolation = Interpolation::new(sides.period(fine));
             for coarse in [2, 4, 32, 128] {
-                let values: Vec<f64> = (0..sides.nodes(coarse)).map(|i| (1.0 + i as f64).sin()).collect();
+                let values: Vec<f64> =
+                    (0..sides.nodes(coarse)).map(|i| (1.0 + i as f64).sin()).collect();
                 let modes = operator(coarse).modes(&values).unwrap();
                 let mut interpolant = values;
                 let mut n = coarse;

@@ -168,7 +168,12 @@ impl StripProblem {
     /// [`ToolkitError::Incompatible`] for the lateral conditions of the other kind of strip
     /// and for a continuous elastic reference; [`ToolkitError::CountOutOfRange`] unless the number of cells
     /// is a power of two.
-    pub fn new(kind: StripKind, edge_data: &EdgeData, reference: Reference, coarsest: usize) -> Result<Self> {
+    pub fn new(
+        kind: StripKind,
+        edge_data: &EdgeData,
+        reference: Reference,
+        coarsest: usize,
+    ) -> Result<Self> {
         let (cells, sides) = (edge_data.cells(), edge_data.sides());
         if kind == StripKind::Elastic && reference != Reference::Nested {
             let (what, with) = ("reference solution", "the elastic strip");
@@ -179,7 +184,12 @@ impl StripProblem {
                 StripKind::Scalar => ("the scalar strip", "natural"),
                 StripKind::Elastic => ("the elastic strip", "periodic"),
             };
-            return Err(Error::incompatible("lateral condition", format!("{sides:?}"), with, expected));
+            return Err(Error::incompatible(
+                "lateral condition",
+                format!("{sides:?}"),
+                with,
+                expected,
+            ));
         }
         let is_power = cells.is_power_of_two() && cells >= 2;
         Error::require_count("cells", cells, "{2, 4, 8, 16, ...}", is_power)?;
@@ -190,8 +200,9 @@ impl StripProblem {
                     Reference::Nested => scalar_symbol,
                     Reference::Harmonic => harmonic_symbol,
                 };
-                let symbol: Vec<f64> =
-                    (0..=cells).map(|k| symbol(PI * k as f64 / cells as f64, cells as f64)).collect();
+                let symbol: Vec<f64> = (0..=cells)
+                    .map(|k| symbol(PI * k as f64 / cells as f64, cells as f64))
+                    .collect();
                 let operator = EdgeOperator::new(cells, sides, &symbol)?;
                 let modes = operator.modes(values)?;
                 let rounding = rounding(&modes, operator.norm());
@@ -236,7 +247,8 @@ impl StripProblem {
     /// solution.
     pub fn solve(&self, cells: usize, cone: Cone) -> Result<EdgeSolution> {
         let level = self.level(cells, self.levels())?;
-        let halvings = (level..self.levels()).take_while(|&k| self.operator.cells() >> k >= COARSEST).count();
+        let halvings =
+            (level..self.levels()).take_while(|&k| self.operator.cells() >> k >= COARSEST).count();
         let coarsest = cells >> halvings.saturating_sub(1);
         let mut last = self.solve_from(coarsest, cone, None)?;
         let mut n = coarsest;
@@ -263,7 +275,12 @@ impl StripProblem {
     ///
     /// # Errors
     /// As for [`StripProblem::solve`].
-    pub fn solutions(&self, cone: Cone, coarsest: usize, finest: usize) -> Result<Vec<EdgeSolution>> {
+    pub fn solutions(
+        &self,
+        cone: Cone,
+        coarsest: usize,
+        finest: usize,
+    ) -> Result<Vec<EdgeSolution>> {
         let mut found: Vec<EdgeSolution> = Vec::new();
         let mut n = coarsest;
         while n <= finest {
@@ -273,7 +290,12 @@ impl StripProblem {
         Ok(found)
     }
 
-    fn solve_from(&self, cells: usize, cone: Cone, start: Option<&EdgeSolution>) -> Result<EdgeSolution> {
+    fn solve_from(
+        &self,
+        cells: usize,
+        cone: Cone,
+        start: Option<&EdgeSolution>,
+    ) -> Result<EdgeSolution> {
         self.operator(cells)?.solve_contact(&self.load(cells)?, cone, start, SOLVED)
     }
 
@@ -367,25 +389,29 @@ impl StripProblem {
                 let interior = match defects {
                     Some(_) if level == 0 => 0.0,
                     Some(defects) => coarse.mode_sum(&discrete, |k| defects[level - 1][k]),
-                    None => coarse
-                        .mode_sum(&discrete, |k| harmonic_defect(PI * k as f64 / cells as f64, cells as f64)),
+                    None => coarse.mode_sum(&discrete, |k| {
+                        harmonic_defect(PI * k as f64 / cells as f64, cells as f64)
+                    }),
                 };
                 let interpolated = self.interpolation.of(discrete);
                 let symbol = self.operator.symbol();
-                let edge =
-                    self.operator.mode_sum_of(|k| symbol[k] * (modes[k] - interpolated.mode(k)).norm_sqr());
+                let edge = self
+                    .operator
+                    .mode_sum_of(|k| symbol[k] * (modes[k] - interpolated.mode(k)).norm_sqr());
                 (edge, interior, SCALAR_DEFECTS, self.operator.cells() + 1)
             }
             Exact::Elastic { modes: [exact_x, exact_y], matrices, defects } => {
                 let discrete = displacement(&coarse, &matrices[level], values)?;
                 let interior = match level {
                     0 => 0.0,
-                    _ => coarse.mode_sum_of(|k| defects[level - 1][k].form(discrete[0][k], discrete[1][k])),
+                    _ => coarse.mode_sum_of(|k| {
+                        defects[level - 1][k].form(discrete[0][k], discrete[1][k])
+                    }),
                 };
                 let [x, y] = discrete.map(|component| self.interpolation.of(component));
-                let edge = self
-                    .operator
-                    .mode_sum_of(|k| matrices[0][k].form(exact_x[k] - x.mode(k), exact_y[k] - y.mode(k)));
+                let edge = self.operator.mode_sum_of(|k| {
+                    matrices[0][k].form(exact_x[k] - x.mode(k), exact_y[k] - y.mode(k))
+                });
                 (edge, interior, ELASTIC_DEFECTS, 2 * self.operator.cells())
             }
         };
@@ -447,7 +473,11 @@ fn nested_defects(cells: usize) -> Vec<Vec<f64>> {
 }
 
 /// The edge matrices on N, N/2, ... cells, not less than `coarsest`, and G on N/2, N/4, ... cells.
-fn elastic_levels(cells: usize, lame: Lame, coarsest: usize) -> (Vec<Vec<EdgeMatrix>>, Vec<Vec<EdgeMatrix>>) {
+fn elastic_levels(
+    cells: usize,
+    lame: Lame,
+    coarsest: usize,
+) -> (Vec<Vec<EdgeMatrix>>, Vec<Vec<EdgeMatrix>>) {
     let mut matrices = vec![edge_matrices(cells, cells, lame)];
     let mut defects: Vec<Vec<EdgeMatrix>> = Vec::new();
     let mut n = cells / 2;
@@ -479,7 +509,8 @@ fn displacement(
     normal: &[f64],
 ) -> Result<[Vec<Complex<f64>>; 2]> {
     let modes = operator.modes(normal)?;
-    let mut x: Vec<Complex<f64>> = modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
+    let mut x: Vec<Complex<f64>> =
+        modes.iter().zip(matrices).map(|(u, a)| a.xy * u / a.xx).collect();
     // A real displacement has real zeroth and highest modes.
     if let [first, .., last] = &mut x[..] {
         (first.im, last.im) = (0.0, 0.0);

@@ -26,7 +26,8 @@ pub(crate) fn halving(theta: f64, layers: f64) -> f64 {
     let (s, c) = (0.25 * theta).sin_cos();
     let (s2, c2) = (s * s, c * c);
     let root = (1.0 + 4.0 * s2 * c2).sqrt();
-    let low = s2 * (4.0 * c2 + 1.0 + c2 + c2 * c2 - c2 * c2 * c2) / (root + c * c2 * (1.0 + s2).sqrt());
+    let low =
+        s2 * (4.0 * c2 + 1.0 + c2 + c2 * c2 - c2 * c2 * c2) / (root + c * c2 * (1.0 + s2).sqrt());
     let half_plane = 4.0 * s * c * (low - s * s2 * (1.0 + c2).sqrt());
     // φ_h = 2 asinh q and 2 φ_{h/2} = 2 asinh p with q = 2sc, p = 2s √(1+s²).
     let q = 2.0 * s * c;
@@ -36,8 +37,13 @@ pub(crate) fn halving(theta: f64, layers: f64) -> f64 {
         return half_plane;
     }
     let excess = 8.0 * s2 * s2 / (p * (1.0 + q * q).sqrt() + q * (1.0 + p * p).sqrt());
-    let same =
-        2.0 * c2 * c2 * 2.0 * s * (1.0 + s2).sqrt() * coth_difference(coarse, 2.0 * layers * excess.asinh());
+    let same = 2.0
+        * c2
+        * c2
+        * 2.0
+        * s
+        * (1.0 + s2).sqrt()
+        * coth_difference(coarse, 2.0 * layers * excess.asinh());
     let alias = 2.0 * s2 * s2 * 2.0 * c * (1.0 + c2).sqrt();
     let fine_alias = 4.0 * layers * c.asinh();
     half_plane / coarse.tanh() + same + alias * coth_difference(coarse, fine_alias - coarse)
@@ -121,7 +127,9 @@ fn zeta_tail(a: f64) -> f64 {
     let inverse = 1.0 / (a * a);
     // 1/(2a²) + 1/(2a³) + Σ B_2k/(2k)! (3)(4)...(2k+1) a^{−2−2k}
     let correction = 0.25
-        - inverse * (1.0 / 12.0 - inverse * (1.0 / 12.0 - inverse * (3.0 / 20.0 - inverse * (5.0 / 12.0))));
+        - inverse
+            * (1.0 / 12.0
+                - inverse * (1.0 / 12.0 - inverse * (3.0 / 20.0 - inverse * (5.0 / 12.0))));
     0.5 * inverse + 0.5 * inverse / a + inverse * inverse * correction
 }
 

@@ -151,7 +151,11 @@ impl EdgeOperator {
     ///
     /// h W_i is the length associated with node i, ∫ φ_i.
     pub fn weight(&self, node: usize) -> f64 {
-        if self.sides == LateralCondition::Natural && (node == 0 || node == self.cells) { 0.5 } else { 1.0 }
+        if self.sides == LateralCondition::Natural && (node == 0 || node == self.cells) {
+            0.5
+        } else {
+            1.0
+        }
     }
 
     /// The product A g: the nodal forces that hold the edge at the displacement g.
@@ -232,7 +236,12 @@ impl EdgeOperator {
         self.fourier.workspace()
     }
 
-    pub(crate) fn apply_into(&self, g: &[f64], out: &mut [f64], work: &mut Workspace) -> Result<()> {
+    pub(crate) fn apply_into(
+        &self,
+        g: &[f64],
+        out: &mut [f64],
+        work: &mut Workspace,
+    ) -> Result<()> {
         self.transform(g, |_| 1.0, work)?;
         self.multiply(work, |s| s);
         self.fourier.backward(work)?;
@@ -242,7 +251,12 @@ impl EdgeOperator {
         Ok(())
     }
 
-    pub(crate) fn solve_into(&self, b: &[f64], out: &mut [f64], work: &mut Workspace) -> Result<()> {
+    pub(crate) fn solve_into(
+        &self,
+        b: &[f64],
+        out: &mut [f64],
+        work: &mut Workspace,
+    ) -> Result<()> {
         self.transform(b, |i| 1.0 / self.weight(i), work)?;
         self.multiply(work, |s| 1.0 / s);
         self.fourier.backward(work)?;
@@ -278,7 +292,11 @@ impl EdgeOperator {
     }
 
     /// (γ/P) Σ_{k mod P} f(k) |ĝ(k)|², summed in pairs.
-    pub(crate) fn mode_sum(&self, modes: &[Complex<f64>], factor: impl Fn(usize) -> f64 + Copy) -> f64 {
+    pub(crate) fn mode_sum(
+        &self,
+        modes: &[Complex<f64>],
+        factor: impl Fn(usize) -> f64 + Copy,
+    ) -> f64 {
         self.mode_sum_of(|k| factor(k) * modes[k].norm_sqr())
     }
 
@@ -294,7 +312,12 @@ impl EdgeOperator {
         gamma * (term(0) + 2.0 * inner + term(last)) / period as f64
     }
 
-    fn transform(&self, g: &[f64], scale: impl Fn(usize) -> f64, work: &mut Workspace) -> Result<()> {
+    fn transform(
+        &self,
+        g: &[f64],
+        scale: impl Fn(usize) -> f64,
+        work: &mut Workspace,
+    ) -> Result<()> {
         let nodes = self.nodes();
         for i in 0..nodes {
             work.real[i] = g[i] * scale(i);

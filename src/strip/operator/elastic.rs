@@ -108,7 +108,11 @@ pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<Edge
         .map(|k| {
             let theta = 2.0 * PI * k as f64 / cells as f64;
             if theta < LOW {
-                return EdgeMatrix::rounded(&edge_matrix(Mode::long(k, cells), lame, layers.ilog2()));
+                return EdgeMatrix::rounded(&edge_matrix(
+                    Mode::long(k, cells),
+                    lame,
+                    layers.ilog2(),
+                ));
             }
             EdgeMatrix::of(&edge_matrix(Mode::new(theta), lame, layers.ilog2()))
         })

@@ -93,7 +93,10 @@ mod tests {
         let mut worst = 0.0f64;
         for k in (1..=n / 2).step_by(7) {
             let (long, got) = (low_mode(k, n, m, lame), differences[k]);
-            let error = (long.xx - got.xx).abs().max((long.yy - got.yy).abs()).max((long.xy - got.xy).norm());
+            let error = (long.xx - got.xx)
+                .abs()
+                .max((long.yy - got.yy).abs())
+                .max((long.xy - got.xy).norm());
             worst = worst.max(error / long.xx.min(long.yy));
         }
         println!("differences: worst {worst:.1e}");
@@ -119,7 +122,8 @@ mod tests {
             .map(|&k| {
                 let mode = Mode::long(k, n);
                 let long = edge_matrix(mode, lame, n.ilog2()).0;
-                let normal = long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
+                let normal =
+                    long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
                 (matrices[k].normal() / normal.0 - 1.0).abs()
             })
             .reduce(|| 0.0, f64::max);

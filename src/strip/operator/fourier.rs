@@ -25,7 +25,10 @@ pub(crate) struct Workspace {
 
 impl RealFourier {
     pub(crate) fn new(planner: &mut RealFftPlanner<f64>, period: usize) -> Self {
-        Self { forward: planner.plan_fft_forward(period), backward: planner.plan_fft_inverse(period) }
+        Self {
+            forward: planner.plan_fft_forward(period),
+            backward: planner.plan_fft_inverse(period),
+        }
     }
 
     pub(crate) fn workspace(&self) -> Workspace {

@@ -13,15 +13,17 @@ pub(crate) fn load_rows<const C: usize>(
 ) -> impl Iterator<Item = (usize, [Vec<f64>; C])> {
     let nodal = move |j: usize| -> [Vec<f64>; C] {
         let y = j as f64 / n as f64;
-        let values: Vec<[f64; C]> = (0..sides.nodes(n)).map(|i| f(i as f64 / n as f64, y)).collect();
+        let values: Vec<[f64; C]> =
+            (0..sides.nodes(n)).map(|i| f(i as f64 / n as f64, y)).collect();
         from_fn(|component| values.iter().map(|value| value[component]).collect())
     };
     let mut above = nodal(layers);
     let mut here = nodal(layers - 1);
     (0..layers).rev().map(move |j| {
         let below = if j > 0 { nodal(j - 1) } else { from_fn(|_| Vec::new()) };
-        let row =
-            from_fn(|component| mass_row(n, sides, &below[component], &here[component], &above[component]));
+        let row = from_fn(|component| {
+            mass_row(n, sides, &below[component], &here[component], &above[component])
+        });
         above = std::mem::replace(&mut here, below);
         (j, row)
     })
@@ -31,7 +33,13 @@ pub(crate) fn load_rows<const C: usize>(
 /// the row above (`below` is empty on the contact edge). Squares are cut from bottom left to top right, h = 1/n.
 ///
 /// Entries h²/12 on the six neighbours of an inner node and h²/2 on the node itself: row sum h².
-fn mass_row(n: usize, sides: LateralCondition, below: &[f64], here: &[f64], above: &[f64]) -> Vec<f64> {
+fn mass_row(
+    n: usize,
+    sides: LateralCondition,
+    below: &[f64],
+    here: &[f64],
+    above: &[f64],
+) -> Vec<f64> {
     let unit = 1.0 / (24.0 * (n * n) as f64);
     let nodes = sides.nodes(n);
     let mut out = vec![0.0; nodes];

@@ -31,7 +31,9 @@ pub(crate) fn condense(
     // 1/d above the top row is 0: the row there is clamped. e is d − 1.
     let mut excess = vec![f64::INFINITY; modes];
     let mut constant = 0.0;
-    for (j, [row]) in load_rows(operator.cells(), layers, LateralCondition::Natural, |x, y| [f(x, y)]) {
+    for (j, [row]) in
+        load_rows(operator.cells(), layers, LateralCondition::Natural, |x, y| [f(x, y)])
+    {
         require_finite("volume load", &row)?;
         let load = operator.dual_modes(&row)?;
         for k in 0..modes {
@@ -86,7 +88,10 @@ mod tests {
                 let expected = 1.0 + 0.5 * mu - 1.0 / pivot;
                 let got = scalar_symbol(theta, m as f64);
                 // The plain pivots lose ε m²; that is what the closed form is for.
-                assert!((got - expected).abs() < ELIMINATION * (m * m) as f64 * expected, "{n} {m} {k}");
+                assert!(
+                    (got - expected).abs() < ELIMINATION * (m * m) as f64 * expected,
+                    "{n} {m} {k}"
+                );
             }
         }
     }

@@ -99,7 +99,10 @@ impl<T: Real> Matrix<T> {
 
     /// The largest entry.
     fn size(self) -> f64 {
-        self.0.iter().map(|z| z.re.approximate().abs().max(z.im.approximate().abs())).fold(0.0, f64::max)
+        self.0
+            .iter()
+            .map(|z| z.re.approximate().abs().max(z.im.approximate().abs()))
+            .fold(0.0, f64::max)
     }
 
     pub(crate) fn hermitian(self) -> Self {

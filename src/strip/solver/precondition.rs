@@ -33,7 +33,12 @@ pub(crate) struct Preconditioner<'a> {
 
 impl<'a> Preconditioner<'a> {
     pub(crate) fn new(operator: &'a EdgeOperator) -> Self {
-        Self { operator, planner: RealFftPlanner::new(), plans: HashMap::new(), work: Workspace::default() }
+        Self {
+            operator,
+            planner: RealFftPlanner::new(),
+            plans: HashMap::new(),
+            work: Workspace::default(),
+        }
     }
 
     /// z ← B r on the face.
@@ -70,8 +75,10 @@ impl<'a> Preconditioner<'a> {
         let mirrored = mirror_left || mirror_right;
         let length = if mirrored { 2 * gap.len - 1 } else { gap.len };
         let half = smooth_at_least(length + 1);
-        let plan =
-            self.plans.entry(half).or_insert_with(|| GapPlan::new(self.operator, &mut self.planner, half));
+        let plan = self
+            .plans
+            .entry(half)
+            .or_insert_with(|| GapPlan::new(self.operator, &mut self.planner, half));
         let period = 2 * half;
         let work = &mut self.work;
         plan.fourier.fit(work);

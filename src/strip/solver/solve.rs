@@ -180,8 +180,14 @@ impl<'a> Iteration<'a> {
 
     fn newton_step(&mut self, reduction: f64) -> Result<f64> {
         let face = Face::new(self.cone, &self.active);
-        let inner =
-            self.solver.solve(&face, self.b, &mut self.values, self.tolerance, reduction, INNER_STEPS)?;
+        let inner = self.solver.solve(
+            &face,
+            self.b,
+            &mut self.values,
+            self.tolerance,
+            reduction,
+            INNER_STEPS,
+        )?;
         self.inner.push(inner.iterations);
         Ok(inner.residual)
     }
@@ -221,8 +227,9 @@ impl<'a> Iteration<'a> {
         let mut product = vec![0.0; feasible.len()];
         while self.inner.len() < STEPS {
             self.solver.product(&feasible, &mut product)?;
-            let z: Vec<f64> =
-                (0..feasible.len()).map(|i| feasible[i] + (self.b[i] - product[i]) / sigma).collect();
+            let z: Vec<f64> = (0..feasible.len())
+                .map(|i| feasible[i] + (self.b[i] - product[i]) / sigma)
+                .collect();
             let (point, active) = self.cone.nearest(&z);
             self.active = active;
             self.values.copy_from_slice(&point);
@@ -231,7 +238,8 @@ impl<'a> Iteration<'a> {
             if step >= 1.0 && self.next_set()? == self.active && residual <= self.tolerance {
                 return Ok(Status::Converged);
             }
-            feasible = (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
+            feasible =
+                (0..point.len()).map(|i| point[i] + step * (self.values[i] - point[i])).collect();
         }
         Ok(Status::StepLimit { steps: self.inner.len() })
     }
@@ -261,7 +269,8 @@ impl<'a> Iteration<'a> {
         };
         let margins = terms.margins(&self.active)?;
         let error = self.error(&product, &multiplier, &gap)?;
-        let energy = 0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
+        let energy =
+            0.5 * pairwise_dot(&self.values, &product) - pairwise_dot(self.b, &self.values);
         Ok(EdgeSolution {
             cells: self.operator.cells(),
             multiplier,
@@ -287,9 +296,11 @@ impl Iteration<'_> {
     fn error(&self, product: &[f64], multiplier: &[f64], gap: &[f64]) -> Result<f64> {
         let pushing: Vec<f64> = multiplier.iter().map(|l| l.max(0.0)).collect();
         let held = self.cone.apply_transposed(&pushing)?;
-        let residual: Vec<f64> = (0..held.len()).map(|i| self.b[i] - product[i] - held[i]).collect();
+        let residual: Vec<f64> =
+            (0..held.len()).map(|i| self.b[i] - product[i] - held[i]).collect();
         let square = pairwise_dot(&residual, &self.operator.solve(&residual)?);
-        let (symbol, period) = (self.operator.symbol(), self.operator.sides().period(self.operator.cells()));
+        let (symbol, period) =
+            (self.operator.symbol(), self.operator.sides().period(self.operator.cells()));
         let size = (pairwise_dot(product, product) + pairwise_dot(self.b, self.b)).sqrt();
         let mean = symbol.iter().map(|s| s.recip()).sum::<f64>() / symbol.len() as f64;
         let rounding = f64::EPSILON * (period as f64).log2() * size * mean.sqrt();

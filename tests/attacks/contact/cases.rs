@@ -28,7 +28,8 @@ fn problem(case: &Value) -> ContactProblem {
         () => Part::Neumann,
     };
     let outer = all.iter().filter(|[a, b]| !all.contains(&[*b, *a]));
-    let boundary: Vec<BoundaryEdge> = outer.map(|&nodes| BoundaryEdge { nodes, part: part(nodes) }).collect();
+    let boundary: Vec<BoundaryEdge> =
+        outer.map(|&nodes| BoundaryEdge { nodes, part: part(nodes) }).collect();
     let mesh = Triangulation::new(&nodes, &triangles, &boundary).unwrap();
     let [lambda, mu] = ["lambda", "mu"].map(|name| case[name].as_f64().unwrap());
     let form = Form::elastic(Lame::new(lambda, mu).unwrap());
@@ -54,8 +55,16 @@ fn ill_conditioned_energies_of_60_digits() {
                 "{solver}, {cone}: {:e} ± {:.1e}, off by {off:.1e}",
                 found.energy, found.energy_rounding
             );
-            assert!(off <= found.energy_rounding + GIVEN * exact.abs(), "{solver}, {cone}: {}", found.energy);
-            assert!(found.energy_rounding <= GIVEN * exact.abs(), "{solver}: {:e}", found.energy_rounding);
+            assert!(
+                off <= found.energy_rounding + GIVEN * exact.abs(),
+                "{solver}, {cone}: {}",
+                found.energy
+            );
+            assert!(
+                found.energy_rounding <= GIVEN * exact.abs(),
+                "{solver}: {:e}",
+                found.energy_rounding
+            );
         }
     }
 }

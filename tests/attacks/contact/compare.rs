@@ -35,10 +35,17 @@ pub fn compare(
     solution: &ContactSolution,
 ) -> Result<bool, String> {
     let (s, m) = (solution, solution.margins);
-    let numbers =
-        [s.force_scale, s.displacement_scale, s.energy, s.energy_rounding, s.contact_force, s.balance];
+    let numbers = [
+        s.force_scale,
+        s.displacement_scale,
+        s.energy,
+        s.energy_rounding,
+        s.contact_force,
+        s.balance,
+    ];
     let margins = [s.kkt.worst(), m.pressure.unwrap_or(0.0), m.gap.unwrap_or(0.0)];
-    let vectors = [&s.displacement, &s.normal_displacement, &s.multiplier, &s.gap, &s.positions, &s.pressure];
+    let vectors =
+        [&s.displacement, &s.normal_displacement, &s.multiplier, &s.gap, &s.positions, &s.pressure];
     let all = vectors.into_iter().flatten().chain(s.traction.as_flattened()).chain(&s.reaction);
     if !all.chain(&numbers).chain(&margins).all(|value| value.is_finite()) {
         return Err(format!("a number that is none: {solution:?}"));
@@ -91,7 +98,12 @@ pub fn compare(
     }
     // Where contact is not closed exactly, forces do work.
     let work: f64 = (0..found.len()).map(|k| exact[k].0.abs() * local(k)[0]).sum();
-    within("energy", solution.energy, answer.energy, by * answer.energy_size + spread * spread + work)?;
+    within(
+        "energy",
+        solution.energy,
+        answer.energy,
+        by * answer.energy_size + spread * spread + work,
+    )?;
     same_set(scene, program, answer, solution, &local)?;
     Ok(true)
 }
@@ -107,7 +119,11 @@ fn same_set(
     let c = scene.components();
     let around = |i: usize, what: usize| {
         let nodes = program.support(i).iter().flat_map(|&node| (0..c).map(move |k| node * c + k));
-        largest(nodes.filter_map(|unknown| program.free.binary_search(&unknown).ok()).map(|k| local(k)[what]))
+        largest(
+            nodes
+                .filter_map(|unknown| program.free.binary_search(&unknown).ok())
+                .map(|k| local(k)[what]),
+        )
     };
     let open: Vec<usize> = (0..answer.gap.len()).filter(|&i| !program.is_settled(i)).collect();
     // Multipliers follow from forces along the edge: errors add up.
@@ -133,7 +149,9 @@ fn same_set(
 
 /// The largest displacement, bound, or displacement of a load alone.
 fn lengths(program: &Program, answer: &Answer) -> f64 {
-    largest(answer.displacement.iter().map(|u| u.0)).max(largest(program.bounds())).max(program.alone())
+    largest(answer.displacement.iter().map(|u| u.0))
+        .max(largest(program.bounds()))
+        .max(program.alone())
 }
 
 /// True where the condition number leaves no digit.

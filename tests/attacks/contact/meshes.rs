@@ -37,7 +37,8 @@ impl Mesh {
                 k if k - contact == clamped || random.below(4) < share => Part::Dirichlet,
                 _ => Part::Neumann,
             };
-            self.boundary.push(BoundaryEdge { nodes: [around[at], around[(at + 1) % count]], part });
+            self.boundary
+                .push(BoundaryEdge { nodes: [around[at], around[(at + 1) % count]], part });
         }
         self.is_closed = others == 0;
         let nodes = if self.is_closed { count } else { contact + 1 };
@@ -49,15 +50,18 @@ impl Mesh {
         self.triangles.iter().all(|&triangle| {
             let [a, b, c] = triangle.map(|node| self.nodes[node]);
             let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-            let size =
-                [p, q, [c[0] - b[0], c[1] - b[1]]].iter().map(|d| d[0].hypot(d[1])).fold(0.0, f64::max);
+            let size = [p, q, [c[0] - b[0], c[1] - b[1]]]
+                .iter()
+                .map(|d| d[0].hypot(d[1]))
+                .fold(0.0, f64::max);
             p[0] * q[1] - p[1] * q[0] > FLAT * size * size
         })
     }
 
     /// Turned, sheared, stretched.
     fn slanted(&mut self, random: &mut SplitMix) {
-        let (sin, cos) = if random.below(3) == 0 { (0.0, 1.0) } else { random.between(0.0, 6.3).sin_cos() };
+        let (sin, cos) =
+            if random.below(3) == 0 { (0.0, 1.0) } else { random.between(0.0, 6.3).sin_cos() };
         let shear = if random.below(3) == 0 { random.between(-3.0, 3.0) } else { 0.0 };
         let stretch = if random.below(4) == 0 { decades(random, -5.0, 5.0) } else { 1.0 };
         for node in &mut self.nodes {
@@ -101,7 +105,8 @@ pub fn grid(random: &mut SplitMix, is_elastic: bool) -> Mesh {
                     y += jitter * random.between(-1.0, 1.0) * (ys[j + 1] - y).min(y - ys[j - 1]);
                 }
                 // Bottom (0, 0) to (1, 0), the other corners anywhere.
-                mesh.nodes.push([x + y * (top[0] + x * top[1]), y * (top[2] * (1.0 - x) + top[3] * x)]);
+                mesh.nodes
+                    .push([x + y * (top[0] + x * top[1]), y * (top[2] * (1.0 - x) + top[3] * x)]);
             }
         }
         for j in 0..ny {
@@ -143,7 +148,8 @@ pub fn slender(random: &mut SplitMix) -> Mesh {
     loop {
         let (nx, ny) = (1 + random.below(5), 1 + random.below(3));
         let (wide, high) = (1.0 / nx as f64, decades(random, -4.0, 4.0) / ny as f64);
-        let (sin, cos) = if random.below(2) == 0 { (0.0, 1.0) } else { random.between(0.0, 6.3).sin_cos() };
+        let (sin, cos) =
+            if random.below(2) == 0 { (0.0, 1.0) } else { random.between(0.0, 6.3).sin_cos() };
         let [x0, y0] = [0, 1].map(|_| random.between(-10.0, 10.0));
         let width = nx + 1;
         let mut mesh = Mesh::default();

@@ -69,8 +69,9 @@ impl Program {
         for edge in scene.mesh.boundary.iter().filter(|edge| edge.part == Part::Dirichlet) {
             edge.nodes.iter().for_each(|node| (0..c).for_each(|k| held[node * c + k] = true));
         }
-        let prescribed: Vec<f64> =
-            (0..count).map(|i| if held[i] { scene.prescribed(i % c, nodes[i / c]) } else { 0.0 }).collect();
+        let prescribed: Vec<f64> = (0..count)
+            .map(|i| if held[i] { scene.prescribed(i % c, nodes[i / c]) } else { 0.0 })
+            .collect();
         let free: Vec<usize> = (0..count).filter(|&i| !held[i]).collect();
         (0..count).for_each(|i| load_sizes[i] += scene.forces[i].abs());
         let part: Vec<Vec<Double>> =
@@ -102,8 +103,10 @@ impl Program {
             let mut row = vec![Double::ZERO; self.free.len()];
             let mut bound = Double::ZERO;
             for &node in &nodes {
-                bound +=
-                    weight * Double::from(scene.gap[chain.iter().position(|&other| other == node).unwrap()]);
+                bound += weight
+                    * Double::from(
+                        scene.gap[chain.iter().position(|&other| other == node).unwrap()],
+                    );
                 for k in 0..self.components {
                     let unknown = node * self.components + k;
                     let entry = weight * normal[k];
@@ -132,14 +135,18 @@ impl Program {
     /// All sets, until one meets all conditions, or the one that meets them best.
     pub fn solve(&self) -> Answer {
         let open: Vec<usize> = (0..self.rows.len()).filter(|&i| !self.is_settled(i)).collect();
-        let images: Vec<Vec<Double>> = open.iter().map(|&i| self.inverse.solve(&self.rows[i])).collect();
+        let images: Vec<Vec<Double>> =
+            open.iter().map(|&i| self.inverse.solve(&self.rows[i])).collect();
         let imposed: Vec<Double> = self.prescribed.iter().map(|&v| v.into()).collect();
         let load: Vec<Double> =
             self.free.iter().map(|&i| self.load[i] - dot(&self.stiffness[i], &imposed)).collect();
         let unloaded = self.inverse.solve(&load);
-        let matrix: Vec<Vec<Double>> =
-            open.iter().map(|&i| images.iter().map(|image| dot(&self.rows[i], image)).collect()).collect();
-        let off: Vec<Double> = open.iter().map(|&i| dot(&self.rows[i], &unloaded) - self.bound[i]).collect();
+        let matrix: Vec<Vec<Double>> = open
+            .iter()
+            .map(|&i| images.iter().map(|image| dot(&self.rows[i], image)).collect())
+            .collect();
+        let off: Vec<Double> =
+            open.iter().map(|&i| dot(&self.rows[i], &unloaded) - self.bound[i]).collect();
         let stiff = |i: usize| 1.0 / matrix[i][i].0;
         let force = (0..open.len()).map(|i| off[i].0.abs() * stiff(i)).fold(0.0, f64::max);
         let length = unloaded.iter().chain(&off).map(|u| u.0.abs()).fold(0.0, f64::max);
@@ -182,10 +189,12 @@ impl Program {
         let mut displacement: Vec<Double> = self.prescribed.iter().map(|&v| v.into()).collect();
         self.free.iter().zip(free).for_each(|(&i, &u)| displacement[i] = u);
         let half = Double::from(0.5);
-        let terms = (0..displacement.len())
-            .map(|i| displacement[i] * (half * dot(&self.stiffness[i], &displacement) - self.load[i]));
+        let terms = (0..displacement.len()).map(|i| {
+            displacement[i] * (half * dot(&self.stiffness[i], &displacement) - self.load[i])
+        });
         let energy = value(terms.fold(Double::ZERO, |sum, term| sum + term));
-        let gap = self.rows.iter().zip(&self.bound).map(|(row, &bound)| dot(row, free) - bound).collect();
+        let gap =
+            self.rows.iter().zip(&self.bound).map(|(row, &bound)| dot(row, free) - bound).collect();
         let all = self.sizes(&displacement);
         let sizes: Vec<f64> = self.free.iter().map(|&i| all[i]).collect();
         let moved = |row: &Vec<f64>| row.iter().zip(&sizes).map(|(k, s)| k * s).sum::<f64>();
@@ -199,7 +208,15 @@ impl Program {
             .flat_map(|&node| (0..self.components).map(move |k| node * self.components + k))
             .map(|i| self.roots[i] * displacement[i].0.abs())
             .sum();
-        Answer { displacement, multiplier, gap, energy, energy_size, spread: square.sqrt() + turned, sizes }
+        Answer {
+            displacement,
+            multiplier,
+            gap,
+            energy,
+            energy_size,
+            spread: square.sqrt() + turned,
+            sizes,
+        }
     }
 
     /// s_i at all unknowns.
@@ -207,8 +224,9 @@ impl Program {
         let term = |i: usize, j: usize| {
             if self.stiffness[i][j].0 == 0.0 { 0.0 } else { self.roots[j] * u[j].0.abs() }
         };
-        let row =
-            |i: usize| self.roots[i] * (0..u.len()).map(|j| term(i, j)).sum::<f64>() + self.load_sizes[i];
+        let row = |i: usize| {
+            self.roots[i] * (0..u.len()).map(|j| term(i, j)).sum::<f64>() + self.load_sizes[i]
+        };
         (0..u.len()).map(row).collect()
     }
 
@@ -216,15 +234,23 @@ impl Program {
     pub fn residual(&self, u: &[f64], multiplier: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let u: Vec<Double> = u.iter().map(|&u| u.into()).collect();
         let force = self.forces(&multiplier.iter().map(|&l| l.into()).collect::<Vec<Double>>());
-        let row = |(k, &i): (usize, &usize)| value(dot(&self.stiffness[i], &u) - self.load[i] + force[k]);
+        let row =
+            |(k, &i): (usize, &usize)| value(dot(&self.stiffness[i], &u) - self.load[i] + force[k]);
         let sizes = self.sizes(&u);
-        (self.free.iter().enumerate().map(row).collect(), self.free.iter().map(|&i| sizes[i]).collect())
+        (
+            self.free.iter().enumerate().map(row).collect(),
+            self.free.iter().map(|&i| sizes[i]).collect(),
+        )
     }
 
     /// B u − g of any displacement at all unknowns.
     pub fn gaps(&self, u: &[f64]) -> Vec<f64> {
         let free: Vec<Double> = self.free.iter().map(|&i| u[i].into()).collect();
-        self.rows.iter().zip(&self.bound).map(|(row, &bound)| value(dot(row, &free) - bound)).collect()
+        self.rows
+            .iter()
+            .zip(&self.bound)
+            .map(|(row, &bound)| value(dot(row, &free) - bound))
+            .collect()
     }
 
     /// max |F_i| / K_ii: what a load does alone.
@@ -259,10 +285,14 @@ impl Program {
 
     /// |D K⁻¹ D|, D² = (k_i): the condition number of the scaled matrix, within n.
     pub fn condition(&self) -> f64 {
-        let at =
-            |k: usize, l: usize| self.roots[self.free[k]] * self.absolute[k][l] * self.roots[self.free[l]];
+        let at = |k: usize, l: usize| {
+            self.roots[self.free[k]] * self.absolute[k][l] * self.roots[self.free[l]]
+        };
         let count = self.free.len();
-        (0..count).flat_map(|k| (0..count).map(move |l| (k, l))).map(|(k, l)| at(k, l)).fold(0.0, f64::hypot)
+        (0..count)
+            .flat_map(|k| (0..count).map(move |l| (k, l)))
+            .map(|(k, l)| at(k, l))
+            .fold(0.0, f64::hypot)
     }
 
     /// The nodes of all constraints.
@@ -306,7 +336,8 @@ fn normal(scene: &Scene, piece: &[usize]) -> [Double; 2] {
     if scene.components() == 1 {
         return [Double::from(1.0), Double::ZERO];
     }
-    let [a, b] = [piece[0], piece[piece.len() - 1]].map(|node| scene.mesh.nodes[node].map(Double::from));
+    let [a, b] =
+        [piece[0], piece[piece.len() - 1]].map(|node| scene.mesh.nodes[node].map(Double::from));
     let [x, y] = [b[0] - a[0], b[1] - a[1]];
     let length = (x * x + y * y).sqrt();
     [y / length, -x / length]

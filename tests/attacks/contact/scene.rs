@@ -71,7 +71,8 @@ impl Scene {
         }
         let size = if random.below(2) == 0 { decades(random, -4.0, 0.0) } else { 0.0 };
         let lowest = if random.below(3) == 0 { -1.0 } else { 0.0 };
-        let mut gap: Vec<f64> = mesh.chain.iter().map(|_| size * random.between(lowest, 1.0)).collect();
+        let mut gap: Vec<f64> =
+            mesh.chain.iter().map(|_| size * random.between(lowest, 1.0)).collect();
         if random.below(20) > 0 {
             admit(&mesh, is_elastic, &dirichlet, &mut gap);
         }
@@ -99,13 +100,21 @@ impl Scene {
         let size = decades(random, -3.0, 4.0);
         let material = if is_elastic {
             let mu = decades(random, -1.0, 4.0);
-            let ratio =
-                if random.below(4) == 0 { random.between(-0.3, 2.0) } else { decades(random, 0.0, 10.0) };
+            let ratio = if random.below(4) == 0 {
+                random.between(-0.3, 2.0)
+            } else {
+                decades(random, 0.0, 10.0)
+            };
             // ν = λ/(2 (λ + μ)), E = 2 μ (1 + ν).
             let poisson = 0.5 * ratio / (ratio + 1.0);
-            Material::Elastic { moduli: vec![[2.0 * mu * (1.0 + poisson), poisson]], is_stress: false }
+            Material::Elastic {
+                moduli: vec![[2.0 * mu * (1.0 + poisson), poisson]],
+                is_stress: false,
+            }
         } else {
-            Material::Scalar { reaction: if random.below(2) == 0 { 0.0 } else { decades(random, -6.0, 6.0) } }
+            Material::Scalar {
+                reaction: if random.below(2) == 0 { 0.0 } else { decades(random, -6.0, 6.0) },
+            }
         };
         let unknowns = mesh.nodes.len() * if is_elastic { 2 } else { 1 };
         let push = random.between(-1.0, 1.0);
@@ -167,7 +176,8 @@ impl Scene {
 fn admit(mesh: &Mesh, is_elastic: bool, dirichlet: &[[f64; 3]; 2], gap: &mut [f64]) {
     let [a, b] = [mesh.chain[0], mesh.chain[mesh.chain.len() - 1]].map(|node| mesh.nodes[node]);
     let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-    let normal = if is_elastic { [(b[1] - a[1]) / length, (a[0] - b[0]) / length] } else { [1.0, 0.0] };
+    let normal =
+        if is_elastic { [(b[1] - a[1]) / length, (a[0] - b[0]) / length] } else { [1.0, 0.0] };
     for (node, gap) in mesh.chain.iter().zip(gap) {
         let [x, y] = mesh.nodes[*node];
         let u = dirichlet.map(|[a, b, c]| a + b * x + c * y);

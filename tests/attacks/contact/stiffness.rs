@@ -40,7 +40,8 @@ impl System {
                     let product = g[0] * h[0] + g[1] * h[1];
                     match scene.material {
                         Material::Scalar { reaction } => {
-                            let mass = Double::from(if i == j { 2.0 } else { 1.0 } * reaction) * twelfth;
+                            let mass =
+                                Double::from(if i == j { 2.0 } else { 1.0 } * reaction) * twelfth;
                             stiffness[a][b] += triangle.area * product + mass;
                         }
                         Material::Elastic { .. } => {
@@ -85,7 +86,8 @@ struct Triangle {
 impl Triangle {
     fn new(corners: [Point; 3]) -> Self {
         let corners = corners.map(|point| point.map(Double::from));
-        let side = |i: usize, j: usize| [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
+        let side =
+            |i: usize, j: usize| [corners[j][0] - corners[i][0], corners[j][1] - corners[i][1]];
         let (p, q) = (side(0, 1), side(0, 2));
         let (plus, minus) = (p[0] * q[1], q[0] * p[1]);
         let doubled = plus - minus;

@@ -45,14 +45,20 @@ impl BoundaryFunction {
     ///
     /// # Errors
     /// As [`BoundaryFunction::dual_of_slobodeckij`] and [`PiecewisePolynomial::dual_norm`].
-    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(crate) fn dual_norm(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         if of == DualOf::Slobodeckij {
             return self.dual_of_slobodeckij(order, tolerance);
         }
         if !self.curve().is_closed() {
             return self.along()?.dual_norm(of, order, tolerance);
         }
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let inner =
+            Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let [even, odd] = self.even_and_odd()?;
         let even = Estimate::or_best(even.dual_norm(DualOf::Interpolation, order, inner))?;
         let odd = Estimate::or_best(odd.dual_norm(DualOf::InterpolationZero, order, inner))?;
@@ -70,7 +76,8 @@ impl BoundaryFunction {
 
     /// The function of the arc length on (0, L).
     fn along(&self) -> Result<PiecewisePolynomial> {
-        let lengths = (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect::<Vec<_>>();
+        let lengths =
+            (0..self.curve().len()).map(|e| self.curve().element_length(e)).collect::<Vec<_>>();
         PiecewisePolynomial::discontinuous_linears(Mesh::from_lengths(&lengths)?, self.ends())
     }
 

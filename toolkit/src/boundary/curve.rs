@@ -124,9 +124,16 @@ impl Curve {
         for (k, mesh) in meshes.iter().enumerate() {
             let (start, end) = (vertices[k], vertices[(k + 1) % vertices.len()]);
             let length = distance(start, end);
-            require_entry("length of a side", k, length, "(0, inf)", length > 0.0 && length.is_finite())?;
+            require_entry(
+                "length of a side",
+                k,
+                length,
+                "(0, inf)",
+                length > 0.0 && length.is_finite(),
+            )?;
             let share = length / mesh.total();
-            let mesh = Mesh::from_lengths(&mesh.lengths().iter().map(|h| h * share).collect::<Vec<_>>())?;
+            let mesh =
+                Mesh::from_lengths(&mesh.lengths().iter().map(|h| h * share).collect::<Vec<_>>())?;
             let direction = [(end[0] - start[0]) / length, (end[1] - start[1]) / length];
             sides.push(Side { start, direction, mesh });
         }
@@ -148,7 +155,10 @@ impl Curve {
                     }
                     Relation::Apart if self.cross(i, j) => {
                         let nodes = [j, (j + 1) % self.vertices.len()];
-                        return Err(Error::Edge { nodes, reason: "intersects another edge of the polygon" });
+                        return Err(Error::Edge {
+                            nodes,
+                            reason: "intersects another edge of the polygon",
+                        });
                     }
                     _ => {}
                 }
@@ -173,7 +183,8 @@ impl Curve {
     /// The curve with every element bisected.
     pub(super) fn halved(&self) -> Result<Self> {
         let halves = |side: &Side| {
-            let lengths = side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect::<Vec<_>>();
+            let lengths =
+                side.mesh.lengths().iter().flat_map(|h| [0.5 * h, 0.5 * h]).collect::<Vec<_>>();
             Ok(Side { mesh: Mesh::from_lengths(&lengths)?, ..side.clone() })
         };
         let sides: Vec<Side> = self.sides.iter().map(halves).collect::<Result<_>>()?;
@@ -221,7 +232,11 @@ impl Curve {
         let (side, cell) = self.elements[e];
         let mesh = &self.sides[side].mesh;
         let rest = mesh.lengths()[cell] - t;
-        Place { side, from_start: mesh.from_left()[cell] + t, to_end: mesh.from_right()[cell + 1] + rest }
+        Place {
+            side,
+            from_start: mesh.from_left()[cell] + t,
+            to_end: mesh.from_right()[cell + 1] + rest,
+        }
     }
 
     /// The coordinates of a point, computed from the nearer end of its side.
@@ -239,7 +254,8 @@ impl Curve {
     pub(super) fn blurs(&self, side: usize) -> [f64; 2] {
         [0, 1].map(|end| {
             let vertex = self.vertices[(side + end) % self.vertices.len()];
-            let varying = vertex.iter().zip(self.sides[side].direction).filter(|(_, slope)| *slope != 0.0);
+            let varying =
+                vertex.iter().zip(self.sides[side].direction).filter(|(_, slope)| *slope != 0.0);
             f64::EPSILON * varying.fold(0.0, |most: f64, (x, _)| most.max(x.abs()))
         })
     }
@@ -312,7 +328,11 @@ impl Side {
 
 /// Side and index in its mesh, for every element.
 fn numbered(sides: &[Side]) -> Vec<(usize, usize)> {
-    sides.iter().enumerate().flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e))).collect()
+    sides
+        .iter()
+        .enumerate()
+        .flat_map(|(k, side)| (0..side.mesh.len()).map(move |e| (k, e)))
+        .collect()
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {

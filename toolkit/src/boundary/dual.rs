@@ -34,7 +34,11 @@ impl BoundaryFunction {
     /// # Errors
     /// [`Error::CountOutOfRange`] for more than 1500 elements, [`Error::NotPositiveDefinite`],
     /// [`Error::ToleranceNotMet`] with the best value.
-    pub(super) fn dual_of_slobodeckij(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(super) fn dual_of_slobodeckij(
+        &self,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         if self.curve().len() > MOST {
             let (name, range) = ("elements of a dual norm", "[1, 1500]");
             return Err(Error::CountOutOfRange { name, value: self.curve().len(), range });
@@ -44,8 +48,11 @@ impl BoundaryFunction {
         let (mut best, mut work): (Option<Estimate>, Work) = (None, Work::default());
         loop {
             values.push(supremum(&curve, &ends, order)?);
-            work +=
-                Work { factorizations: 1, pairs: (curve.len() * curve.len() / 2) as u64, ..Work::default() };
+            work += Work {
+                factorizations: 1,
+                pairs: (curve.len() * curve.len() / 2) as u64,
+                ..Work::default()
+            };
             if let Some(found) = limit(&values, &mut limits, work)? {
                 if found.value == 0.0 || found.relative_error() <= tolerance.relative() {
                     return Ok(found);
@@ -57,7 +64,8 @@ impl BoundaryFunction {
                 return Err(Error::best_of("dual norm", tolerance.relative(), best, why));
             }
             curve = curve.halved()?;
-            ends = ends.iter().flat_map(|&[a, b]| [[a, 0.5 * (a + b)], [0.5 * (a + b), b]]).collect();
+            ends =
+                ends.iter().flat_map(|&[a, b]| [[a, 0.5 * (a + b)], [0.5 * (a + b), b]]).collect();
         }
     }
 }
@@ -75,8 +83,9 @@ fn limit(values: &[f64], limits: &mut Vec<f64>, work: Work) -> Result<Option<Est
     if !(is_settled || shrinks) {
         return Estimate::new(c, 10.0 * second.abs() + rounding, work).map(Some);
     }
-    let change =
-        limits.last().map_or((found - c).abs(), |last| (found - last).abs().max(0.05 * (found - c).abs()));
+    let change = limits
+        .last()
+        .map_or((found - c).abs(), |last| (found - last).abs().max(0.05 * (found - c).abs()));
     limits.push(found);
     Estimate::new(found, change + rounding, work).map(Some)
 }
@@ -114,12 +123,15 @@ fn supremum(curve: &Curve, ends: &[[f64; 2]], order: Order) -> Result<f64> {
             let [k, l] = curve.nodes_of(f);
             let places = [i, j, k, l];
             for (row, values) in places.iter().zip(local) {
-                places.iter().zip(values).for_each(|(column, value)| matrix[(*row, *column)] += value);
+                places
+                    .iter()
+                    .zip(values)
+                    .for_each(|(column, value)| matrix[(*row, *column)] += value);
             }
         }
     }
-    let factored =
-        Cholesky::new(&matrix).ok_or(Error::NotPositiveDefinite { what: "Gram matrix of H^nu", pivot: 0 })?;
+    let factored = Cholesky::new(&matrix)
+        .ok_or(Error::NotPositiveDefinite { what: "Gram matrix of H^nu", pivot: 0 })?;
     let solution = factored.solve(&load);
     Ok(load.dot(&solution).max(0.0).sqrt())
 }

@@ -83,11 +83,15 @@ struct Squares {
 impl<'a> CurveFormula<'a> {
     /// # Errors
     /// As [`Curve::closed`].
-    pub(crate) fn new(vertices: &[[f64; 2]], f: impl Fn([f64; 2]) -> f64 + Sync + 'a) -> Result<Self> {
+    pub(crate) fn new(
+        vertices: &[[f64; 2]],
+        f: impl Fn([f64; 2]) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
         let one = Mesh::uniform(1, 1.0)?;
         let largest = vertices.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         let unit = if largest.is_finite() { power_of_two(largest) } else { 1.0 };
-        let vertices: Vec<[f64; 2]> = vertices.iter().map(|vertex| vertex.map(|x| x / unit)).collect();
+        let vertices: Vec<[f64; 2]> =
+            vertices.iter().map(|vertex| vertex.map(|x| x / unit)).collect();
         Curve::closed(&vertices, &vec![one; vertices.len()])?;
         Ok(Self { vertices, unit, f: Box::new(f) })
     }
@@ -138,7 +142,8 @@ impl<'a> CurveFormula<'a> {
         for (n, layers) in STEPS {
             let squares = self.squares(kernel.as_ref(), n, layers, tolerance.work())?;
             work.points += squares.points;
-            let rounding = 0.5 * squares.rounding / squares.seminorm.max(f64::MIN_POSITIVE) + ENTRY_ROUNDING;
+            let rounding =
+                0.5 * squares.rounding / squares.seminorm.max(f64::MIN_POSITIVE) + ENTRY_ROUNDING;
             let roots = [squares.seminorm.sqrt(), squares.l2.sqrt()];
             let share = squares.size / *unit.get_or_insert(squares.size);
             squared.push(squares.seminorm * share * share);
@@ -146,7 +151,8 @@ impl<'a> CurveFormula<'a> {
             for k in 0..2 {
                 let value = squares.size * units[k] * roots[k];
                 let floor = rounding * value;
-                let steps: Vec<f64> = found.iter().map(|before| before[k].value).chain([value]).collect();
+                let steps: Vec<f64> =
+                    found.iter().map(|before| before[k].value).chain([value]).collect();
                 now[k] = Estimate::new(value, distance_to_limit(&steps, floor) + floor, work)?;
             }
             found.push(now);
@@ -165,11 +171,14 @@ impl<'a> CurveFormula<'a> {
         for early in 0..last {
             let later = found[early + 1..].to_vec();
             for (k, part) in found[early].iter_mut().enumerate() {
-                part.error =
-                    later.iter().map(|after| (after[k].value - part.value).abs()).fold(part.error, f64::max);
+                part.error = later
+                    .iter()
+                    .map(|after| (after[k].value - part.value).abs())
+                    .fold(part.error, f64::max);
             }
         }
-        let best = found.iter().min_by(|a, b| relative(a, weights).total_cmp(&relative(b, weights)));
+        let best =
+            found.iter().min_by(|a, b| relative(a, weights).total_cmp(&relative(b, weights)));
         best.map_or(Ok([Estimate::new(0.0, 0.0, work)?; 2]), |best| {
             Ok(best.map(|part| Estimate { work, ..part }))
         })
@@ -183,13 +192,17 @@ impl<'a> CurveFormula<'a> {
         let (mut meshes, mut ends) = (Vec::with_capacity(count), Vec::new());
         for side in 0..count {
             let (half, blurs) = (0.5 * plain.element_length(side), plain.blurs(side));
-            let resolved =
-                blurs.map(|blur| ((blur / half).ln() / RATIO.ln()).max(1.0).min(layers as f64) as usize);
+            let resolved = blurs
+                .map(|blur| ((blur / half).ln() / RATIO.ln()).max(1.0).min(layers as f64) as usize);
             let [first, last] = resolved.map(|layers| Mesh::geometric(layers, RATIO, half));
             let mut lengths = first?.lengths().to_vec();
             lengths.extend(last?.lengths().iter().rev());
             let end = |k: usize| match k.checked_sub(resolved[0] + 1) {
-                None => End { blur: blurs[0], is_cut: k == 0 && resolved[0] < layers, at_vertex: k == 0 },
+                None => End {
+                    blur: blurs[0],
+                    is_cut: k == 0 && resolved[0] < layers,
+                    at_vertex: k == 0,
+                },
                 Some(k) => {
                     let at_vertex = k == resolved[1];
                     End { blur: -blurs[1], is_cut: at_vertex && resolved[1] < layers, at_vertex }
@@ -201,16 +214,25 @@ impl<'a> CurveFormula<'a> {
         Ok((Curve::closed(&self.vertices, &meshes)?, ends))
     }
 
-    fn squares(&self, kernel: Option<&PowerKernel>, n: usize, layers: usize, most: u64) -> Result<Squares> {
+    fn squares(
+        &self,
+        kernel: Option<&PowerKernel>,
+        n: usize,
+        layers: usize,
+        most: u64,
+    ) -> Result<Squares> {
         let (curve, ends) = self.graded(layers)?;
         let rule = Rule::gauss_legendre(n)?;
-        let value = |e: usize, t: f64| (self.f)(curve.point(curve.place(e, t)).map(|x| self.unit * x));
+        let value =
+            |e: usize, t: f64| (self.f)(curve.point(curve.place(e, t)).map(|x| self.unit * x));
         let at_points = |e: usize| -> Vec<f64> {
             let h = curve.element_length(e);
             rule.iter().map(|(s, _)| value(e, s * h)).collect()
         };
         let mut values: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(at_points).collect();
-        if let Some((index, &value)) = values.iter().flatten().enumerate().find(|(_, v)| !v.is_finite()) {
+        if let Some((index, &value)) =
+            values.iter().flatten().enumerate().find(|(_, v)| !v.is_finite())
+        {
             return Err(Error::NotFinite { name: "value of the function", index, value });
         }
         let size = unit_of(values.iter().flatten());
@@ -251,8 +273,11 @@ impl<'a> CurveFormula<'a> {
         };
         let samples: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(samples).collect();
         let signs = [1.0, -1.0].into_iter().cycle();
-        let weights: Vec<f64> =
-            fine.iter().zip(signs).map(|((s, w), sign)| sign * (s * (1.0 - s) * w).sqrt()).collect();
+        let weights: Vec<f64> = fine
+            .iter()
+            .zip(signs)
+            .map(|((s, w), sign)| sign * (s * (1.0 - s) * w).sqrt())
+            .collect();
         let interpolated = |e: usize, t: f64| {
             if ends[e].at_vertex {
                 return value(e, t) / size;
@@ -281,8 +306,10 @@ impl<'a> CurveFormula<'a> {
             radial: Rule::power_weight(2 * n, kernel.three_minus)?,
             budget: Budget::new(most, 0.0),
         };
-        let sum =
-            (0..curve.len()).into_par_iter().map(|e| pairs.row(e)).reduce(PairSum::default, |a, b| a + b);
+        let sum = (0..curve.len())
+            .into_par_iter()
+            .map(|e| pairs.row(e))
+            .reduce(PairSum::default, |a, b| a + b);
         Ok(Squares { seminorm: sum.value, rounding: sum.rounding, l2, size, points: sum.points })
     }
 }
@@ -399,12 +426,21 @@ impl Pairs<'_> {
                 for (x, w) in self.rule.iter() {
                     let moved = start + length * x;
                     let distance = (fixed - moved).hypot((fixed * moved * bend).sqrt());
-                    let weight = 2.0 * w * length * (fixed / distance) * distance.powf(-self.kernel.twice);
+                    let weight =
+                        2.0 * w * length * (fixed / distance) * distance.powf(-self.kernel.twice);
                     for (xi, v) in self.radial.iter() {
-                        let (sigma, tau) =
-                            if is_first { (xi * fixed, xi * moved) } else { (xi * moved, xi * fixed) };
+                        let (sigma, tau) = if is_first {
+                            (xi * fixed, xi * moved)
+                        } else {
+                            (xi * moved, xi * fixed)
+                        };
                         let difference = (self.value)(e, p - sigma) - (self.value)(f, tau);
-                        add(&mut sum, weight * v / (xi * xi), difference, self.noise[e] + self.noise[f]);
+                        add(
+                            &mut sum,
+                            weight * v / (xi * xi),
+                            difference,
+                            self.noise[e] + self.noise[f],
+                        );
                     }
                 }
             });
@@ -444,6 +480,10 @@ impl Pairs<'_> {
         if length == self.curve.element_length(e) {
             return self.values[e].as_slice().into();
         }
-        self.rule.iter().map(|(s, _)| (self.value)(e, start + s * length)).collect::<Vec<_>>().into()
+        self.rule
+            .iter()
+            .map(|(s, _)| (self.value)(e, start + s * length))
+            .collect::<Vec<_>>()
+            .into()
     }
 }

@@ -68,7 +68,11 @@ impl<'a> CurvePairs<'a> {
     /// # Errors
     /// [`ToleranceNotMet`](crate::Error::ToleranceNotMet) if not all pairs were visited.
     pub(super) fn require_all(&self) -> Result<()> {
-        if self.budget.left() > 0 { Ok(()) } else { Err(self.budget.spent("norm on a curve", NEEDLES)) }
+        if self.budget.left() > 0 {
+            Ok(())
+        } else {
+            Err(self.budget.spent("norm on a curve", NEEDLES))
+        }
     }
 
     /// The form of one element of length h for a linear function whose end values differ by one.
@@ -85,9 +89,14 @@ impl<'a> CurvePairs<'a> {
         } else {
             let lengths = [e, f].map(|k| self.curve.element_length(k));
             let relation = self.curve.relation_of(e, f);
-            self.separate([e, f], relation, [(0.0, lengths[0]), (0.0, lengths[1])], &mut |w, s, t| {
-                visit(w, s / lengths[0], t / lengths[1]);
-            });
+            self.separate(
+                [e, f],
+                relation,
+                [(0.0, lengths[0]), (0.0, lengths[1])],
+                &mut |w, s, t| {
+                    visit(w, s / lengths[0], t / lengths[1]);
+                },
+            );
         }
     }
 
@@ -109,10 +118,15 @@ impl<'a> CurvePairs<'a> {
                 for (x, w) in rule.iter() {
                     let moved = start + length * x;
                     let distance = (fixed - moved).hypot((fixed * moved * bend).sqrt());
-                    let weight = 2.0 * w * length * (fixed / distance) * distance.powf(-self.kernel.twice)
-                        / self.radial;
+                    let weight =
+                        2.0 * w * length * (fixed / distance) * distance.powf(-self.kernel.twice)
+                            / self.radial;
                     let share = moved / moving;
-                    if is_first { visit(weight, 0.0, share) } else { visit(weight, 1.0 - share, 1.0) }
+                    if is_first {
+                        visit(weight, 0.0, share)
+                    } else {
+                        visit(weight, 1.0 - share, 1.0)
+                    }
                 }
             });
         }
@@ -125,24 +139,35 @@ impl<'a> CurvePairs<'a> {
         parts: [Part; 2],
         visit: &mut impl FnMut(f64, f64, f64),
     ) {
-        split(self.curve, pair, relation, parts, &|| self.budget.spend(OF_CUT), &mut |parts, gap| {
-            let (p, q) = (parts[0].1, parts[1].1);
-            let (first, second) = (self.rule(p / gap), self.rule(q / gap));
-            let is_cut = [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
-            if is_cut && !self.budget.spend((first.points().len() * second.points().len()) as u64) {
-                return;
-            }
-            for (x, v) in first.iter() {
-                let s = parts[0].0 + p * x;
-                let here = self.curve.place(pair[0], s);
-                for (y, w) in second.iter() {
-                    let t = parts[1].0 + q * y;
-                    let distance = self.curve.apart(relation, here, self.curve.place(pair[1], t));
-                    let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
-                    visit(2.0 * v * w * kernel, s, t);
+        split(
+            self.curve,
+            pair,
+            relation,
+            parts,
+            &|| self.budget.spend(OF_CUT),
+            &mut |parts, gap| {
+                let (p, q) = (parts[0].1, parts[1].1);
+                let (first, second) = (self.rule(p / gap), self.rule(q / gap));
+                let is_cut =
+                    [0, 1].iter().any(|&k| parts[k].1 < self.curve.element_length(pair[k]));
+                if is_cut
+                    && !self.budget.spend((first.points().len() * second.points().len()) as u64)
+                {
+                    return;
                 }
-            }
-        });
+                for (x, v) in first.iter() {
+                    let s = parts[0].0 + p * x;
+                    let here = self.curve.place(pair[0], s);
+                    for (y, w) in second.iter() {
+                        let t = parts[1].0 + q * y;
+                        let distance =
+                            self.curve.apart(relation, here, self.curve.place(pair[1], t));
+                        let kernel = (p / distance) * q * distance.powf(-self.kernel.twice);
+                        visit(2.0 * v * w * kernel, s, t);
+                    }
+                }
+            },
+        );
     }
 
     /// The rule for pieces with this ratio of length to distance: error ρ^{-2n} with ρ = 2/r + √(1 + 4/r²), and

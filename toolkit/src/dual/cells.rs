@@ -55,8 +55,12 @@ impl Run {
             far,
             form,
             decay: self.decay * right.decay,
-            near_error: self.near_error + self.decay * right.near_error + ulp * (near.abs() + passed.abs()),
-            far_error: right.far_error + right.decay * self.far_error + ulp * (far.abs() + returned.abs()),
+            near_error: self.near_error
+                + self.decay * right.near_error
+                + ulp * (near.abs() + passed.abs()),
+            far_error: right.far_error
+                + right.decay * self.far_error
+                + ulp * (far.abs() + returned.abs()),
             form_error: self.form_error
                 + right.form_error
                 + 2.0 * (self.far_error * right.near.abs() + self.far.abs() * right.near_error)
@@ -155,7 +159,8 @@ impl Cells {
 
     /// The integrals over the whole interval for e^{-τ|x-y|}.
     pub(super) fn run(&self, rate: f64) -> Run {
-        let mut moments = Moments { z: f64::NAN, values: vec![0.0; 2 * self.degree + 2], decay: 0.0 };
+        let mut moments =
+            Moments { z: f64::NAN, values: vec![0.0; 2 * self.degree + 2], decay: 0.0 };
         self.between(0, self.lengths.len(), rate, &mut moments)
     }
 
@@ -174,7 +179,9 @@ impl Cells {
         moments.at(rate * h);
         let (stride, ulp) = (self.degree + 1, 4.0 * f64::EPSILON);
         let (mut even, mut odd, mut size) = (0.0, 0.0, 0.0);
-        for (k, (f, m)) in self.values[i * stride..][..stride].iter().zip(&moments.values).enumerate() {
+        for (k, (f, m)) in
+            self.values[i * stride..][..stride].iter().zip(&moments.values).enumerate()
+        {
             let term = f * m;
             if k % 2 == 0 {
                 even += term
@@ -184,7 +191,8 @@ impl Cells {
             size += term.abs();
         }
         let (mut form, mut form_size) = (0.0, 0.0);
-        for (c, m) in self.correlations[i * 2 * stride..][..2 * stride].iter().zip(&moments.values) {
+        for (c, m) in self.correlations[i * 2 * stride..][..2 * stride].iter().zip(&moments.values)
+        {
             form += c * m;
             form_size += (c * m).abs();
         }
@@ -219,7 +227,8 @@ fn correlations(degree: usize, values: &[f64]) -> Result<Vec<f64>> {
         let at = |t: f64| legendre::series(f.iter().copied(), 2.0 * t - 1.0);
         for (r, v) in outer.iter() {
             let rest = 1.0 - r;
-            let value: f64 = inner.iter().map(|(t, w)| w * rest * at(rest * t) * at(rest * t + r)).sum();
+            let value: f64 =
+                inner.iter().map(|(t, w)| w * rest * at(rest * t) * at(rest * t + r)).sum();
             legendre::fill(&mut legendre_values, 2.0 * r - 1.0);
             for (n, (sum, p)) in c.iter_mut().zip(&legendre_values).enumerate() {
                 *sum += (2 * n + 1) as f64 * v * value * p;

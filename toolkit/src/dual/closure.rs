@@ -46,10 +46,17 @@ impl SingularFunction<'_> {
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value; [`Error::NotFinite`] if a value of the function is not
     /// finite.
-    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(crate) fn dual_norm(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         let Normalized { size: scale, length, u: unit } = self.normalized(tolerance)?;
-        let size = Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let size =
+            Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
+        let inner =
+            Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let look = unit.looked(tolerance)?;
         let mut best: Option<Estimate> = None;
         for degree in DEGREES {
@@ -83,8 +90,7 @@ impl SingularFunction<'_> {
             }
         }
         let best = best.map(|best| best.times(scale)).transpose()?;
-        let why =
-            "the error of the piecewise polynomial approximation or of its dual norm exceeds the tolerance";
+        let why = "the error of the piecewise polynomial approximation or of its dual norm exceeds the tolerance";
         Err(Error::best_of("dual norm", tolerance.relative(), best, why))
     }
 }
@@ -92,8 +98,9 @@ impl SingularFunction<'_> {
 impl Interpolant {
     /// The polynomial and the L² norm of the remainder, on an interval multiplied by `unit`.
     pub(crate) fn finish(self, unit: f64) -> Result<(PiecewisePolynomial, f64)> {
-        let partition =
-            Mesh::from_lengths(&self.lengths.iter().map(|length| length * unit).collect::<Vec<_>>())?;
+        let partition = Mesh::from_lengths(
+            &self.lengths.iter().map(|length| length * unit).collect::<Vec<_>>(),
+        )?;
         let left = self.left.sqrt() * unit.sqrt();
         Ok((PiecewisePolynomial::with_bubbles(partition, &self.ends, self.bubbles)?, left))
     }
@@ -146,7 +153,9 @@ impl Interpolant {
         }
         for [from, to] in cells {
             let length = to - from;
-            let at = |t: f64| u.at(arm, if arm.sign > 0.0 { from + length * t } else { to - length * t });
+            let at = |t: f64| {
+                u.at(arm, if arm.sign > 0.0 { from + length * t } else { to - length * t })
+            };
             if from == 0.0 {
                 let value = middle(layers)?;
                 self.push(length, [value, value], Vec::new());
@@ -164,7 +173,12 @@ impl Interpolant {
         self.bubbles.push(bubbles);
     }
 
-    fn interpolate(&mut self, length: f64, degree: usize, f: &impl Fn(f64) -> Result<f64>) -> Result<()> {
+    fn interpolate(
+        &mut self,
+        length: f64,
+        degree: usize,
+        f: &impl Fn(f64) -> Result<f64>,
+    ) -> Result<()> {
         let mut coefficients = vec![0.0; degree + 1];
         let mut values = vec![0.0; degree + 1];
         for (t, w) in Rule::gauss_legendre(degree + 1)?.iter() {
@@ -185,7 +199,12 @@ impl Interpolant {
 }
 
 /// ∫ (f - value)² on the last piece of a side.
-fn within(arm: &Arm, layers: usize, value: f64, middle: &impl Fn(usize) -> Result<f64>) -> Result<f64> {
+fn within(
+    arm: &Arm,
+    layers: usize,
+    value: f64,
+    middle: &impl Fn(usize) -> Result<f64>,
+) -> Result<f64> {
     let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
     let (mut sum, mut last, mut ratio) = (0.0, 0.0, 0.0f64);
     for k in layers..(layers + LOOKED_AT).min(deepest + 1).max(layers + 1) {

@@ -112,11 +112,13 @@ impl Comparison {
         }
         let (nu, [m, a]) = (self.order.value(), part.weights);
         let scale = 0.5 / (partition.total() * part.length);
-        let shifts = [part.start, 1.0 - part.start - part.length].map(|outside| outside / part.length);
+        let shifts =
+            [part.start, 1.0 - part.start - part.length].map(|outside| outside / part.length);
         for i in part.elements.clone() {
             let [left, right] =
                 [partition.from_left(), partition.from_right()].map(|d| scale * (d[i] + d[i + 1]));
-            let [left, right] = [(left - shifts[0]).max(part.near[0]), (right - shifts[1]).max(part.near[1])];
+            let [left, right] =
+                [(left - shifts[0]).max(part.near[0]), (right - shifts[1]).max(part.near[1])];
             let b = m - a * (left.powf(-2.0 * nu) + right.powf(-2.0 * nu)) / nu;
             for (j, (node, share)) in self.nodes.iter().zip(&mut shares).enumerate() {
                 let others = self.nodes.iter().enumerate().filter(|&(k, _)| k != j);
@@ -127,13 +129,20 @@ impl Comparison {
     }
 
     /// R and its error, for f with mean zero on the whole interval.
-    pub(super) fn exact(&self, partition: &Mesh, part: &Part, f: Cells, goal: f64) -> Result<(f64, f64)> {
+    pub(super) fn exact(
+        &self,
+        partition: &Mesh,
+        part: &Part,
+        f: Cells,
+        goal: f64,
+    ) -> Result<(f64, f64)> {
         let symbol = part.weights[1] * self.constant;
         let shares = self.shares(partition, part);
         if shares.is_empty() {
             return exact_form(f, self.order, [self.nodes[0], symbol], goal);
         }
-        let largest = |share: &Vec<f64>| share.iter().fold(1.0, |size: f64, theta| size.max(theta.abs()));
+        let largest =
+            |share: &Vec<f64>| share.iter().fold(1.0, |size: f64, theta| size.max(theta.abs()));
         let goal = (goal / shares.iter().map(largest).sum::<f64>()).max(f64::EPSILON);
         let (mut sum, mut error) = (0.0, 0.0);
         for (&beta, share) in self.nodes.iter().zip(&shares) {

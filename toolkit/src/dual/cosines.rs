@@ -26,7 +26,12 @@ use std::sync::Arc;
 const MOST_NODES: f64 = 1e6;
 
 /// ⟨f, (β + cA^ν)^{-1} f⟩ and its error on (0, 1), for f with mean zero, to a relative `goal`.
-pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: f64) -> Result<(f64, f64)> {
+pub(super) fn exact_form(
+    cells: Cells,
+    order: Order,
+    [beta, c]: [f64; 2],
+    goal: f64,
+) -> Result<(f64, f64)> {
     let (nu, complement) = (order.value(), order.complement());
     let sine = (PI * nu.min(complement)).sin() / PI;
     // Half width of the strip in which the integrand is analytic in y = ln s.
@@ -46,7 +51,8 @@ pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: 
     };
     // Above, the law of large τ holds and β does not count.
     let free = if beta > 0.0 { ((beta / c).ln() - goal.ln()) / nu } else { 0.0 };
-    let count = (((2.0 * load.settled.ln()).max(free) - lowest) / step).ceil().clamp(1.0, MOST_NODES);
+    let count =
+        (((2.0 * load.settled.ln()).max(free) - lowest) / step).ceil().clamp(1.0, MOST_NODES);
     let nodes: Vec<f64> = (0..=count as usize).map(|k| lowest + k as f64 * step).collect();
     let terms: Vec<(f64, f64)> = parallel::over(&nodes, |&y| {
         let (value, error) = load.form((0.5 * y).exp());
@@ -72,7 +78,10 @@ pub(super) fn exact_form(cells: Cells, order: Order, [beta, c]: [f64; 2], goal: 
     error += geometric(nu, step, end) / c
         * (load.form((0.5 * end).exp()).1 + load.square * (-nu * end).exp() * beta / c);
     error += lowest.exp() * below;
-    Ok((sine * sum.value(), sine * error + (goal + 16.0 * f64::EPSILON) * (sine * sum.value()).abs()))
+    Ok((
+        sine * sum.value(),
+        sine * error + (goal + 16.0 * f64::EPSILON) * (sine * sum.value()).abs(),
+    ))
 }
 
 /// Σ_{m≥0} (m + x)^{-p}, x > 0, p > 1: eight terms and Euler-Maclaurin.
@@ -186,7 +195,8 @@ mod tests {
     #[test]
     fn small_and_large_shifts_are_summed_with_both_ends() {
         let halves = Mesh::uniform(2, 1.0).unwrap();
-        let step = Cells::new(&PiecewisePolynomial::constants(halves, &[1.0, -1.0]).unwrap(), 1.0).unwrap();
+        let step = Cells::new(&PiecewisePolynomial::constants(halves, &[1.0, -1.0]).unwrap(), 1.0)
+            .unwrap();
         for nu in [0.1, 0.3, 0.5, 0.7, 0.9] {
             let order = Order::new(nu).unwrap();
             for c in [0.1, 1.0, 9.0] {
@@ -194,10 +204,17 @@ mod tests {
                 for beta in [0.0, 1e-30, 1e-9, 1e-4, 1e-2, 0.1, 1.0, 30.0, c * PI.powf(2.0 * nu)] {
                     let (value, own) = step_by_cosines(nu, [beta, c]);
                     for goal in [1e-4, 1e-7, 1e-10] {
-                        let (found, error) = exact_form(step.clone(), order, [beta, c], goal).unwrap();
+                        let (found, error) =
+                            exact_form(step.clone(), order, [beta, c], goal).unwrap();
                         let off = (found - value).abs();
-                        assert!(off <= error + own, "{nu} {beta:e} {c} {goal:e}: {found} {value}, {off:e}");
-                        assert!(error <= 4.0 * goal * found, "{nu} {beta:e} {c}: {error:e} for {goal:e}");
+                        assert!(
+                            off <= error + own,
+                            "{nu} {beta:e} {c} {goal:e}: {found} {value}, {off:e}"
+                        );
+                        assert!(
+                            error <= 4.0 * goal * found,
+                            "{nu} {beta:e} {c}: {error:e} for {goal:e}"
+                        );
                     }
                 }
             }

@@ -75,7 +75,12 @@ impl PiecewisePolynomial {
     ///
     /// [`Error::ToleranceNotMet`]: crate::Error::ToleranceNotMet
     /// [`Error::NotFinite`]: crate::Error::NotFinite
-    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(crate) fn dual_norm(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         match of {
             DualOf::Slobodeckij => self.dual_of_regional(order, tolerance),
             DualOf::Interpolation => self.dual_by_resolvents(Ends::Neumann, order, tolerance),

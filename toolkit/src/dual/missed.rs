@@ -92,7 +92,8 @@ impl Rough<'_> {
             let h = (t1 - t0) * partition.lengths()[element] / (partition.total() * part.length);
             let mut here = [0.0; 2];
             for (x, w) in rule.iter() {
-                let value = self.u.pieces()[element].value(t0 + (t1 - t0) * x) / self.unit - self.mean;
+                let value =
+                    self.u.pieces()[element].value(t0 + (t1 - t0) * x) / self.unit - self.mean;
                 let s = s0 + (s1 - s0) * x;
                 here[0] += w * h * value * (1.0 - s);
                 here[1] += w * h * value * s;
@@ -112,7 +113,8 @@ impl Rough<'_> {
         } else {
             let scale = cells as f64 / part.length;
             let position = |i: usize| {
-                ((partition.from_left()[i] / partition.total() - part.start) * scale).clamp(0.0, cells as f64)
+                ((partition.from_left()[i] / partition.total() - part.start) * scale)
+                    .clamp(0.0, cells as f64)
             };
             let begin = position(part.elements.start);
             let mut cell = (begin as usize).min(cells - 1);
@@ -124,8 +126,11 @@ impl Rough<'_> {
                     let last = cell + 1 == cells;
                     let to = (end - cell as f64).clamp(from, 1.0);
                     let reached = end <= (cell + 1) as f64 || last;
-                    let until =
-                        if reached || length <= 0.0 { 1.0 } else { ((cell + 1) as f64 - start) / length };
+                    let until = if reached || length <= 0.0 {
+                        1.0
+                    } else {
+                        ((cell + 1) as f64 - start) / length
+                    };
                     let until = until.clamp(at, 1.0);
                     add(cell, element, [from, to], [at, until]);
                     if reached {
@@ -174,7 +179,8 @@ impl Rough<'_> {
         };
         let mut iteration = ConjugateGradients::new(load.len());
         iteration.start(&mut system, &load)?;
-        let (mut x, mut value, mut last, mut steps) = (vec![0.0; load.len()], 0.0, f64::INFINITY, 0);
+        let (mut x, mut value, mut last, mut steps) =
+            (vec![0.0; load.len()], 0.0, f64::INFINITY, 0);
         for _ in 0..200 {
             let Step::Gain(gain) = iteration.step(&mut system, &mut x)? else { break };
             steps += 1;
@@ -194,7 +200,8 @@ impl Rough<'_> {
     pub(super) fn missed(&self, cells: usize, goal: f64) -> Result<Missed> {
         let whole = self.whole();
         let (mut sum, partition) = (self.missed_on(&whole, cells, goal)?, self.u.mesh());
-        let (kept, windows) = (cells / WINDOW, if self.comparison.nodes.len() > 1 { WINDOWS } else { 0 });
+        let (kept, windows) =
+            (cells / WINDOW, if self.comparison.nodes.len() > 1 { WINDOWS } else { 0 });
         for depth in 0..windows {
             let length = kept as f64 / cells as f64 / FINER.pow(depth as u32) as f64;
             for right in [false, true] {

@@ -117,7 +117,12 @@ const SETTLED: usize = 20;
 ///
 /// bᵀx increases monotonically by the contributions of the steps; the iteration ends when the last 20 of them
 /// add less than the tolerance.
-fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: Tolerance) -> Result<Estimate> {
+fn solve_iteratively(
+    partition: &Mesh,
+    order: Order,
+    load: &[f64],
+    tolerance: Tolerance,
+) -> Result<Estimate> {
     let n = load.len();
     let operator = GramOperator::linears(partition, order, Tolerance::reference())?;
     let mass = mass_linears(partition);
@@ -139,8 +144,10 @@ fn solve_iteratively(partition: &Mesh, order: Order, load: &[f64], tolerance: To
         };
         gains.push(gain);
         value.add(gain);
-        let rest = if not_settled { f64::INFINITY } else { gains.iter().rev().take(SETTLED).sum::<f64>() };
-        if rest <= 0.5 * tolerance.relative() * value.value() || iteration.rho() <= 1e-30 * gains[0] {
+        let rest =
+            if not_settled { f64::INFINITY } else { gains.iter().rev().take(SETTLED).sum::<f64>() };
+        if rest <= 0.5 * tolerance.relative() * value.value() || iteration.rho() <= 1e-30 * gains[0]
+        {
             let rounding = 1e-13 * value.value();
             let work = Work { iterations: steps as u64, ..Work::default() };
             return Estimate::new(value.value(), rest.min(value.value()) + rounding, work);

@@ -59,7 +59,10 @@ impl Rough<'_> {
         // Where jumps lie between the nodes one difference may be small by chance.
         let plain = (c.value, (2.0 * last.abs()).max(before.abs()) + own);
         let rate = self.rate();
-        if !a.alike || self.comparison.nodes.len() > 1 || ((before / last) / rate - 1.0).abs() > SAME_RATE {
+        if !a.alike
+            || self.comparison.nodes.len() > 1
+            || ((before / last) / rate - 1.0).abs() > SAME_RATE
+        {
             return Some(plain);
         }
         let corrections = [before, last].map(|difference| difference / (rate - 1.0));
@@ -81,19 +84,28 @@ impl PiecewisePolynomial {
         let rest = cells.minus(mean)?;
         let ulps = 8.0 * f64::EPSILON * mean.abs();
         let finish = |value: f64, error: f64, work: Work| {
-            Estimate::new(mean * mean + value, error + ulps * (mean.abs() + value.max(0.0).sqrt()), work)?
-                .sqrt()?
-                .times(unit)?
-                .times(total.sqrt())
+            Estimate::new(
+                mean * mean + value,
+                error + ulps * (mean.abs() + value.max(0.0).sqrt()),
+                work,
+            )?
+            .sqrt()?
+            .times(unit)?
+            .times(total.sqrt())
         };
         let square = rest.square();
         // Q is at most ∥f∥²: what is left of a constant is its rounding
         if square <= ulps * ulps {
-            return finish(0.0, square, Work { points: self.mesh().len() as u64, ..Work::default() });
+            return finish(
+                0.0,
+                square,
+                Work { points: self.mesh().len() as u64, ..Work::default() },
+            );
         }
         // 1 + A = (m + a A) / factor in units of the interval
         let scale = total.powf(2.0 * nu);
-        let (weights, factor) = if total <= 1.0 { ([scale, 1.0], scale) } else { ([1.0, 1.0 / scale], 1.0) };
+        let (weights, factor) =
+            if total <= 1.0 { ([scale, 1.0], scale) } else { ([1.0, 1.0 / scale], 1.0) };
         // Layers far thinner than every element: u is f.
         if symbol_constant(order) * weights[1] * rest.shortest().powf(-2.0 * nu) < NOTHING {
             return finish(square, 4.0 * f64::EPSILON * square, Work::default());
@@ -101,7 +113,8 @@ impl PiecewisePolynomial {
         let goal = (1e-2 * tolerance.relative()).max(f64::EPSILON);
         let comparison = Comparison::new(order, weights, self.mesh().len(), tolerance.relative());
         let rough = Rough { u: self, unit, mean, order, weights, comparison };
-        let (exact, exact_error) = rough.comparison.exact(self.mesh(), &rough.whole(), rest, goal)?;
+        let (exact, exact_error) =
+            rough.comparison.exact(self.mesh(), &rough.whole(), rest, goal)?;
         let mut first = match self.mesh().uniform_length() {
             Some(_) => self.mesh().len(),
             None => (2 * self.mesh().len()).next_power_of_two(),

@@ -42,10 +42,13 @@ impl Ends {
         let sign = if self == Self::Neumann { 1.0 } else { -1.0 };
         let rest = -(-2.0 * mu).exp_m1();
         let ends = (a * a + b * b + sign * 2.0 * e * a * b) / rest;
-        let sizes = (a.abs() + e * b.abs()) * run.near_error + (b.abs() + e * a.abs()) * run.far_error;
+        let sizes =
+            (a.abs() + e * b.abs()) * run.near_error + (b.abs() + e * a.abs()) * run.far_error;
         let rounding = run.form_error
             + 2.0 * sizes / rest
-            + 4.0 * f64::EPSILON * (run.form.abs() + (a * a + b * b + 2.0 * e * (a * b).abs()) / rest);
+            + 4.0
+                * f64::EPSILON
+                * (run.form.abs() + (a * a + b * b + 2.0 * e * (a * b).abs()) / rest);
         (0.5 * mu * (run.form + sign * ends), 0.5 * mu * rounding)
     }
 
@@ -82,7 +85,8 @@ impl Load {
         let long = if cells.degree() == 0 { EXPONENTIAL } else { POWER };
         let settled = (long / cells.shortest()).min(1e305) / total;
         let square = cells.square();
-        let mut load = Self { ends, total, cells, square, primitive, settled: f64::INFINITY, slope: 0.0 };
+        let mut load =
+            Self { ends, total, cells, square, primitive, settled: f64::INFINITY, slope: 0.0 };
         let settled = settled.max(least);
         load.slope = (square - load.form(settled).0) * settled;
         load.settled = settled;
@@ -92,7 +96,8 @@ impl Load {
     /// ρ(τ)/L and its rounding error.
     pub(super) fn form(&self, tau: f64) -> (f64, f64) {
         if tau >= self.settled {
-            let dropped = if self.cells.degree() == 0 { 0.0 } else { (self.settled / tau / POWER).powi(2) };
+            let dropped =
+                if self.cells.degree() == 0 { 0.0 } else { (self.settled / tau / POWER).powi(2) };
             let rounding = (4.0 * f64::EPSILON + 10.0 * dropped) * self.square;
             return (self.square - self.slope / tau, rounding);
         }
@@ -124,7 +129,8 @@ fn power_form(load: &Load, order: Order, goal: f64) -> (f64, f64, u64) {
     // Below, ρ(τ) is ρ(1) up to e^y; above, the law of large τ holds and 1 + e^{-y} is 1.
     let first = (goal.ln() / (1.0 + complement) / step).floor();
     let last = ((2.0 * load.settled.ln()).max(37.0) / step).ceil();
-    let nodes: Vec<f64> = (0..=(last - first) as usize).map(|k| (first + k as f64) * step).collect();
+    let nodes: Vec<f64> =
+        (0..=(last - first) as usize).map(|k| (first + k as f64) * step).collect();
     let terms: Vec<(f64, f64)> = parallel::over(&nodes, |&y| {
         let (value, error) = load.form(tau(y));
         let weight = if y > 0.0 {
@@ -174,18 +180,27 @@ impl PiecewisePolynomial {
             let ulps = 8.0 * f64::EPSILON * mean.abs();
             if rest.square() <= ulps * ulps {
                 let work = Work { points: self.mesh().len() as u64, ..Work::default() };
-                return Estimate::new(mean.abs(), 2.0 * ulps, work)?.times(unit)?.times(total.sqrt());
+                return Estimate::new(mean.abs(), 2.0 * ulps, work)?
+                    .times(unit)?
+                    .times(total.sqrt());
             }
         }
         let shifted = 4.0 * f64::EPSILON * mean.abs();
         let goal = (1e-2 * tolerance.relative()).max(f64::EPSILON);
         let (value, error, passes) = power_form(&Load::new(ends, total, rest, 1.0)?, order, goal);
-        let work = Work { points: passes * self.mesh().len() as u64, iterations: passes, ..Work::default() };
+        let work = Work {
+            points: passes * self.mesh().len() as u64,
+            iterations: passes,
+            ..Work::default()
+        };
         let error = error + 2.0 * shifted * value.max(0.0).sqrt() + 2.0 * shifted * mean.abs();
-        let found =
-            Estimate::new(mean * mean + value, error, work)?.sqrt()?.times(unit)?.times(total.sqrt())?;
+        let found = Estimate::new(mean * mean + value, error, work)?
+            .sqrt()?
+            .times(unit)?
+            .times(total.sqrt())?;
         // below the range of binary64
-        let found = if found.value == 0.0 { Estimate::new(0.0, f64::MIN_POSITIVE, work)? } else { found };
+        let found =
+            if found.value == 0.0 { Estimate::new(0.0, f64::MIN_POSITIVE, work)? } else { found };
         if found.relative_error() <= tolerance.relative() {
             return Ok(found);
         }
@@ -220,7 +235,10 @@ mod tests {
                 let tolerance = Tolerance::new(tolerance).unwrap();
                 let found = one.dual_norm(DualOf::InterpolationZero, order, tolerance).unwrap();
                 let error = (found.value - exact).abs();
-                assert!(error <= found.error + 1e-12, "nu {nu}: {found} against {exact}, {error:e}");
+                assert!(
+                    error <= found.error + 1e-12,
+                    "nu {nu}: {found} against {exact}, {error:e}"
+                );
                 assert!(found.relative_error() <= tolerance.relative());
             }
         }
@@ -242,7 +260,8 @@ mod tests {
         // 3000 jumps of both signs at random
         let signs: Vec<f64> =
             (0..3000u32).map(|i| f64::from(i.wrapping_mul(2_654_435_761) >> 31) - 0.5).collect();
-        let noise = PiecewisePolynomial::constants(Mesh::uniform(3000, 1.0).unwrap(), &signs).unwrap();
+        let noise =
+            PiecewisePolynomial::constants(Mesh::uniform(3000, 1.0).unwrap(), &signs).unwrap();
         let found = |tolerance| {
             let order = Order::new(0.01).unwrap();
             noise.dual_norm(DualOf::InterpolationZero, order, Tolerance::new(tolerance).unwrap())

@@ -75,7 +75,9 @@ impl<'a> MomentTree<'a> {
         }
         let mut found = Self { tree, chebyshev, levels, moments: vec![0.0; 3 * m * count] };
         let mut moments = std::mem::take(&mut found.moments);
-        parallel::pieces(&mut moments, 3 * m, &|c, moments| found.of_leaf(c, partition, function, moments));
+        parallel::pieces(&mut moments, 3 * m, &|c, moments| {
+            found.of_leaf(c, partition, function, moments)
+        });
         for c in (0..count).rev() {
             found.of_parent(c, &mut moments);
         }
@@ -153,7 +155,9 @@ impl<'a> MomentTree<'a> {
         let (mut value, mut size) = (0.0, 0.0);
         for k in 0..here[0].len() {
             let mut sums = [0.0; 3];
-            for (j, ((zeroth, first), second)) in there[0].iter().zip(there[1]).zip(there[2]).enumerate() {
+            for (j, ((zeroth, first), second)) in
+                there[0].iter().zip(there[1]).zip(there[2]).enumerate()
+            {
                 let weight = kernel(k, j);
                 sums[0] += weight * zeroth;
                 sums[1] += weight * first;

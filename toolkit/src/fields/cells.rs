@@ -39,18 +39,25 @@ impl FieldCells {
         let (function, field) = (difference.function, difference.field);
         let look = function.looked(Tolerance::new(tolerance.clamp(1e-14, 1e-3))?)?;
         let planned = layout(field.mesh(), function.breaks(), &look)?;
-        let found: Vec<Vec<(Part, Content)>> = parallel::map_together(planned.len(), TOGETHER, &|k| {
-            let part = &planned[k];
-            if part.is_singular {
-                return Ok(vec![(*part, Content::Singular(singular(difference, part, tolerance)?))]);
-            }
-            let smooth = |Fitted { part, piece, rest, noise }| (part, Content::Smooth { piece, rest, noise });
-            Ok(difference.fit(*part, 0.02 * tolerance)?.into_iter().map(smooth).collect())
-        })
-        .into_iter()
-        .collect::<Result<_>>()?;
+        let found: Vec<Vec<(Part, Content)>> =
+            parallel::map_together(planned.len(), TOGETHER, &|k| {
+                let part = &planned[k];
+                if part.is_singular {
+                    return Ok(vec![(
+                        *part,
+                        Content::Singular(singular(difference, part, tolerance)?),
+                    )]);
+                }
+                let smooth = |Fitted { part, piece, rest, noise }| {
+                    (part, Content::Smooth { piece, rest, noise })
+                };
+                Ok(difference.fit(*part, 0.02 * tolerance)?.into_iter().map(smooth).collect())
+            })
+            .into_iter()
+            .collect::<Result<_>>()?;
         let (parts, contents): (Vec<Part>, Vec<Content>) = found.into_iter().flatten().unzip();
-        let partition = Mesh::from_lengths(&parts.iter().map(|part| part.length).collect::<Vec<_>>())?;
+        let partition =
+            Mesh::from_lengths(&parts.iter().map(|part| part.length).collect::<Vec<_>>())?;
         let jump = |part: &Part| {
             let at_node = part.from == 0.0 && part.element > 0;
             if at_node { -field.jump(part.element) } else { 0.0 }
@@ -81,8 +88,9 @@ impl FieldCells {
 fn singular(difference: &Difference, part: &Part, tolerance: f64) -> Result<Sampled> {
     let mirrored = part.right == 0.0;
     let k = part.gap + usize::from(mirrored);
-    let closest =
-        (64.0 * f64::EPSILON * difference.function.blur(k)).max(difference.function.closest()) / part.length;
+    let closest = (64.0 * f64::EPSILON * difference.function.blur(k))
+        .max(difference.function.closest())
+        / part.length;
     Sampled::new(closest, mirrored, tolerance, |delta| difference.near_break(part, mirrored, delta))
 }
 
@@ -167,7 +175,8 @@ impl CellEnergies for FieldEnergies<'_> {
             (Content::Singular(sampled), _) => self.sampled(e, sampled, f, gap),
             (_, Content::Singular(sampled)) => self.sampled(f, sampled, e, gap),
             (Content::Smooth { piece: left, .. }, Content::Smooth { piece: right, .. }) => {
-                let cells = [(e, left), (f, right)].map(|(k, piece)| Cell { length: self.length(k), piece });
+                let cells = [(e, left), (f, right)]
+                    .map(|(k, piece)| Cell { length: self.length(k), piece });
                 self.rules.near(cells, f - e, gap, || self.cells.jumps[f])
             }
         }

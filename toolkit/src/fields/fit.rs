@@ -51,7 +51,8 @@ impl Difference<'_> {
         let (k, offset) = if mirrored { (part.gap + 1, -offset) } else { (part.gap, offset) };
         let t = if mirrored { 1.0 - share } else { share };
         let local = part.from * (1.0 - t) + part.to * t;
-        Ok(self.function.value_at(k, offset, None)? - self.field.pieces()[part.element].value(local))
+        Ok(self.function.value_at(k, offset, None)?
+            - self.field.pieces()[part.element].value(local))
     }
 
     /// The polynomials of a part or, if it must be bisected, of its halves, to `tolerance` times their size.
@@ -61,13 +62,22 @@ impl Difference<'_> {
         Ok(found)
     }
 
-    fn fit_into(&self, part: Part, tolerance: f64, depth: usize, found: &mut Vec<Fitted>) -> Result<()> {
+    fn fit_into(
+        &self,
+        part: Part,
+        tolerance: f64,
+        depth: usize,
+        found: &mut Vec<Fitted>,
+    ) -> Result<()> {
         let [(first, left), (last, right)] = [self.at(&part, 0.0)?, self.at(&part, 1.0)?];
         let (middle, _) = self.at(&part, 0.5)?;
         // Rounded values at rounded places.
-        let place =
-            part.left.min(part.right).max(self.function.blur(part.gap)).max(self.function.blur(part.gap + 1))
-                / part.length;
+        let place = part
+            .left
+            .min(part.right)
+            .max(self.function.blur(part.gap))
+            .max(self.function.blur(part.gap + 1))
+            / part.length;
         let steep = (last - middle).abs().max((middle - first).abs());
         let size = first.abs().max(last.abs()).max(middle.abs());
         let noise = f64::EPSILON * (size + 2.0 * (1.0 + place) * steep);
@@ -75,7 +85,8 @@ impl Difference<'_> {
             let piece = Piece { left, right, bubbles: self.bubbles(&part, degree, [left, right])? };
             let count = piece.bubbles.len();
             let rest = piece.bubbles[count - 2..].iter().fold(0.0_f64, |most, c| most.max(c.abs()));
-            let whole = piece.bubbles.iter().fold(0.25 * (right - left).abs(), |most, c| most.max(c.abs()));
+            let whole =
+                piece.bubbles.iter().fold(0.25 * (right - left).abs(), |most, c| most.max(c.abs()));
             let is_last = degree == DEGREES[DEGREES.len() - 1] && depth == 0;
             let allowed = (tolerance * whole).max(NOISE * noise).max(NOTHING);
             if is_last || rest <= allowed && self.agrees(&part, &piece, allowed) {

@@ -55,11 +55,13 @@ impl Part {
             }
             (true, false) => {
                 let patch = Some(self.gap);
-                cells.extend([Self { patch, is_singular: true, ..first }, Self { patch, ..second }]);
+                cells
+                    .extend([Self { patch, is_singular: true, ..first }, Self { patch, ..second }]);
             }
             (false, true) => {
                 let patch = Some(self.gap + 1);
-                cells.extend([Self { patch, ..first }, Self { patch, is_singular: true, ..second }]);
+                cells
+                    .extend([Self { patch, ..first }, Self { patch, is_singular: true, ..second }]);
             }
             (false, false) if self.length <= 1.01 * self.left.min(self.right) => cells.push(self),
             _ => {
@@ -102,7 +104,8 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64], look: &Look) -> Result<Ve
     let mut gaps: Vec<Vec<Part>> = Vec::new();
     for (element, offsets) in cuts.iter().enumerate() {
         let h = partition.lengths()[element];
-        let ends: Vec<f64> = std::iter::once(0.0).chain(offsets.iter().copied()).chain([h]).collect();
+        let ends: Vec<f64> =
+            std::iter::once(0.0).chain(offsets.iter().copied()).chain([h]).collect();
         for (k, pair) in ends.windows(2).enumerate() {
             if k > 0 || is_break[element] {
                 gaps.push(Vec::new());
@@ -110,7 +113,17 @@ pub(super) fn layout(partition: &Mesh, breaks: &[f64], look: &Look) -> Result<Ve
             let gap = gaps.len() - 1;
             let (from, to) = (pair[0] / h, pair[1] / h);
             let (length, left, right) = (pair[1] - pair[0], 0.0, 0.0);
-            let part = Part { element, from, to, length, gap, left, right, patch: None, is_singular: false };
+            let part = Part {
+                element,
+                from,
+                to,
+                length,
+                gap,
+                left,
+                right,
+                patch: None,
+                is_singular: false,
+            };
             gaps[gap].push(part);
         }
     }

@@ -18,8 +18,7 @@ const SHARE: f64 = 0.2;
 /// Number of standard deviations by which independent rounding errors may exceed their expectation.
 const ROUNDING_SAFETY: f64 = 4.0;
 /// Message: what limits the accuracy.
-pub(super) const LIMIT: &str =
-    "rounding of the function dominates the small difference, or the limit at a breakpoint is not resolved";
+pub(super) const LIMIT: &str = "rounding of the function dominates the small difference, or the limit at a breakpoint is not resolved";
 
 /// The difference u − u_h of a function with declared breakpoints and a piecewise polynomial on many elements:
 /// an interpolant or a finite element solution. Its norms are those of other functions.
@@ -76,14 +75,21 @@ impl FieldError<'_> {
     /// As [`FieldError::seminorm`], except for infinite seminorms.
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
         let (unit, field) = self.normalized(tolerance)?;
-        let cells = FieldCells::new(&Difference { function: &unit.u, field: &field }, tolerance.relative())?;
+        let cells = FieldCells::new(
+            &Difference { function: &unit.u, field: &field },
+            tolerance.relative(),
+        )?;
         accept("L^2 norm", of_lq(&unit, 2.0, l2(&cells)?)?, tolerance, LIMIT)
     }
 
     /// Both functions divided by the size of u, on the unit interval.
-    pub(super) fn normalized(&self, tolerance: Tolerance) -> Result<(Normalized<'_>, PiecewisePolynomial)> {
+    pub(super) fn normalized(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<(Normalized<'_>, PiecewisePolynomial)> {
         let unit = self.function.normalized(tolerance)?;
-        let field = self.field.scaled_by(1.0 / unit.size).on(self.field.mesh().over(unit.length)?);
+        let field =
+            self.field.scaled_by(1.0 / unit.size).on(self.field.mesh().over(unit.length)?);
         Ok((unit, field))
     }
 
@@ -158,7 +164,11 @@ fn squared(
     let rest = leftovers(&energies, cells, order);
     error += (2.0 * value.value().sqrt() + rest.cut.sqrt()) * rest.cut.sqrt() + rest.beyond;
     error += ROUNDING_SAFETY * (2.0 * rest.mixed.sqrt() + rest.noise);
-    Estimate::new(value.value(), error, work + Work { points: cells.parts.len() as u64, ..Work::default() })
+    Estimate::new(
+        value.value(),
+        error,
+        work + Work { points: cells.parts.len() as u64, ..Work::default() },
+    )
 }
 
 /// The errors of the polynomials and of the samples.

@@ -51,11 +51,14 @@ impl FieldError<'_> {
                     bubbles.push(inside.to_vec());
                     left.push((length, off));
                 }
-                Part::Patch(function) => found.push(Estimate::or_best(function.lq_norm(q, tolerance))?),
+                Part::Patch(function) => {
+                    found.push(Estimate::or_best(function.lq_norm(q, tolerance))?)
+                }
             }
         }
         if !lengths.is_empty() {
-            let smooth = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
+            let smooth =
+                PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
             found.push(Estimate::or_best(smooth.lq_norm(q, tolerance))?);
         }
         let largest = found.iter().map(|e| e.value).fold(0.0, f64::max);
@@ -64,11 +67,14 @@ impl FieldError<'_> {
         let join = |of: &mut dyn Iterator<Item = (f64, f64)>, size: f64| match size {
             0.0 => 0.0,
             _ if q == f64::INFINITY => size,
-            _ => size * of.map(|(weight, v)| weight * (v / size).powf(q)).sum::<f64>().powf(1.0 / q),
+            _ => {
+                size * of.map(|(weight, v)| weight * (v / size).powf(q)).sum::<f64>().powf(1.0 / q)
+            }
         };
         let value = join(&mut found.iter().map(|e| (1.0, e.value)), largest);
         let beyond = join(&mut left.iter().copied(), worst);
-        let error = found.iter().map(|e| e.error).sum::<f64>() + beyond + 16.0 * f64::EPSILON * value;
+        let error =
+            found.iter().map(|e| e.error).sum::<f64>() + beyond + 16.0 * f64::EPSILON * value;
         let work = found.iter().fold(Work::default(), |sum, e| sum + e.work);
         accept("L^q norm", of_lq(&unit, q, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
     }
@@ -79,7 +85,12 @@ impl FieldError<'_> {
     /// # Errors
     /// [`Error::ToleranceNotMet`] with the best value, [`Error::NotFinite`] if a value of the function is not
     /// finite, [`Error::OutOfRange`] unless both are defined on the same interval.
-    pub(crate) fn dual_norm(&self, of: DualOf, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(crate) fn dual_norm(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         let (unit, field) = self.normalized(tolerance)?;
         let difference = Difference { function: &unit.u, field: &field };
         let asked = (OF_CELLS * tolerance.relative()).max(LEAST);
@@ -100,7 +111,8 @@ impl FieldError<'_> {
             }
         }
         let (u, left) = pieces.finish(unit.length)?;
-        let inner = Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let inner =
+            Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
         accept("dual norm", found.times(unit.size)?, tolerance, LIMIT)
@@ -128,7 +140,12 @@ fn parts<'a>(cells: &'a FieldCells, difference: &Difference<'a>) -> Result<Vec<P
             }
             (None, Content::Smooth { piece, rest, noise }) => {
                 let ends = [piece.left, piece.right];
-                found.push(Part::Cell(part.length, ends, &piece.bubbles, 0.25 * rest.abs() + noise));
+                found.push(Part::Cell(
+                    part.length,
+                    ends,
+                    &piece.bubbles,
+                    0.25 * rest.abs() + noise,
+                ));
             }
             (None, Content::Singular(_)) => {
                 return Err(Error::CountOutOfRange {

@@ -58,7 +58,13 @@ const TAIL_START: f64 = 450.0;
 
 impl ArmIntegral {
     /// The parameters; `spread` is ln of the largest ratio of side lengths, `order` is ν and `decay` is 1 − 2ν.
-    pub(crate) fn new(level: Level, tolerance: f64, spread: f64, order: f64, decay: f64) -> Result<Self> {
+    pub(crate) fn new(
+        level: Level,
+        tolerance: f64,
+        spread: f64,
+        order: f64,
+        decay: f64,
+    ) -> Result<Self> {
         // What lies below the last layer is about its width to the power 3 − 2ν, of which the rule finds all but a
         // thousandth.
         let below = (0.5 * (0.1 * tolerance).ln()).min(tolerance.ln() / (3.0 - 2.0 * order));
@@ -85,12 +91,13 @@ impl ArmIntegral {
         mut density: impl FnMut(f64) -> Result<Density>,
     ) -> Result<ArmValue> {
         let [rounding, last, settled] = [0.0, 0.0, 0.0].map(Cell::new);
-        let limit = self.limit(depth, scale, tail, samples, [&rounding, &last, &settled], |t, weight| {
-            let density = density(t)?;
-            last.set(density.rounding);
-            rounding.set((weight * density.rounding).hypot(rounding.get()));
-            Ok(density.value)
-        })?;
+        let limit =
+            self.limit(depth, scale, tail, samples, [&rounding, &last, &settled], |t, weight| {
+                let density = density(t)?;
+                last.set(density.rounding);
+                rounding.set((weight * density.rounding).hypot(rounding.get()));
+                Ok(density.value)
+            })?;
         let rounding = ROUNDING_SAFETY * rounding.get();
         Ok(ArmValue { limit, rounding, is_settled: settled.get() > 0.0 })
     }
@@ -122,7 +129,8 @@ impl ArmIntegral {
             // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small
             // that its squares are zero.
             let ratio = (cell / previous).abs();
-            let is_nothing = cell == 0.0 || ratio < 0.95 && cell.abs() / (1.0 - ratio) <= 1e-15 * whole;
+            let is_nothing =
+                cell == 0.0 || ratio < 0.95 && cell.abs() / (1.0 - ratio) <= 1e-15 * whole;
             if from > SETTLED && sum != 0.0 && cell.abs() <= 1e-17 * whole && is_nothing {
                 settled.set(1.0);
                 return Ok(Limit { value: sum, error: 1e-17 * whole });

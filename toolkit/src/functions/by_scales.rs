@@ -48,7 +48,8 @@ fn apart_of(sums: &Sums) -> f64 {
 /// The error of the halves of a cell whose rules differ by `coarse`, where the rules of the halves differ by
 /// `fine`: the errors are extrapolated at the observed rate with a safety factor, by at most three digits.
 fn after(coarse: f64, fine: f64) -> f64 {
-    if fine < coarse { SAFETY * fine * (fine / coarse).max(1e-3) } else { fine }.min(coarse.max(fine))
+    if fine < coarse { SAFETY * fine * (fine / coarse).max(1e-3) } else { fine }
+        .min(coarse.max(fine))
 }
 
 /// Weights of the values at given points in the value of the interpolating polynomial at `end`.
@@ -87,13 +88,15 @@ impl SingularFunction<'_> {
                 *known = value(t)?;
                 sums[1] += w * *known;
             }
-            let polynomial = |weights: &[f64]| weights.iter().zip(&known).map(|(w, v)| w * v).sum::<f64>();
+            let polynomial =
+                |weights: &[f64]| weights.iter().zip(&known).map(|(w, v)| w * v).sum::<f64>();
             for ((t, w), weights) in coarse.iter().zip(&between) {
                 let here = value(t)?;
                 sums[0] += w * here;
                 sums[3] += w * (here - polynomial(weights)).abs();
             }
-            let off = [value(0.0)? - polynomial(&to_ends[0]), value(1.0)? - polynomial(&to_ends[1])];
+            let off =
+                [value(0.0)? - polynomial(&to_ends[0]), value(1.0)? - polynomial(&to_ends[1])];
             sums[2] = sums[1] + END * (off[0].abs() + off[1].abs());
             Ok(sums)
         };
@@ -149,7 +152,8 @@ impl SingularFunction<'_> {
             if finer.max(apart) <= enough {
                 value += together[1];
                 let is_smooth = finer <= (SMOOTH * apart).max(nothing);
-                error += after(apart, finer).max(if is_smooth { 0.0 } else { UNSEEN * together[3] });
+                error +=
+                    after(apart, finer).max(if is_smooth { 0.0 } else { UNSEEN * together[3] });
                 continue;
             }
             for (start, sums) in [left, right] {

@@ -96,7 +96,10 @@ impl<'a> DeepTail<'a> {
         for (node, w) in Rule::power_weight(level.points + 6, kernel.two_minus)?.iter() {
             let s = NEAR * node;
             let stretch = s.exp_m1() / s;
-            own.push((s, w * NEAR.powf(kernel.two_minus) * s.exp() / stretch * stretch.powf(-kernel.twice)));
+            own.push((
+                s,
+                w * NEAR.powf(kernel.two_minus) * s.exp() / stretch * stretch.powf(-kernel.twice),
+            ));
         }
         // Points that are s less deep count like e^{−2νs}.
         let own_reach = REACH.max(NOTHING / kernel.twice);
@@ -171,7 +174,8 @@ impl<'a> DeepTail<'a> {
             if cell == 0.0 && is_algebraic && !is_seen {
                 return Err(Error::out_of_reach("integral", tolerance, f64::INFINITY, UNSEEN));
             }
-            if cell == 0.0 && self.grows_no_more(tau)? || (is_seen && ends.len() > 3 && ratio < 0.99 && small)
+            if cell == 0.0 && self.grows_no_more(tau)?
+                || (is_seen && ends.len() > 3 && ratio < 0.99 && small)
             {
                 // What is left of an exponential in τ, or less.
                 let rest = rest.max(0.0);
@@ -249,7 +253,9 @@ impl<'a> DeepTail<'a> {
             .other
             .map(|other| Interpolant::new(self.function, &other, from, whole, terms))
             .transpose()?;
-        if width > NARROWEST && !(own.is_resolved() && other.as_ref().is_none_or(Interpolant::is_resolved)) {
+        if width > NARROWEST
+            && !(own.is_resolved() && other.as_ref().is_none_or(Interpolant::is_resolved))
+        {
             let (first, _, noise) = self.cell(tau, 0.5 * width, terms)?;
             let (second, density, rounding) = self.cell(tau + 0.5 * width, 0.5 * width, terms)?;
             return Ok((first + second, density, noise.hypot(rounding)));
@@ -277,7 +283,8 @@ impl<'a> DeepTail<'a> {
         let t = tau.exp();
         let x = 2.0 * (tau - from) / width - 1.0;
         // Coefficients are right to some ε; the derivative of T_k is k² at most, k^{3/2} in the mean.
-        let blur = |p: &Interpolant| f64::EPSILON * p.largest * (p.coefficients.len() as f64).powf(1.5);
+        let blur =
+            |p: &Interpolant| f64::EPSILON * p.largest * (p.coefficients.len() as f64).powf(1.5);
         let (mut sum, mut rounding) = (0.0, 0.0);
         for &(s, weight) in &self.own {
             let step = -(-s / t).ln_1p() * 2.0 / width;
@@ -292,7 +299,8 @@ impl<'a> DeepTail<'a> {
                 let step = -(-s / t).ln_1p() * 2.0 / width;
                 let difference = gap + step * other.divided_difference(x, x - step);
                 sum += weight * difference * difference;
-                let noise = step * blur(other) + f64::EPSILON * if gap == 0.0 { 0.0 } else { own.largest };
+                let noise =
+                    step * blur(other) + f64::EPSILON * if gap == 0.0 { 0.0 } else { own.largest };
                 rounding += 2.0 * weight * difference.abs() * noise;
             }
         }

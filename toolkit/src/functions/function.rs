@@ -74,7 +74,9 @@ impl Position<'_> {
 
     /// x − c_k.
     fn from(&self, k: usize) -> f64 {
-        self.breaks.get(k).map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
+        self.breaks
+            .get(k)
+            .map_or(f64::NAN, |other| (self.breaks[self.anchor] - other) + self.offset)
     }
 
     /// ln |offset|, also where the offset underflows, down to −10^{300}.
@@ -158,7 +160,10 @@ impl<'a> SingularFunction<'a> {
     ///
     /// # Errors
     /// As [`SingularFunction::new`].
-    pub(crate) fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub(crate) fn from_positions(
+        breaks: &[f64],
+        f: impl Fn(Position) -> f64 + Sync + 'a,
+    ) -> Result<Self> {
         Self::build(breaks, Box::new(f), Sight::Offset)
     }
 
@@ -195,8 +200,7 @@ impl<'a> SingularFunction<'a> {
         for (k, pair) in breaks.windows(2).enumerate() {
             let length = pair[1] - pair[0];
             let admissible = length > 1e-290 && length > 1e-290 * total && length.is_finite();
-            let range =
-                "(c + 1e-290 max(1, L), inf), c the previous breakpoint, L the length of the interval";
+            let range = "(c + 1e-290 max(1, L), inf), c the previous breakpoint, L the length of the interval";
             require_entry("breakpoint", k + 1, pair[1], range, admissible)?;
         }
         Ok(Self {
@@ -233,7 +237,8 @@ impl<'a> SingularFunction<'a> {
     /// A power of two near the largest of the samples and of values closer to the breakpoints, so that squares and powers of u
     /// divided by it neither over- nor underflow; 1 where all of them vanish.
     fn size(&self, samples: &[Vec<f64>]) -> Result<f64> {
-        let mut largest = samples.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
+        let mut largest =
+            samples.iter().flatten().fold(0.0_f64, |most, value| most.max(value.abs()));
         for arm in self.arms() {
             for k in 0..SAMPLES {
                 let t = (arm.depth * (k as f64 + 0.5) / SAMPLES as f64).min(0.1 + 0.3 * k as f64);
@@ -268,7 +273,8 @@ impl<'a> SingularFunction<'a> {
             let offset = at.offset * length;
             let depth = at.depth.map(|depth| depth + shift);
             let x = self.breaks[at.anchor] + offset;
-            (self.function)(Position { breaks: &self.breaks, x, anchor: at.anchor, offset, depth }) / size
+            (self.function)(Position { breaks: &self.breaks, x, anchor: at.anchor, offset, depth })
+                / size
         };
         let u = SingularFunction {
             breaks,
@@ -326,7 +332,13 @@ impl<'a> SingularFunction<'a> {
     /// The value at an offset from a breakpoint; `depth` is ln of the distance where the distance underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         self.spend(1)?;
-        let at = Position { breaks: &self.breaks, x: self.breaks[anchor] + offset, anchor, offset, depth };
+        let at = Position {
+            breaks: &self.breaks,
+            x: self.breaks[anchor] + offset,
+            anchor,
+            offset,
+            depth,
+        };
         let value = (self.function)(at);
         require_finite_at("function value near a breakpoint", anchor, value)?;
         Ok(value)

@@ -119,7 +119,8 @@ impl SingularFunction<'_> {
         for _ in 0..ROUNDS {
             let degree = ((4.0 - 1.1 * accuracy.log10()).ceil() as usize).clamp(6, 18);
             let between = Rule::gauss_legendre(2 * degree)?;
-            let size = best.map_or(size, |best: Estimate| if best.value > 0.0 { best.value } else { size });
+            let size = best
+                .map_or(size, |best: Estimate| if best.value > 0.0 { best.value } else { size });
             let goal = accuracy.max(f64::EPSILON) * size;
             let fit = Fit { profile, kernel, degree, size, goal, between };
             let found = match self.by_graded_cells(&fit, order, tolerance) {
@@ -147,8 +148,9 @@ impl SingularFunction<'_> {
             }
             let gained = best.is_none_or(|best| found.value.error < 0.5 * best.error);
             let missed = found.value.error / found.value.value;
-            accuracy = if missed.is_finite() { 0.3 * accuracy * asked / missed } else { 0.1 * accuracy }
-                .min(0.1 * accuracy);
+            accuracy =
+                if missed.is_finite() { 0.3 * accuracy * asked / missed } else { 0.1 * accuracy }
+                    .min(0.1 * accuracy);
             if best.is_none_or(|best| found.value.error < best.error) {
                 best = Some(found.value);
             }
@@ -203,17 +205,23 @@ impl SingularFunction<'_> {
         }
         if is_rough && !order.is_below_half() {
             // A step there would make it infinite.
-            return Err(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, UNDECLARED));
+            return Err(Error::out_of_reach(
+                "seminorm",
+                tolerance.relative(),
+                f64::INFINITY,
+                UNDECLARED,
+            ));
         }
         let (mut square, mut points) = (0.0, 0);
         let total = self.length();
         for cell in &flat {
             let (length, degree) = (cell.far - cell.near, cell.piece.degree());
-            square +=
-                of_residual(fit.kernel, fit.degree, cell.residual / fit.size, length, total) + cell.rest;
+            square += of_residual(fit.kernel, fit.degree, cell.residual / fit.size, length, total)
+                + cell.rest;
             if is_rough && cell.residual > 0.0 && order.is_below_half() {
                 // A step of this height within the cell.
-                let step = fit.kernel.scaling(length) * 4.0 / (fit.kernel.twice * fit.kernel.one_minus);
+                let step =
+                    fit.kernel.scaling(length) * 4.0 / (fit.kernel.twice * fit.kernel.one_minus);
                 square += step * (cell.residual / fit.size).powi(2);
             }
             let is_constant = cell.piece.bubbles.is_empty() && cell.piece.left == cell.piece.right;
@@ -228,7 +236,8 @@ impl SingularFunction<'_> {
             points += 3 * fit.degree as u64;
         }
         let lengths: Vec<f64> = flat.iter().map(|cell| cell.far - cell.near).collect();
-        let ends: Vec<[f64; 2]> = flat.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
+        let ends: Vec<[f64; 2]> =
+            flat.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
         let coarse: Vec<Vec<f64>> = flat.iter().map(Cell::coarser).collect();
         let bubbles = flat.into_iter().map(|cell| cell.piece.bubbles).collect();
         let u = PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)?;
@@ -271,13 +280,18 @@ impl SingularFunction<'_> {
             while let Some((near, far, count)) = stack.pop() {
                 let cell = self.graded_cell(arm, fit, near, far)?;
                 let fits = cell.residual <= fit.allowed(far - near);
-                let short =
-                    far - near <= 8.0 * f64::EPSILON * (far + self.coordinate_if_seen(arm.anchor).abs());
+                let short = far - near
+                    <= 8.0 * f64::EPSILON * (far + self.coordinate_if_seen(arm.anchor).abs());
                 if fits || count == HALVINGS || short {
                     is_rough |= !fits;
                     cells.push(cell);
                     if cells.len() > MOST {
-                        return Err(Error::out_of_reach("seminorm", fit.goal, f64::INFINITY, TOO_MANY));
+                        return Err(Error::out_of_reach(
+                            "seminorm",
+                            fit.goal,
+                            f64::INFINITY,
+                            TOO_MANY,
+                        ));
                     }
                 } else {
                     let middle = 0.5 * (near + far);
@@ -306,9 +320,11 @@ impl SingularFunction<'_> {
         let kernel = fit.kernel;
         let factor = 16.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
         let (mut sum, mut last, mut ratio) = (0.0, 0.0_f64, 0.5_f64);
-        for (delta, value) in fit.profile.samples(index).filter(|(delta, _)| *delta < 4.0 * cell.far) {
-            let share =
-                ((value - cell.value(arm, delta.min(cell.far))) / fit.size).powi(2) * kernel.scaling(delta);
+        for (delta, value) in
+            fit.profile.samples(index).filter(|(delta, _)| *delta < 4.0 * cell.far)
+        {
+            let share = ((value - cell.value(arm, delta.min(cell.far))) / fit.size).powi(2)
+                * kernel.scaling(delta);
             ratio = if last > 0.0 { share / last } else { 0.5 };
             (sum, last) = (sum + share, share);
         }
@@ -329,7 +345,8 @@ impl SingularFunction<'_> {
                 0.0
             })
         };
-        let mut piece = Piece { left: ends[0], right: ends[1], bubbles: bubbles_of(fit.degree, ends, seen)? };
+        let mut piece =
+            Piece { left: ends[0], right: ends[1], bubbles: bubbles_of(fit.degree, ends, seen)? };
         let (mut places, mut values) = self.seen_in_cell(arm, near, far);
         places.extend(fit.between.points());
         values.extend(fit.between.points().iter().map(|&t| seen(t)));
@@ -353,7 +370,13 @@ impl SingularFunction<'_> {
         let noise = FLOOR * low.abs().max(high.abs()) + moved;
         match fault.into_inner() {
             Some(error) => Err(error),
-            None => Ok(Cell { near, far, piece, residual: UNSEEN * (residual - noise).max(0.0), rest: 0.0 }),
+            None => Ok(Cell {
+                near,
+                far,
+                piece,
+                residual: UNSEEN * (residual - noise).max(0.0),
+                rest: 0.0,
+            }),
         }
     }
 }

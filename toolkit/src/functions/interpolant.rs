@@ -16,7 +16,13 @@ pub(super) struct Interpolant {
 
 impl Interpolant {
     /// The interpolant through n points on (from, from + width).
-    pub(super) fn new(u: &SingularFunction, arm: &Arm, from: f64, width: f64, n: usize) -> Result<Self> {
+    pub(super) fn new(
+        u: &SingularFunction,
+        arm: &Arm,
+        from: f64,
+        width: f64,
+        n: usize,
+    ) -> Result<Self> {
         let angles: Vec<f64> = (0..n).map(|j| PI * (j as f64 + 0.5) / n as f64).collect();
         let values = angles
             .iter()
@@ -24,7 +30,8 @@ impl Interpolant {
             .collect::<Result<Vec<f64>>>()?;
         let coefficients = (0..n)
             .map(|k| {
-                let sum: f64 = angles.iter().zip(&values).map(|(a, v)| v * (k as f64 * a).cos()).sum();
+                let sum: f64 =
+                    angles.iter().zip(&values).map(|(a, v)| v * (k as f64 * a).cos()).sum();
                 sum * if k == 0 { 1.0 } else { 2.0 } / n as f64
             })
             .collect();
@@ -35,7 +42,8 @@ impl Interpolant {
     pub(super) fn is_resolved(&self) -> bool {
         let Some((_, varying)) = self.coefficients.split_first() else { return true };
         let terms = varying.len() as f64;
-        let size = |coefficients: &[f64]| coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let size =
+            |coefficients: &[f64]| coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
         let last = terms * size(&varying[varying.len().saturating_sub(2)..]);
         last <= SHARE * size(varying) || last <= f64::EPSILON * terms.powf(1.5) * self.largest
     }

@@ -62,7 +62,11 @@ struct Outer {
 }
 
 impl<'a> LogEnergy<'a> {
-    pub(crate) fn new(function: &'a SingularFunction<'a>, order: Order, level: Level) -> Result<Self> {
+    pub(crate) fn new(
+        function: &'a SingularFunction<'a>,
+        order: Order,
+        level: Level,
+    ) -> Result<Self> {
         let arms = function.arms();
         let kernel = PowerKernel::new(order);
         Ok(Self {
@@ -84,12 +88,14 @@ impl<'a> LogEnergy<'a> {
         let shortest = self.arms.iter().map(|arm| arm.length).fold(f64::INFINITY, f64::min);
         let spread = (self.unit / shortest).ln();
         let order = 0.5 * self.kernel.twice;
-        let integral = ArmIntegral::new(self.level, tolerance, spread, order, self.kernel.one_minus)?;
+        let integral =
+            ArmIntegral::new(self.level, tolerance, spread, order, self.kernel.one_minus)?;
         let (mut value, mut tail, mut rounding) = (0.0, 0.0, 0.0);
         for arm in 0..self.arms.len() {
             let depth = self.arms[arm].depth;
             let end = self.tail(arm)?;
-            let found = integral.integrate(depth, value, end.as_ref(), &[], |t| self.density(arm, t))?;
+            let found =
+                integral.integrate(depth, value, end.as_ref(), &[], |t| self.density(arm, t))?;
             value += found.limit.value;
             tail += found.limit.error;
             rounding = found.rounding.hypot(rounding);
@@ -114,7 +120,8 @@ impl<'a> LogEnergy<'a> {
         let anchor = self.arms[arm].anchor;
         let other = (0..self.arms.len()).find(|&b| b != arm && self.arms[b].anchor == anchor);
         let other = other.map(|other| self.arms[other]);
-        DeepTail::new(self.function, self.arms[arm], other, self.kernel, self.level, self.unit).map(Some)
+        DeepTail::new(self.function, self.arms[arm], other, self.kernel, self.level, self.unit)
+            .map(Some)
     }
 
     /// ℓ_a(t) in units of S.
@@ -159,7 +166,8 @@ impl<'a> LogEnergy<'a> {
         let geometry = &self.arms[arm];
         let t: Vec<f64> = self.rule.points().iter().map(|p| from + width * p).collect();
         let epsilon: Vec<f64> = t.iter().map(|&t| geometry.delta(t)).collect();
-        let value = epsilon.iter().map(|&e| self.function.at(geometry, e)).collect::<Result<_>>()?;
+        let value =
+            epsilon.iter().map(|&e| self.function.at(geometry, e)).collect::<Result<_>>()?;
         let weight = epsilon.iter().zip(self.rule.weights()).map(|(e, w)| w * width * e).collect();
         Ok(CellSamples { t, weight, epsilon, value })
     }
@@ -231,9 +239,13 @@ impl<'a> LogEnergy<'a> {
         } else {
             // Arms of one break or one interval are treated above; between others lies at least half an
             // interval.
-            let (left, left_delta, right, right_delta) =
-                if a.anchor < b.anchor { (a, x.delta, b, epsilon) } else { (b, epsilon, a, x.delta) };
-            self.between(left.anchor, right.anchor) - left.sign * left_delta + right.sign * right_delta
+            let (left, left_delta, right, right_delta) = if a.anchor < b.anchor {
+                (a, x.delta, b, epsilon)
+            } else {
+                (b, epsilon, a, x.delta)
+            };
+            self.between(left.anchor, right.anchor) - left.sign * left_delta
+                + right.sign * right_delta
         }
     }
 

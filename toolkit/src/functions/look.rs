@@ -86,12 +86,17 @@ impl SingularFunction<'_> {
         far: f64,
     ) -> impl Iterator<Item = (f64, f64)> + '_ {
         let values = self.samples_of(index(arm));
-        let place = |delta: f64| (delta / arm.length * LOOKS as f64 - WITHIN).clamp(0.0, LOOKS as f64);
+        let place =
+            |delta: f64| (delta / arm.length * LOOKS as f64 - WITHIN).clamp(0.0, LOOKS as f64);
         let first = (place(near).floor() as usize).min(values.len());
         let end = ((place(far).ceil() as usize) + 1).min(values.len()).max(first);
         let arm = *arm;
         let of = move |(k, &value): (usize, &f64)| (distance(&arm, first + k), value);
-        values[first..end].iter().enumerate().map(of).filter(move |(delta, _)| *delta > near && *delta < far)
+        values[first..end]
+            .iter()
+            .enumerate()
+            .map(of)
+            .filter(move |(delta, _)| *delta > near && *delta < far)
     }
 
     /// The samples in a cell: their coordinates in it, from left to right 0 to 1, and the values.

@@ -140,7 +140,10 @@ impl SingularFunction<'_> {
         let Normalized { size, length, u } = self.normalized(tolerance)?;
         if q == f64::INFINITY {
             let back = |found: Estimate| found.times(size);
-            return u.largest(tolerance).map_err(|error| error.carry("L^inf norm", back)).and_then(back);
+            return u
+                .largest(tolerance)
+                .map_err(|error| error.carry("L^inf norm", back))
+                .and_then(back);
         }
         let back = |found: Estimate| found.times(length.powf(1.0 / q))?.times(size);
         let (waves, look) = u.l2_norm_of_waves(tolerance)?;
@@ -177,7 +180,8 @@ impl SingularFunction<'_> {
         let profile = Profile::of(&u);
         let (_, look) = u.l2_norm_of_waves(tolerance)?;
         let crude = Tolerance::fast().with_work(tolerance.work());
-        let size = Estimate::or_best(u.integral_of(&profile, &look, crude, 1.0, 1.0, f64::abs))?.value;
+        let size =
+            Estimate::or_best(u.integral_of(&profile, &look, crude, 1.0, 1.0, f64::abs))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -186,7 +190,8 @@ impl SingularFunction<'_> {
         let shift = 2.0 / length;
         let back = |shifted: Estimate| {
             let factor = size / length;
-            Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?.times(scale)
+            Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?
+                .times(scale)
         };
         u.integral_of(&profile, &look, tolerance, 0.3, 1.0, |u| u / size + shift)
             .map_err(|error| error.carry("mean", back))

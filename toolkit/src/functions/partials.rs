@@ -118,22 +118,26 @@ impl Partials {
     /// side; a power t^a with an exponent that cannot be told from 0 there is part of the error.
     pub(super) fn beside_a_jump(&self, decay: f64) -> Option<Limit> {
         const CONSTANT: f64 = 1e-10;
-        let (from, last) = (self.ends.partition_point(|&t| t < 0.8 * self.end()), self.ends.len() - 1);
+        let (from, last) =
+            (self.ends.partition_point(|&t| t < 0.8 * self.end()), self.ends.len() - 1);
         let [start, end] = [self.ends[from], self.ends[last]];
         let growth = (self.densities[last] / self.densities[from]).ln() + decay * (end - start);
         let off = growth.abs() + 8.0 * f64::EPSILON;
         let rest = self.densities[last] / decay;
         let powers = 1.0 + (1.0 / (decay * end)).ln().max(0.0) / (end / start).ln();
         let is_constant = from < last && off < CONSTANT && rest.is_finite();
-        is_constant
-            .then(|| Limit { value: self.sum() + rest, error: off * powers * rest.abs() + self.rounding })
+        is_constant.then(|| Limit {
+            value: self.sum() + rest,
+            error: off * powers * rest.abs() + self.rounding,
+        })
     }
 
     pub(super) fn limit(&self) -> Option<Limit> {
         // On the first cells the integrand still feels the whole interval.
         let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
         let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding);
-        let general = extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
+        let general =
+            extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
         let law = self.two_rates().and_then(|found| found.limit(self.sum()));
         general.into_iter().chain(law).min_by(|a, b| a.error.total_cmp(&b.error))
     }

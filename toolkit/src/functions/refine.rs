@@ -74,12 +74,13 @@ pub(super) fn refine(
         let work = Work { points, ..Work::default() };
         let beside_rules = current.tail + current.rounding;
         if let Some(coarse) = previous {
-            let error =
-                of_rules(&current, &coarse) + beside_rules + 64.0 * f64::EPSILON * current.value.abs();
+            let error = of_rules(&current, &coarse)
+                + beside_rules
+                + 64.0 * f64::EPSILON * current.value.abs();
             let estimate = Estimate::new(current.value, error, work)?;
             // All that is found of a function without variation is its rounding; what is more than that is a value.
-            let is_rounding =
-                estimate.error.max(estimate.value.abs()) <= ZERO && estimate.value <= estimate.error;
+            let is_rounding = estimate.error.max(estimate.value.abs()) <= ZERO
+                && estimate.value <= estimate.error;
             let is_zero = is_constant && is_rounding;
             if is_zero || estimate.relative_error() <= tolerance {
                 return Ok(estimate);

@@ -29,7 +29,13 @@ const ROUNDING: f64 = 3.0;
 const UNSEEN: f64 = 8.0;
 
 /// The contribution of one cell to the bound of |e|²_ν.
-pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, length: f64, total: f64) -> f64 {
+pub(super) fn of_residual(
+    kernel: PowerKernel,
+    degree: usize,
+    residual: f64,
+    length: f64,
+    total: f64,
+) -> f64 {
     let steep = 2.0 * ((degree + 2) as f64).powi(2);
     let beyond = expm1_over(-kernel.twice, (steep * total / length).ln());
     let near = residual * residual * kernel.scaling(length) * steep.powf(kernel.twice);
@@ -37,7 +43,11 @@ pub(super) fn of_residual(kernel: PowerKernel, degree: usize, residual: f64, len
 }
 
 /// The error of the rules of a level in |u|²_ν, in the unit of u, with the number of evaluations.
-pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) -> Result<(f64, u64)> {
+pub(super) fn missed(
+    u: &SingularFunction,
+    level: Level,
+    kernel: PowerKernel,
+) -> Result<(f64, u64)> {
     let n = level.points;
     let (rule, between) = (Rule::gauss_legendre(n)?, Rule::gauss_legendre(n + 1)?);
     let polynomials = |rule: &Rule| -> Vec<Vec<f64>> {
@@ -93,7 +103,11 @@ pub(super) fn missed(u: &SingularFunction, level: Level, kernel: PowerKernel) ->
 }
 
 /// The error of the rules of a level in ∫ f(u): on every cell the difference from a rule with one more point.
-pub(super) fn missed_of_integral(u: &SingularFunction, level: Level, f: impl Fn(f64) -> f64) -> Result<f64> {
+pub(super) fn missed_of_integral(
+    u: &SingularFunction,
+    level: Level,
+    f: impl Fn(f64) -> f64,
+) -> Result<f64> {
     let rules = [Rule::gauss_legendre(level.points)?, Rule::gauss_legendre(level.points + 1)?];
     let mut missed = 0.0;
     for arm in u.arms() {

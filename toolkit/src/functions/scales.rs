@@ -78,14 +78,15 @@ impl Profile {
     /// True if all values are equal to rounding.
     pub(super) fn is_constant(&self) -> bool {
         let all = || self.values.iter().chain(&self.evenly).flatten();
-        let (low, high) =
-            all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
+        let (low, high) = all()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), &v| (low.min(v), high.max(v)));
         high - low <= 4.0 * ULPS * high.abs().max(low.abs())
     }
 
     /// True if some interval is much longer than a neighbour.
     pub(super) fn is_unequal(&self) -> bool {
-        let quotient = |pair: &[Arm]| (pair[0].length / pair[1].length).max(pair[1].length / pair[0].length);
+        let quotient =
+            |pair: &[Arm]| (pair[0].length / pair[1].length).max(pair[1].length / pair[0].length);
         self.arms.windows(2).any(|pair| quotient(pair) > UNEQUAL)
     }
 
@@ -131,8 +132,13 @@ impl Profile {
             values.iter().enumerate().map(at).fold(f64::NEG_INFINITY, f64::max)
         };
         let evenly = self.arms.iter().zip(&self.evenly).map(evenly);
-        let largest = logs.arms.into_iter().flatten().chain(evenly).fold(f64::NEG_INFINITY, f64::max) / q;
-        if largest.is_finite() && largest.abs() > MODERATE { power_of_two(largest.exp()) } else { 1.0 }
+        let largest =
+            logs.arms.into_iter().flatten().chain(evenly).fold(f64::NEG_INFINITY, f64::max) / q;
+        if largest.is_finite() && largest.abs() > MODERATE {
+            power_of_two(largest.exp())
+        } else {
+            1.0
+        }
     }
 
     /// ln of δ |u|^q.

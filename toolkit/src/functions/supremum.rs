@@ -47,7 +47,12 @@ impl SingularFunction<'_> {
             for arm in self.arms() {
                 let peak = match self.peak(&arm, density, &look) {
                     Err(_) if self.work_left() == 0 => {
-                        return Err(Error::best_of("L^inf norm", tolerance.relative(), best, SPENT));
+                        return Err(Error::best_of(
+                            "L^inf norm",
+                            tolerance.relative(),
+                            best,
+                            SPENT,
+                        ));
                     }
                     other => other?,
                 };
@@ -127,8 +132,8 @@ impl SingularFunction<'_> {
                 places.extend((1..=count).map(|k| arm.depth * k as f64 / count as f64));
                 let mut near = 0.0;
                 for &far in look.cuts(arm, 0.0, arm.length).iter().chain([&arm.length]) {
-                    let inside =
-                        (0..density as usize).map(|k| near + (far - near) * (k as f64 + 0.5) / density);
+                    let inside = (0..density as usize)
+                        .map(|k| near + (far - near) * (k as f64 + 0.5) / density);
                     places.extend(inside.map(depth_of).filter(|&t| t < arm.depth));
                     near = far;
                 }
@@ -145,7 +150,8 @@ impl SingularFunction<'_> {
             if inside && values[k] > values[k - 1] && values[k] >= values[k + 1] {
                 let found = self.refined(arm, [at(k - 1), at(k + 1)])?;
                 // A search that ends below its start has met several maxima.
-                let (largest, missed) = (found.value.max(values[k]), (values[k] - found.value).max(0.0));
+                let (largest, missed) =
+                    (found.value.max(values[k]), (values[k] - found.value).max(0.0));
                 if largest >= peak.value {
                     (peak.value, peak.error) = (largest, found.error + missed);
                 }
@@ -187,10 +193,15 @@ mod tests {
     #[test]
     fn maxima_inside_at_breaks_and_infinite_ones() {
         let largest = |f: fn(f64) -> f64| {
-            SingularFunction::new(&[0.0, 1.0], f).unwrap().lq_norm(f64::INFINITY, Tolerance::balanced())
+            SingularFunction::new(&[0.0, 1.0], f)
+                .unwrap()
+                .lq_norm(f64::INFINITY, Tolerance::balanced())
         };
         let parabola = largest(|x| 4.0 * x * (1.0 - x)).unwrap();
-        assert!((parabola.value - 1.0).abs() <= parabola.error && parabola.error < 1e-12, "{parabola}");
+        assert!(
+            (parabola.value - 1.0).abs() <= parabola.error && parabola.error < 1e-12,
+            "{parabola}"
+        );
         let root = largest(|x| 1.0 - x.sqrt()).unwrap();
         assert!((root.value - 1.0).abs() <= root.error, "{root}");
         let steep = largest(|x| (7.0 * x).sin()).unwrap();

@@ -56,7 +56,8 @@ impl Triple {
         let root = square.max(0.0).sqrt();
         let q = 2.0 * (third / second) / (1.0 + r + root);
         let rate = -q.ln() / h;
-        let error = (8.0 * rounding / root.max(rounding.sqrt()) + 2.0 * rounding) / ((1.0 + r + root) * h);
+        let error =
+            (8.0 * rounding / root.max(rounding.sqrt()) + 2.0 * rounding) / ((1.0 + r + root) * h);
         let spread = if gap == 0.0 { h } else { (gap * h).exp_m1() / gap };
         let beta = ((second / third) * q - 1.0) / spread;
         let rest = third / rate * (1.0 - beta / (rate + gap));
@@ -79,7 +80,8 @@ impl TwoRates {
         let rounding = ROUNDING.max(OF_ONE * rounding);
         let last = t.len().checked_sub(1)?;
         let step = t[last] - t[last.checked_sub(1)?];
-        let even = (1..=last).rev().take_while(|&k| (t[k] - t[k - 1] - step).abs() < 1e-6 * step).count();
+        let even =
+            (1..=last).rev().take_while(|&k| (t[k] - t[k - 1] - step).abs() < 1e-6 * step).count();
         // The deep triple ends at the last value, the shallow one in the middle of the equidistant part.
         let quarter = even / 4;
         if quarter < 3 {
@@ -92,8 +94,8 @@ impl TwoRates {
         };
         let (shallow, deep) = (triple(last - 2 * quarter)?, triple(last)?);
         let apart = (shallow.rate - deep.rate).abs();
-        let agrees =
-            apart <= AGREED * deep.rate.abs() && deep.error + shallow.error <= AGREED * deep.rate.abs();
+        let agrees = apart <= AGREED * deep.rate.abs()
+            && deep.error + shallow.error <= AGREED * deep.rate.abs();
         agrees.then_some(Self { shallow, deep, rounding })
     }
 
@@ -121,8 +123,9 @@ mod tests {
         let t: Vec<f64> = (1..=48).map(|k| 14.0 * f64::from(k)).collect();
         for rate in [1e-6, 1e-4, 3e-3, 0.02] {
             for gap in [0.0, 1e-300, 1e-12, 1e-4, 1e-2] {
-                let law =
-                    |t: f64| (-rate * t).exp() * if gap == 0.0 { t } else { -(-gap * t).exp_m1() / gap };
+                let law = |t: f64| {
+                    (-rate * t).exp() * if gap == 0.0 { t } else { -(-gap * t).exp_m1() / gap }
+                };
                 let densities: Vec<f64> = t.iter().map(|&t| law(t)).collect();
                 let found = TwoRates::of(&t, &densities, gap, 0.0).unwrap();
                 assert!(found.decays());
@@ -131,10 +134,14 @@ mod tests {
                 let (shrunk, slower) = ((-rate * end).exp(), rate + gap);
                 let far = if gap == 0.0 { end } else { -(-gap * end).exp_m1() / gap };
                 let rest = shrunk * (1.0 / (rate * slower) + far / slower);
-                let rest = if gap == 0.0 { shrunk * (end / rate + 1.0 / (rate * rate)) } else { rest };
+                let rest =
+                    if gap == 0.0 { shrunk * (end / rate + 1.0 / (rate * rate)) } else { rest };
                 let limit = found.limit(0.0).unwrap();
                 let off = (limit.value - rest).abs();
-                assert!(off <= limit.error && limit.error <= 1e-4 * rest, "{rate} {gap}: {limit:?} {rest:e}");
+                assert!(
+                    off <= limit.error && limit.error <= 1e-4 * rest,
+                    "{rate} {gap}: {limit:?} {rest:e}"
+                );
             }
         }
         // Growth beyond doubt, and a power of t, are told apart.

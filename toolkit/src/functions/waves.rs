@@ -151,7 +151,10 @@ impl SingularFunction<'_> {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`].
-    pub(super) fn l2_norm_of_waves(&self, tolerance: Tolerance) -> Result<(Option<Estimate>, Look)> {
+    pub(super) fn l2_norm_of_waves(
+        &self,
+        tolerance: Tolerance,
+    ) -> Result<(Option<Estimate>, Look)> {
         let (waves, mut look) = self.waves((0.1 * tolerance.relative()).max(FLOOR), MOST)?;
         look.is_inside |= matches!(waves, Waves::Inside);
         let found = match waves {
@@ -177,7 +180,8 @@ impl SingularFunction<'_> {
         let (mut cells, mut slack) = (Vec::new(), Vec::new());
         let (mut is_smooth, mut is_inside, mut look) = (true, false, Look::default());
         for arm in self.arms() {
-            let Some((mut found, all)) = self.cells_of(&arm, &fit, most - cells.len().min(most))? else {
+            let Some((mut found, all)) = self.cells_of(&arm, &fit, most - cells.len().min(most))?
+            else {
                 return Ok((if is_smooth { Waves::TooMany } else { Waves::None }, Look::default()));
             };
             let ends = std::iter::once(0.0).chain(found.iter().map(|cell| cell.far));
@@ -258,7 +262,8 @@ impl SingularFunction<'_> {
     fn cell(&self, arm: &Arm, fit: &Fit, near: f64, far: f64) -> Result<Cell> {
         let least = arm.delta(arm.depth);
         let value = |delta: f64| self.at(arm, delta.max(least));
-        let local = |t: f64| if arm.sign > 0.0 { near + (far - near) * t } else { far - (far - near) * t };
+        let local =
+            |t: f64| if arm.sign > 0.0 { near + (far - near) * t } else { far - (far - near) * t };
         let ends = [value(local(0.0))?, value(local(1.0))?];
         let fault = std::cell::RefCell::new(None);
         let seen = |t: f64| {
@@ -269,7 +274,8 @@ impl SingularFunction<'_> {
         };
         let bubbles = bubbles_of(fit.degree, ends, seen)?;
         let piece = Piece { left: ends[0], right: ends[1], bubbles };
-        let (mut residual, mut low, mut high) = (0.0_f64, ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let (mut residual, mut low, mut high) =
+            (0.0_f64, ends[0].min(ends[1]), ends[0].max(ends[1]));
         for &t in fit.between.points() {
             let found = seen(t);
             residual = residual.max((found - piece.value(t)).abs());
@@ -325,7 +331,8 @@ fn is_graded(cells: &[Cell]) -> bool {
         }
         false
     };
-    (0..cells.len()).any(|k| sees_long(k, &mut (0..k).rev()) || sees_long(k, &mut (k + 1..cells.len())))
+    (0..cells.len())
+        .any(|k| sees_long(k, &mut (0..k).rev()) || sees_long(k, &mut (k + 1..cells.len())))
 }
 
 impl Resolved {
@@ -345,9 +352,10 @@ impl Resolved {
     /// The bound of |e|_ν.
     fn error(&self, order: Order) -> f64 {
         let (kernel, total) = (PowerKernel::new(order), self.u.mesh().total());
-        let squares = self.residuals.iter().zip(self.u.mesh().lengths()).map(|(residual, &length)| {
-            of_residual(kernel, self.degree, residual + 4.0 * f64::EPSILON, length, total)
-        });
+        let squares =
+            self.residuals.iter().zip(self.u.mesh().lengths()).map(|(residual, &length)| {
+                of_residual(kernel, self.degree, residual + 4.0 * f64::EPSILON, length, total)
+            });
         squares.sum::<f64>().sqrt()
     }
 }

@@ -25,7 +25,9 @@ impl Band {
         let lengths = partition.lengths();
         let n = lengths.len();
         Self {
-            diagonal: parallel::map_together(n + 1, TOGETHER, &|i| diagonal_linear(partition, cells, i)),
+            diagonal: parallel::map_together(n + 1, TOGETHER, &|i| {
+                diagonal_linear(partition, cells, i)
+            }),
             off_diagonals: vec![
                 parallel::map_together(n, TOGETHER, &|i| neighbours_linear(partition, cells, i)),
                 parallel::map_together(n - 1, TOGETHER, &|i| {
@@ -40,7 +42,9 @@ impl Band {
         let lengths = partition.lengths();
         let n = lengths.len();
         Self {
-            diagonal: parallel::map_together(n, TOGETHER, &|i| diagonal_constant(partition, cells, i)),
+            diagonal: parallel::map_together(n, TOGETHER, &|i| {
+                diagonal_constant(partition, cells, i)
+            }),
             off_diagonals: vec![parallel::map_together(n - 1, TOGETHER, &|i| {
                 -2.0 * cells.touching_constants(lengths[i], lengths[i + 1])
             })],

@@ -60,7 +60,11 @@ impl Circulant {
 
     fn blocked(column: &[f64], length: usize) -> Result<Self> {
         let six_step = SixStep::new(&eigenvalues(column, length)?);
-        Ok(Self { transform: Transform::Blocked(six_step), length, workspaces: Mutex::new(Vec::new()) })
+        Ok(Self {
+            transform: Transform::Blocked(six_step),
+            length,
+            workspaces: Mutex::new(Vec::new()),
+        })
     }
 
     /// Adds the product with the Toeplitz matrix: y += T x.
@@ -157,7 +161,10 @@ mod tests {
             let largest = a.iter().fold(0.0f64, |m, v| m.max(v.abs()));
             let worst = a.iter().zip(&b).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
             println!("{size}: {:.1e}", worst / largest);
-            assert!(worst <= TRANSFORM_TOLERANCE * largest, "{size}: {worst:e} against {largest:e}");
+            assert!(
+                worst <= TRANSFORM_TOLERANCE * largest,
+                "{size}: {worst:e} against {largest:e}"
+            );
         }
     }
 }

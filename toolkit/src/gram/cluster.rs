@@ -42,7 +42,11 @@ impl ClusterTree {
 
     /// The tree with leaves of at most `leaf` elements in which clusters end only at nodes that `may_cut`
     /// admits.
-    pub(crate) fn with_leaves(partition: &Mesh, leaf: usize, may_cut: impl Fn(usize) -> bool) -> Self {
+    pub(crate) fn with_leaves(
+        partition: &Mesh,
+        leaf: usize,
+        may_cut: impl Fn(usize) -> bool,
+    ) -> Self {
         let mut tree = Self { clusters: Vec::new() };
         tree.grow(partition.lengths(), 0, partition.len(), leaf, &may_cut);
         tree
@@ -62,7 +66,9 @@ impl ClusterTree {
         let cut = if end - first <= leaf {
             None
         } else {
-            (middle..end).find(|&k| may_cut(k)).or_else(|| (first + 1..middle).rev().find(|&k| may_cut(k)))
+            (middle..end)
+                .find(|&k| may_cut(k))
+                .or_else(|| (first + 1..middle).rev().find(|&k| may_cut(k)))
         };
         if let Some(cut) = cut {
             let mut child = |from, to| self.grow(lengths, from, to, leaf, may_cut);

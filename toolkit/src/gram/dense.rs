@@ -117,7 +117,12 @@ pub(crate) fn tridiagonal(diagonal: &[f64], beside: &[f64]) -> DMatrix<f64> {
 }
 
 /// Adds m M x to y, M the matrix of L² given by [`mass_linears`].
-pub(crate) fn add_mass(m: f64, (diagonal, beside): &(Vec<f64>, Vec<f64>), x: &[f64], y: &mut [f64]) {
+pub(crate) fn add_mass(
+    m: f64,
+    (diagonal, beside): &(Vec<f64>, Vec<f64>),
+    x: &[f64],
+    y: &mut [f64],
+) {
     for i in 0..x.len() {
         y[i] += m * diagonal[i] * x[i];
         if i + 1 < x.len() {
@@ -138,7 +143,13 @@ pub(crate) fn require_constants_finite(order: Order) -> Result<()> {
 }
 
 /// ∫\_{cell i} ∫\_{cell j} |x−y|^{-1-2ν} for i < j, where the lengths between the cells add up to `gap`.
-pub(crate) fn constants_on(partition: &Mesh, cells: &CellPairs, i: usize, j: usize, gap: f64) -> f64 {
+pub(crate) fn constants_on(
+    partition: &Mesh,
+    cells: &CellPairs,
+    i: usize,
+    j: usize,
+    gap: f64,
+) -> f64 {
     let (p, q) = (partition.lengths()[i], partition.lengths()[j]);
     if j == i + 1 { cells.touching_constants(p, q) } else { cells.separate_constants(p, q, gap) }
 }

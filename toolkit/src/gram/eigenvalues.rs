@@ -173,23 +173,27 @@ pub(crate) fn extreme_eigenvalues(
     let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
     for first in [0, WINDOW / 2] {
         for x in vectors_of_windows(&small, count, first)? {
-            windows.push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
+            windows
+                .push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
         }
     }
     windows.sort_by(|a, b| b.0.total_cmp(&a.0));
     start.extend(windows.into_iter().take(TAKEN).map(|(_, x)| x));
-    let high = found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
+    let high =
+        found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
     Ok([low, high])
 }
 
 /// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.
 fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<Vec<f64>>> {
     let ends = (0..).map(|k| first + k * WINDOW).take_while(|&end| end < count);
-    let edges: Vec<usize> = [0].into_iter().chain(ends.filter(|&end| end > 0)).chain([count]).collect();
+    let edges: Vec<usize> =
+        [0].into_iter().chain(ends.filter(|&end| end > 0)).chain([count]).collect();
     let windows: Vec<Range<usize>> = edges.windows(2).map(|pair| pair[0]..pair[1]).collect();
     // Basis, its products with A and M; orthonormal with respect to M in each window.
-    let dot =
-        |window: &Range<usize>, a: &[f64], b: &[f64]| pairwise_dot(&a[window.clone()], &b[window.clone()]);
+    let dot = |window: &Range<usize>, a: &[f64], b: &[f64]| {
+        pairwise_dot(&a[window.clone()], &b[window.clone()])
+    };
     let [mut basis, mut images, mut masses]: [Vec<Vec<f64>>; 3] = Default::default();
     let mut x: Vec<f64> = (0..count)
         .map(|i| if i % 2 == 0 { 1.0 } else { -1.0 } * (1.0 + 0.3 * (1.7 * i as f64).cos()))
@@ -266,8 +270,12 @@ fn wave(mesh: &Mesh, basis: Basis, k: usize) -> Vec<f64> {
     let phase = |x: f64| std::f64::consts::PI * k as f64 * x / mesh.total();
     match basis {
         Basis::Hats => mesh.from_left().iter().map(|&x| phase(x).cos()).collect(),
-        Basis::InnerHats => mesh.from_left()[1..mesh.len()].iter().map(|&x| phase(x).sin()).collect(),
-        Basis::Indicators => mesh.from_left().windows(2).map(|x| phase(0.5 * (x[0] + x[1])).cos()).collect(),
+        Basis::InnerHats => {
+            mesh.from_left()[1..mesh.len()].iter().map(|&x| phase(x).sin()).collect()
+        }
+        Basis::Indicators => {
+            mesh.from_left().windows(2).map(|x| phase(0.5 * (x[0] + x[1])).cos()).collect()
+        }
     }
 }
 

@@ -47,7 +47,9 @@ impl Hierarchical {
         let tree = ClusterTree::new(partition);
         let blocks = tree.blocks(partition);
         let chebyshev = Chebyshev::new(points);
-        let near = parallel::over(&blocks.near, |&(a, b)| near_block(partition, cells, &tree, a, b, linears));
+        let near = parallel::over(&blocks.near, |&(a, b)| {
+            near_block(partition, cells, &tree, a, b, linears)
+        });
         // Polynomials of degree m − 1 times a hat.
         let rule = Rule::gauss_legendre(points / 2 + 1)?;
         let leaf_moments = parallel::over(&tree.clusters, |cluster| match cluster.children {
@@ -91,7 +93,8 @@ impl Hierarchical {
             let parent = &mut parents[m * c..];
             for (child, start, scale) in self.placed(c, children) {
                 for b in 0..m {
-                    self.chebyshev.lagrange(start + scale * self.chebyshev.points[b], &mut lagrange);
+                    self.chebyshev
+                        .lagrange(start + scale * self.chebyshev.points[b], &mut lagrange);
                     let value = scale * below[m * (child - c - 1) + b];
                     for (sum, l) in parent.iter_mut().zip(&lagrange) {
                         *sum += l * value;
@@ -125,8 +128,10 @@ impl Hierarchical {
                     let from_end = gap + here.length * points[if mirrored { m - 1 - a } else { a }];
                     let mut sum = 0.0;
                     for (b, q) in moment.iter().enumerate() {
-                        let t = from_end + there.length * points[if mirrored { b } else { m - 1 - b }];
-                        sum += q * self.kernel.scaling(t) * ((here.length / t) * (there.length / t));
+                        let t =
+                            from_end + there.length * points[if mirrored { b } else { m - 1 - b }];
+                        sum +=
+                            q * self.kernel.scaling(t) * ((here.length / t) * (there.length / t));
                     }
                     *value -= 2.0 * sum;
                 }
@@ -145,14 +150,16 @@ impl Hierarchical {
             if let Some(children) = clusters[c].children {
                 for (child, start, scale) in self.placed(c, children) {
                     for b in 0..m {
-                        self.chebyshev.lagrange(start + scale * self.chebyshev.points[b], &mut lagrange);
+                        self.chebyshev
+                            .lagrange(start + scale * self.chebyshev.points[b], &mut lagrange);
                         let sum: f64 = parent.iter().zip(&lagrange).map(|(p, l)| p * l).sum();
                         below[m * (child - c - 1) + b] += scale * sum;
                     }
                 }
             } else {
                 for (i, row) in self.leaf_moments[c].chunks_exact(m).enumerate() {
-                    y[clusters[c].first + i] += row.iter().zip(parent).map(|(v, p)| v * p).sum::<f64>();
+                    y[clusters[c].first + i] +=
+                        row.iter().zip(parent).map(|(v, p)| v * p).sum::<f64>();
                 }
             }
         }
@@ -175,7 +182,13 @@ impl Hierarchical {
 }
 
 /// The moments (1/D) ∫ φ ℓ_a over the leaf, for every (unknown, a).
-fn moments(lengths: &[f64], total: f64, chebyshev: &Chebyshev, rule: &Rule, linears: bool) -> Vec<f64> {
+fn moments(
+    lengths: &[f64],
+    total: f64,
+    chebyshev: &Chebyshev,
+    rule: &Rule,
+    linears: bool,
+) -> Vec<f64> {
     let m = chebyshev.points.len();
     let unknowns = lengths.len() + usize::from(linears);
     let mut values = vec![0.0; unknowns * m];

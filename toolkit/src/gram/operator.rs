@@ -58,10 +58,15 @@ impl GramOperator {
     }
 
     /// The operator on the whole line, for the hat functions of the N − 1 inner nodes.
-    pub(crate) fn zero_outside(partition: &Mesh, order: Order, tolerance: Tolerance) -> Result<Self> {
+    pub(crate) fn zero_outside(
+        partition: &Mesh,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Self> {
         let mut operator = Self::linears(partition, order, tolerance)?;
         let (diagonal, beside) = exterior_linears(partition, order);
-        let whole_diagonal = operator.band.diagonal[1..].iter().zip(&diagonal).map(|(a, b)| a + b).collect();
+        let whole_diagonal =
+            operator.band.diagonal[1..].iter().zip(&diagonal).map(|(a, b)| a + b).collect();
         operator.exterior = Some(Exterior { diagonal, beside, whole_diagonal });
         Ok(operator)
     }
@@ -81,14 +86,18 @@ impl GramOperator {
     ) -> Result<Self> {
         let cells = CellPairs::new(order);
         let kernel = PowerKernel::new(order);
-        let band =
-            if linears { Band::linears(partition, &cells) } else { Band::constants(partition, &cells) };
+        let band = if linears {
+            Band::linears(partition, &cells)
+        } else {
+            Band::constants(partition, &cells)
+        };
         let rest = match uniform {
             Some(h) if linears => OffBand::Uniform(Toeplitz::linears(partition, &cells, h)?),
             Some(h) => OffBand::Uniform(Toeplitz::constants(partition, &cells, h)?),
             None => {
                 // ρ^{-m} = tolerance with ρ = 3 + √8; what is measured is smaller by some decades.
-                let points = (-tolerance.relative().ln() / (3.0 + 8f64.sqrt()).ln()).ceil() as usize;
+                let points =
+                    (-tolerance.relative().ln() / (3.0 + 8f64.sqrt()).ln()).ceil() as usize;
                 OffBand::Graded(Hierarchical::new(partition, &cells, kernel, linears, points)?)
             }
         };
@@ -134,8 +143,10 @@ impl GramOperator {
     fn apply_inside(&self, x: &[f64]) -> Result<Vec<f64>> {
         let share = 1.0 / x.len() as f64;
         // Pieces of fixed size: the sum does not depend on the number of threads.
-        let sums: Vec<f64> =
-            x.par_chunks(PIECE).map(|piece| piece.iter().map(|value| value * share).sum()).collect();
+        let sums: Vec<f64> = x
+            .par_chunks(PIECE)
+            .map(|piece| piece.iter().map(|value| value * share).sum())
+            .collect();
         let mean = sums.iter().sum::<f64>();
         if !mean.is_finite() {
             for (index, &value) in x.iter().enumerate() {
@@ -214,7 +225,10 @@ mod tests {
                 for i in (0..=n).filter(|_| matches!(operator.rest, OffBand::Graded(_))) {
                     let absolute: f64 = (0..=n).map(|j| (matrix[(i, j)] * x[j]).abs()).sum();
                     let off = (product[i] - exact[i]).abs();
-                    assert!(off <= PRODUCT_TOLERANCE * absolute, "{n} elements, entry {i}: {off:e}");
+                    assert!(
+                        off <= PRODUCT_TOLERANCE * absolute,
+                        "{n} elements, entry {i}: {off:e}"
+                    );
                 }
             }
         }

@@ -196,8 +196,10 @@ impl SixStep {
 
     fn rows_there_and_back(&self, blocks: &[C], pairs: &mut [C]) {
         let (rows, columns) = (self.rows, self.columns);
-        let scratch =
-            self.row_forward.get_inplace_scratch_len().max(self.row_inverse.get_inplace_scratch_len());
+        let scratch = self
+            .row_forward
+            .get_inplace_scratch_len()
+            .max(self.row_inverse.get_inplace_scratch_len());
         pairs.par_chunks_mut(2 * columns).enumerate().with_min_len(8).for_each_init(
             || vec![C::default(); scratch],
             |scratch, (p, pair)| {
@@ -216,7 +218,8 @@ impl SixStep {
                 } else {
                     for k in 0..columns {
                         let mirror = columns - 1 - k;
-                        (first[k], second[mirror]) = self.multiplied(p, k, first[k], second[mirror]);
+                        (first[k], second[mirror]) =
+                            self.multiplied(p, k, first[k], second[mirror]);
                     }
                 }
                 self.row_inverse.process_with_scratch(pair, scratch);

@@ -84,7 +84,8 @@ impl Spectral {
         let mut load = r.to_vec();
         self.without_mean(&mut load);
         // In order of the points: the sum does not depend on the number of threads.
-        let parts: Vec<Vec<f64>> = self.points.par_iter().map(|(_, factor)| factor.solve(&load)).collect();
+        let parts: Vec<Vec<f64>> =
+            self.points.par_iter().map(|(_, factor)| factor.solve(&load)).collect();
         out.par_chunks_mut(PIECE).enumerate().for_each(|(piece, out)| {
             out.fill(0.0);
             for ((weight, _), part) in self.points.iter().zip(&parts) {

@@ -79,7 +79,9 @@ impl Toeplitz {
                 let from = 1 + piece * PIECE;
                 let (left, mirrored) = (&self.end_row[from..], &self.end_row[..=last - from]);
                 let (mut first, mut final_row) = (0.0, 0.0);
-                for (((y, x_j), a), b) in y.iter_mut().zip(&x[from..]).zip(left).zip(mirrored.iter().rev()) {
+                for (((y, x_j), a), b) in
+                    y.iter_mut().zip(&x[from..]).zip(left).zip(mirrored.iter().rev())
+                {
                     *y += a * x[0] + b * x[last];
                     first += a * x_j;
                     final_row += b * x_j;

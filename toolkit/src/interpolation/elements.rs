@@ -29,7 +29,8 @@ impl ElementMesh {
             if cells == 0 {
                 return Err(Error::CountOutOfRange { name: "cells", value: 0, range: "[1, inf)" });
             }
-            let parts = mesh.lengths().iter().flat_map(|h| vec![h / mesh.total() / cells as f64; cells]);
+            let parts =
+                mesh.lengths().iter().flat_map(|h| vec![h / mesh.total() / cells as f64; cells]);
             Mesh::from_lengths(&parts.collect::<Vec<_>>())?
         };
         let elements = (0..mesh.len()).map(|e| e * cells..(e + 1) * cells).collect();

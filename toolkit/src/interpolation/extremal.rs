@@ -41,7 +41,11 @@ pub(super) fn largest(
 ) -> Result<Largest> {
     let fits = |cells: usize| mesh.len().saturating_mul(cells) <= MAX_CELLS;
     if !fits(FEWEST) {
-        return Err(Error::CountOutOfRange { name: "elements", value: mesh.len(), range: "[1, 1024]" });
+        return Err(Error::CountOutOfRange {
+            name: "elements",
+            value: mesh.len(),
+            range: "[1, 1024]",
+        });
     }
     let mut cells = if fits(first) { first } else { FEWEST };
     let mut work = Work { factorizations: 2, ..Work::default() };

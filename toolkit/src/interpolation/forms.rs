@@ -114,7 +114,8 @@ pub(super) fn dual_projection_form(mesh: &ElementMesh, length: f64) -> Result<DM
     let cells = mesh.cells();
     let size = cells.len() + 1;
     let norm = gram_linears(cells, Order::HALF) + mass_form(cells) * length;
-    let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
+    let broken =
+        || Error::NotPositiveDefinite { what: "Gram matrix of the H^{1/2} norm", pivot: size };
     let factor = Cholesky::new(&norm).ok_or_else(broken)?;
     let load = projection_form(mesh);
     let dual = transpose_times(&load, &factor.solve(&load));

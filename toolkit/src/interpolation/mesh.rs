@@ -25,7 +25,9 @@ pub(super) fn on_mesh(
 ) -> Result<BestConstant> {
     let total = require_length(mesh.total())?;
     let factor = scale(norm, s.value(), total);
-    let forms = |cells: &ElementMesh| Ok((seminorm_form(cells.cells(), s), error_form(norm, cells, total)?));
+    let forms = |cells: &ElementMesh| {
+        Ok((seminorm_form(cells.cells(), s), error_form(norm, cells, total)?))
+    };
     let found = largest(&mesh, FIRST, tolerance, forms)
         .map_err(|error| error.carry("interpolation constant", |best| best.times(factor)))?;
     let constant = found.root.times(factor)?;
@@ -104,7 +106,8 @@ mod tests {
         let mut squares = [0.0; 2];
         for range in mesh.elements() {
             let part = v.restrict(range.clone()).unwrap();
-            let (norm, mean) = (part.norm(0.0, 1e-12).unwrap().value, part.mean(1e-12).unwrap().value);
+            let (norm, mean) =
+                (part.norm(0.0, 1e-12).unwrap().value, part.mean(1e-12).unwrap().value);
             squares[1] += norm * norm - part.mesh().unwrap().total() * mean * mean;
             let root = Estimate::new(seminorm, 0.0, Default::default()).unwrap();
             let found = Largest { root, mesh: mesh.clone(), values: slope.to_vec() };
@@ -149,7 +152,10 @@ mod tests {
                     )
                 };
                 let share = found / best.unwrap().constant.value;
-                assert!((SHARE..=1.0 + 1e-8).contains(&share), "{norm:?} nu {nu} N {elements}: {share}");
+                assert!(
+                    (SHARE..=1.0 + 1e-8).contains(&share),
+                    "{norm:?} nu {nu} N {elements}: {share}"
+                );
             }
         }
     }
@@ -162,7 +168,8 @@ mod tests {
         for norm in [ErrorNorm::L2, ErrorNorm::Derivative, ErrorNorm::H1] {
             let found = on_mesh(mesh.clone(), norm, s, Tolerance::new(1e-2).unwrap()).unwrap();
             let element =
-                super::super::element::on_interval(longest, norm, s, Tolerance::balanced()).unwrap();
+                super::super::element::on_interval(longest, norm, s, Tolerance::balanced())
+                    .unwrap();
             // Never above that of the longest element, and not far below.
             let share = found.constant.value / element.constant.value;
             assert!(share < 1.0 && share > 0.6, "{norm:?}: {share}");

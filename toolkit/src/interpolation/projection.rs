@@ -86,7 +86,9 @@ fn on_one(h: f64, norm: ErrorNorm, r: UnitOrder, tolerance: Tolerance) -> Result
     let none = Work::default();
     match (norm, r) {
         (ErrorNorm::L2, UnitOrder::Zero) => Ok(BestConstant::exact(Estimate::new(1.0, 0.0, none)?)),
-        (ErrorNorm::L2, UnitOrder::One) => BestConstant::exact(Estimate::new(FRAC_1_PI, 0.0, none)?).times(h),
+        (ErrorNorm::L2, UnitOrder::One) => {
+            BestConstant::exact(Estimate::new(FRAC_1_PI, 0.0, none)?).times(h)
+        }
         (ErrorNorm::L2, UnitOrder::Inner(order)) => of_mean(h, order, tolerance),
         (ErrorNorm::Dual, r) => {
             let factor = h.powf(r.value() + 0.5);
@@ -94,8 +96,12 @@ fn on_one(h: f64, norm: ErrorNorm, r: UnitOrder, tolerance: Tolerance) -> Result
                 .map_err(|error| error.carry("projection constant", |best| best.times(factor)))?;
             BestConstant::new(constant, constant, None).times(factor)
         }
-        (ErrorNorm::At(x), UnitOrder::One) => BestConstant::exact(pointwise(x / h)?).times(h.sqrt()),
-        (ErrorNorm::At(_), _) => Err(norm.refused("an order below 1", "L2 or Dual; At(x) for r = 1")),
+        (ErrorNorm::At(x), UnitOrder::One) => {
+            BestConstant::exact(pointwise(x / h)?).times(h.sqrt())
+        }
+        (ErrorNorm::At(_), _) => {
+            Err(norm.refused("an order below 1", "L2 or Dual; At(x) for r = 1"))
+        }
         _ => Err(norm.refused("projection", "L2, Dual or At(x)")),
     }
 }
@@ -105,8 +111,10 @@ fn dual(r: UnitOrder, tolerance: Tolerance) -> Result<Estimate> {
     converge("projection constant in the dual norm", tolerance, |count| {
         let degrees = odd_degrees(count);
         let (half, mut work) = seminorm_gram(Order::HALF, &degrees)?;
-        let broken = || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: count };
-        let inverse = Cholesky::new(&half).ok_or_else(broken)?.solve(&DMatrix::identity(count, count));
+        let broken =
+            || Error::NotPositiveDefinite { what: "Gram matrix of the seminorm", pivot: count };
+        let inverse =
+            Cholesky::new(&half).ok_or_else(broken)?.solve(&DMatrix::identity(count, count));
         let form = match r {
             UnitOrder::Zero => DMatrix::identity(count, count),
             UnitOrder::One => stiffness_gram(&degrees),
@@ -122,7 +130,12 @@ fn dual(r: UnitOrder, tolerance: Tolerance) -> Result<Estimate> {
     })
 }
 
-fn on_mesh(mesh: &Mesh, norm: ErrorNorm, r: UnitOrder, tolerance: Tolerance) -> Result<BestConstant> {
+fn on_mesh(
+    mesh: &Mesh,
+    norm: ErrorNorm,
+    r: UnitOrder,
+    tolerance: Tolerance,
+) -> Result<BestConstant> {
     let total = require_length(mesh.total())?;
     let power = match norm {
         ErrorNorm::L2 => r.value(),

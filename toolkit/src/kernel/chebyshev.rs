@@ -18,7 +18,9 @@ impl Chebyshev {
         let angle = |k: usize| (k as f64 + 0.5) * std::f64::consts::PI / m as f64;
         Self {
             points: (0..m).map(|k| (0.5 * angle(k)).sin().powi(2)).collect(),
-            weights: (0..m).map(|k| if k % 2 == 0 { angle(k).sin() } else { -angle(k).sin() }).collect(),
+            weights: (0..m)
+                .map(|k| if k % 2 == 0 { angle(k).sin() } else { -angle(k).sin() })
+                .collect(),
         }
     }
 
@@ -46,15 +48,19 @@ impl Chebyshev {
     fn error(&self, kernel: &impl Fn(f64, f64) -> f64) -> f64 {
         let m = self.points.len();
         let place = |k: usize| k as f64 / (PLACES - 1) as f64;
-        let values: Vec<Vec<f64>> =
-            self.points.iter().map(|&s| self.points.iter().map(|&t| kernel(s, t)).collect()).collect();
+        let values: Vec<Vec<f64>> = self
+            .points
+            .iter()
+            .map(|&s| self.points.iter().map(|&t| kernel(s, t)).collect())
+            .collect();
         let mut lagrange = vec![vec![0.0; m]; PLACES];
         lagrange.iter_mut().enumerate().for_each(|(k, row)| self.lagrange(place(k), row));
         let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(a, b)| a * b).sum() };
         let mut largest = 0.0_f64;
         for (k, along_s) in lagrange.iter().enumerate() {
-            let row: Vec<f64> =
-                (0..m).map(|b| along_s.iter().zip(&values).map(|(l, row)| l * row[b]).sum()).collect();
+            let row: Vec<f64> = (0..m)
+                .map(|b| along_s.iter().zip(&values).map(|(l, row)| l * row[b]).sum())
+                .collect();
             for (j, along_t) in lagrange.iter().enumerate() {
                 let exact = kernel(place(k), place(j));
                 largest = largest.max((dot(&row, along_t) / exact - 1.0).abs());

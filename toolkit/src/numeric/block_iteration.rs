@@ -120,7 +120,10 @@ pub(crate) fn smallest(
             squares += pairwise_dot(r, &pencil.mass_inverse(r)).max(0.0);
             let size = f64::sqrt(squares);
             let gap = values.get(k + 1).map_or(0.0, |next| next - values[0] - size);
-            error = f64::min(error, if pencil.is_separated() && gap > size { squares / gap } else { size });
+            error = f64::min(
+                error,
+                if pencil.is_separated() && gap > size { squares / gap } else { size },
+            );
         }
         if error <= tolerance * values[0].abs() || steps == most {
             if is_renewed || steps == most {
@@ -164,7 +167,8 @@ fn ritz(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let (sizes, vectors) = symmetric_eigen(&m)?;
     let largest = sizes.last().copied()?;
     let kept: Vec<usize> = (0..n).filter(|&k| sizes[k] > DEPENDENT * largest).collect();
-    let reduce = DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
+    let reduce =
+        DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
     let (values, inner) = symmetric_eigen(&(reduce.transpose() * a * &reduce))?;
     Some((values, reduce * inner))
 }
@@ -177,18 +181,21 @@ fn ritz_of_inverse(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
     if units.iter().any(|unit| !unit.is_finite()) {
         return ritz(basis);
     }
-    let scaled = |of: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| units[i] * of[(i, j)] * units[j]);
+    let scaled =
+        |of: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| units[i] * of[(i, j)] * units[j]);
     let (sizes, vectors) = symmetric_eigen(&scaled(&a))?;
     let largest = sizes.last().copied()?;
     let kept: Vec<usize> = (0..n).filter(|&k| sizes[k] > DEPENDENT * largest).collect();
-    let reduce = DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
+    let reduce =
+        DMatrix::from_fn(n, kept.len(), |i, k| vectors[(i, kept[k])] / sizes[kept[k]].sqrt());
     let (inverses, inner) = symmetric_eigen(&(reduce.transpose() * scaled(&m) * &reduce))?;
     let positive: Vec<usize> = (0..inverses.len()).rev().filter(|&k| inverses[k] > 0.0).collect();
     let values = positive.iter().map(|&k| inverses[k].recip()).collect();
     let unscaled = DMatrix::from_fn(n, kept.len(), |i, k| units[i] * reduce[(i, k)]);
     let all = unscaled * inner;
-    let vectors =
-        DMatrix::from_fn(n, positive.len(), |i, k| all[(i, positive[k])] / inverses[positive[k]].sqrt());
+    let vectors = DMatrix::from_fn(n, positive.len(), |i, k| {
+        all[(i, positive[k])] / inverses[positive[k]].sqrt()
+    });
     Some((values, vectors))
 }
 

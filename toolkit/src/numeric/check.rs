@@ -7,7 +7,11 @@ use fractional_sobolev_numeric::memory::shortage;
 ///
 /// # Errors
 /// [`Error::LengthMismatch`] with this `name`.
-pub(crate) fn require_length(name: &'static str, given: usize, expected: usize) -> Result<(), Error> {
+pub(crate) fn require_length(
+    name: &'static str,
+    given: usize,
+    expected: usize,
+) -> Result<(), Error> {
     if given == expected { Ok(()) } else { Err(Error::LengthMismatch { name, given, expected }) }
 }
 
@@ -31,7 +35,11 @@ pub(crate) fn require_finite_at(name: &'static str, index: usize, value: f64) ->
 ///
 /// # Errors
 /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-pub(crate) fn require_values(name: &'static str, values: &[f64], expected: usize) -> Result<(), Error> {
+pub(crate) fn require_values(
+    name: &'static str,
+    values: &[f64],
+    expected: usize,
+) -> Result<(), Error> {
     require_length(name, values.len(), expected)?;
     require_finite(name, values)
 }

@@ -2,10 +2,14 @@
 //! synchronisation dominates, and callers solve several problems at once.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::factor::{LltRegularization, cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::cholesky::llt::factor::{
+    LltRegularization, cholesky_in_place, cholesky_in_place_scratch,
+};
 use faer::linalg::evd::{ComputeEigenvectors, self_adjoint_evd, self_adjoint_evd_scratch};
 use faer::linalg::matmul::matmul;
-use faer::linalg::triangular_solve::{solve_lower_triangular_in_place, solve_upper_triangular_in_place};
+use faer::linalg::triangular_solve::{
+    solve_lower_triangular_in_place, solve_upper_triangular_in_place,
+};
 use faer::{Accum, Mat, MatMut, MatRef, Par};
 use nalgebra::DMatrix;
 
@@ -57,10 +61,17 @@ impl Cholesky {
     pub(crate) fn new(a: &DMatrix<f64>) -> Option<Self> {
         let (size, par) = (a.nrows(), threads(a.nrows()));
         let mut lower = view(a).to_owned();
-        let mut memory = MemBuffer::new(cholesky_in_place_scratch::<f64>(size, par, Default::default()));
+        let mut memory =
+            MemBuffer::new(cholesky_in_place_scratch::<f64>(size, par, Default::default()));
         let stack = MemStack::new(&mut memory);
-        cholesky_in_place(lower.as_mut(), LltRegularization::default(), par, stack, Default::default())
-            .ok()?;
+        cholesky_in_place(
+            lower.as_mut(),
+            LltRegularization::default(),
+            par,
+            stack,
+            Default::default(),
+        )
+        .ok()?;
         Some(Self(lower))
     }
 
@@ -99,8 +110,15 @@ pub(crate) fn symmetric_eigen(a: &DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64
         MemBuffer::new(self_adjoint_evd_scratch::<f64>(size, wanted, Par::Seq, Default::default()));
     let stack = MemStack::new(&mut memory);
     let diagonal = values.as_mut().col_mut(0).as_diagonal_mut();
-    self_adjoint_evd(matrix.as_ref(), diagonal, Some(vectors.as_mut()), Par::Seq, stack, Default::default())
-        .ok()?;
+    self_adjoint_evd(
+        matrix.as_ref(),
+        diagonal,
+        Some(vectors.as_mut()),
+        Par::Seq,
+        stack,
+        Default::default(),
+    )
+    .ok()?;
     let values = (0..size).map(|i| values[(i, 0)]).collect();
     Some((values, DMatrix::from_fn(size, size, |i, j| vectors[(i, j)])))
 }
@@ -110,7 +128,9 @@ mod tests {
     use super::*;
 
     fn some(rows: usize, columns: usize, seed: usize) -> DMatrix<f64> {
-        DMatrix::from_fn(rows, columns, |i, j| ((seed + i * i + 7 * j * j + 3 * i * j) as f64).sin())
+        DMatrix::from_fn(rows, columns, |i, j| {
+            ((seed + i * i + 7 * j * j + 3 * i * j) as f64).sin()
+        })
     }
 
     fn distance(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
@@ -134,7 +154,10 @@ mod tests {
             assert!(distance(&(other.l() * half), &right) < 1e-12);
             let (values, vectors) = symmetric_eigen(&gram).unwrap();
             assert!(values.is_sorted());
-            assert!((values[n - 1] / gram.symmetric_eigenvalues().max() - 1.0).abs() < 1e-13, "{n}");
+            assert!(
+                (values[n - 1] / gram.symmetric_eigenvalues().max() - 1.0).abs() < 1e-13,
+                "{n}"
+            );
             let back = &vectors * DMatrix::from_diagonal(&values.into()) * vectors.transpose();
             assert!(distance(&back, &gram) < 1e-12, "{n}");
             assert!(distance(&vectors.tr_mul(&vectors), &DMatrix::identity(n, n)) < 1e-12, "{n}");

@@ -50,7 +50,8 @@ impl Factored {
         // Rows of size ε change λ by ε²; without them the matrix is smaller and holds no subnormal numbers.
         let largest = |i: &usize| (0..size).map(|j| symmetric(*i, j).abs()).fold(0.0, f64::max);
         let kept: Vec<usize> = (0..size).filter(|i| largest(i) > INSIGNIFICANT).collect();
-        let essential = DMatrix::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
+        let essential =
+            DMatrix::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
         let (values, vectors) = symmetric_eigen(&essential).ok_or(indefinite(size))?;
         let last = values.len().checked_sub(1).ok_or(indefinite(size))?;
         let mut vector = DMatrix::zeros(size, 1);

@@ -44,7 +44,12 @@ impl PiecewisePolynomial {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
         let peak = self.largest()?;
         if q == f64::INFINITY || peak.value == 0.0 {
-            return accept("L^inf norm", peak, tolerance, "rounding of the values limits the accuracy");
+            return accept(
+                "L^inf norm",
+                peak,
+                tolerance,
+                "rounding of the values limits the accuracy",
+            );
         }
         let scale = peak.value;
         let total = self.mesh().total();
@@ -55,8 +60,15 @@ impl PiecewisePolynomial {
             if piece.bubbles.is_empty() {
                 sum.add(weight * linear_power(piece.left / scale, piece.right / scale, q));
             } else {
-                let mut integral =
-                    PowerIntegral { piece, scale, q, rule: &rule, tolerance, error: 0.0, points: 0 };
+                let mut integral = PowerIntegral {
+                    piece,
+                    scale,
+                    q,
+                    rule: &rule,
+                    tolerance,
+                    error: 0.0,
+                    points: 0,
+                };
                 let whole = integral.gauss(0.0, 1.0);
                 sum.add(weight * integral.bisect(0.0, 1.0, whole, MAX_DEPTH));
                 error += weight * integral.error;
@@ -128,11 +140,14 @@ impl PowerIntegral<'_> {
         let half = 0.5 * width;
         let (left, right) = (self.gauss(start, half), self.gauss(start + half, half));
         let difference = (left + right - whole).abs();
-        if difference <= 0.1 * self.tolerance.relative() * (left + right).max(1e-3 * width) || depth == 0 {
+        if difference <= 0.1 * self.tolerance.relative() * (left + right).max(1e-3 * width)
+            || depth == 0
+        {
             self.error += difference;
             return left + right;
         }
-        self.bisect(start, half, left, depth - 1) + self.bisect(start + half, half, right, depth - 1)
+        self.bisect(start, half, left, depth - 1)
+            + self.bisect(start + half, half, right, depth - 1)
     }
 }
 

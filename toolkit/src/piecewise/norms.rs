@@ -133,7 +133,8 @@ impl PiecewisePolynomial {
         // Exponents like 3 − 2ν are rounded, and they multiply logarithms of such lengths.
         let logarithm =
             self.mesh().lengths().iter().fold(0.0, |most: f64, length| most.max(length.ln().abs()));
-        let rounding = if unit == 1.0 { 0.0 } else { (4.0 + 0.15 * logarithm) * f64::EPSILON * root.value };
+        let rounding =
+            if unit == 1.0 { 0.0 } else { (4.0 + 0.15 * logarithm) * f64::EPSILON * root.value };
         Estimate::new(root.value, root.error + rounding, root.work)?.times(length)?.times(scale)
     }
 

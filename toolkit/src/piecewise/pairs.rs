@@ -149,11 +149,13 @@ impl PolynomialPairs {
             let along: Vec<f64> = self
                 .square_rule
                 .iter()
-                .map(
-                    |(xi, _)| {
-                        if mirrored { right.piece.quotient_left(xi) } else { left.piece.quotient_right(xi) }
-                    },
-                )
+                .map(|(xi, _)| {
+                    if mirrored {
+                        right.piece.quotient_left(xi)
+                    } else {
+                        left.piece.quotient_right(xi)
+                    }
+                })
                 .collect();
             // η from 0 to 1 runs over (0, length); the kernel's singularity lies at −x.
             self.rules.graded(x, length, |eta_length, w| {
@@ -171,12 +173,14 @@ impl PolynomialPairs {
                             }
                 };
                 let pairs = self.square_rule.iter().zip(&along);
-                let mut radial: f64 = pairs.map(|((xi, w), &alone)| w * difference(xi, alone).powi(2)).sum();
+                let mut radial: f64 =
+                    pairs.map(|((xi, w), &alone)| w * difference(xi, alone).powi(2)).sum();
                 if jump != 0.0 {
                     let sign = if mirrored { 2.0 } else { -2.0 };
                     // Both rules have the Gauss points.
                     let points = self.quotient_rule.iter().zip(&along);
-                    let linear: f64 = points.map(|((xi, w), &alone)| w * difference(xi, alone)).sum();
+                    let linear: f64 =
+                        points.map(|((xi, w), &alone)| w * difference(xi, alone)).sum();
                     radial += sign * jump * linear + jump * jump / self.kernel.one_minus;
                 }
                 sum.value += kernel * radial;

@@ -26,7 +26,15 @@ pub(crate) struct Piece {
 /// On an element of length h, with t ∈ (0, 1) from left to right, u(t) = u_L (1−t) + u_R t + t(1−t) Σ_k c_k
 /// P_k(2t−1): the values at the two ends and the bubbles. Continuity then concerns given numbers (u_R of one
 /// element equals u_L of the next one), not rounded sums.
-#[doc(alias("Gagliardo", "Slobodeckij", "fractional Sobolev", "H1/2", "P1", "P0", "finite element"))]
+#[doc(alias(
+    "Gagliardo",
+    "Slobodeckij",
+    "fractional Sobolev",
+    "H1/2",
+    "P1",
+    "P0",
+    "finite element"
+))]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct PiecewisePolynomial {
     partition: Mesh,
@@ -68,7 +76,11 @@ impl PiecewisePolynomial {
     ///
     /// # Errors
     /// [`Error::LengthMismatch`], [`Error::NotFinite`], [`Error::EntryOutOfRange`] for degrees above 20.
-    pub(crate) fn with_bubbles(partition: Mesh, ends: &[[f64; 2]], bubbles: Vec<Vec<f64>>) -> Result<Self> {
+    pub(crate) fn with_bubbles(
+        partition: Mesh,
+        ends: &[[f64; 2]],
+        bubbles: Vec<Vec<f64>>,
+    ) -> Result<Self> {
         require_length("end values", ends.len(), partition.len())?;
         require_length("bubble coefficients", bubbles.len(), partition.len())?;
         let mut pieces = Vec::with_capacity(ends.len());
@@ -92,7 +104,11 @@ impl PiecewisePolynomial {
     /// # Errors
     /// [`Error::NotFinite`] if a value of f is not finite, [`Error::CountOutOfRange`] for degree 0 and for
     /// degrees above 20.
-    pub(crate) fn interpolate(partition: Mesh, degree: usize, f: impl Fn(f64) -> f64) -> Result<Self> {
+    pub(crate) fn interpolate(
+        partition: Mesh,
+        degree: usize,
+        f: impl Fn(f64) -> f64,
+    ) -> Result<Self> {
         if degree == 0 || degree > MAX_DEGREE {
             return Err(Error::CountOutOfRange {
                 name: "polynomial degree",
@@ -251,12 +267,15 @@ impl Piece {
     /// The values at several points.
     pub(crate) fn values(&self, points: &[f64]) -> Vec<f64> {
         let x: Vec<f64> = points.iter().map(|t| 2.0 * t - 1.0).collect();
-        let [mut sums, mut previous, mut current] = [0.0, 0.0, 1.0].map(|start| vec![start; points.len()]);
+        let [mut sums, mut previous, mut current] =
+            [0.0, 0.0, 1.0].map(|start| vec![start; points.len()]);
         for (k, c) in self.bubbles.iter().enumerate() {
             // (k + 1) P_{k+1} = (2k + 1) x P_k − k P_{k−1}
             let k = k as f64;
             let [up, down] = [(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0)];
-            for (((sum, before), now), x) in sums.iter_mut().zip(&mut previous).zip(&mut current).zip(&x) {
+            for (((sum, before), now), x) in
+                sums.iter_mut().zip(&mut previous).zip(&mut current).zip(&x)
+            {
                 *sum += c * *now;
                 (*before, *now) = (*now, up * x * *now - down * *before);
             }
@@ -266,7 +285,11 @@ impl Piece {
     }
 
     pub(crate) fn degree(&self) -> usize {
-        if self.bubbles.is_empty() { usize::from(self.left != self.right) } else { self.bubbles.len() + 1 }
+        if self.bubbles.is_empty() {
+            usize::from(self.left != self.right)
+        } else {
+            self.bubbles.len() + 1
+        }
     }
 
     /// The quotient (u(t) − u_L)/t.
@@ -310,7 +333,11 @@ fn lagrange(values: &[f64], t: f64) -> f64 {
 
 /// The coefficients of (f − linear part)/(t(1−t)) with respect to P_0 ... P_{degree−2}: exact if f is a
 /// polynomial of that degree.
-pub(crate) fn bubbles_of(degree: usize, [left, right]: [f64; 2], f: impl Fn(f64) -> f64) -> Result<Vec<f64>> {
+pub(crate) fn bubbles_of(
+    degree: usize,
+    [left, right]: [f64; 2],
+    f: impl Fn(f64) -> f64,
+) -> Result<Vec<f64>> {
     let count = degree.saturating_sub(1);
     let mut coefficients = vec![0.0; count];
     if count == 0 {
@@ -360,6 +387,9 @@ mod tests {
         assert!(PiecewisePolynomial::interpolate(partition(), 21, |x| x).is_err());
         let long = vec![vec![], vec![0.0; 24]];
         let found = PiecewisePolynomial::with_bubbles(partition(), &[[0.0; 2]; 2], long);
-        assert!(matches!(found, Err(Error::EntryOutOfRange { index: 1, value: 25.0, .. })), "{found:?}");
+        assert!(
+            matches!(found, Err(Error::EntryOutOfRange { index: 1, value: 25.0, .. })),
+            "{found:?}"
+        );
     }
 }

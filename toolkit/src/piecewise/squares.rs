@@ -88,7 +88,9 @@ impl PiecewisePolynomial {
                 for j in i + 1..n {
                     let difference = pieces[i].left - pieces[j].left;
                     if difference != 0.0 {
-                        sum += constants_on(partition, &cells, i, j, gap.value()) * difference * difference;
+                        sum += constants_on(partition, &cells, i, j, gap.value())
+                            * difference
+                            * difference;
                     }
                     gap.add(partition.lengths()[j]);
                 }
@@ -105,7 +107,8 @@ impl PiecewisePolynomial {
         let mut nodal: Vec<f64> = self.pieces().iter().map(|piece| piece.left).collect();
         nodal.push(self.pieces()[n - 1].right);
         if n > DIRECT {
-            let product = || fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal);
+            let product =
+                || fast_form(&GramOperator::linears(partition, order, FAST_FORM)?, &nodal);
             if let Some(found) = self.faster(product, order, tolerance)? {
                 return Ok(found);
             }
@@ -116,7 +119,9 @@ impl PiecewisePolynomial {
             .map(|e| {
                 let entry = neighbours_linear(partition, &cells, e) * square(e, e + 1);
                 let (mut sum, mut absolute) = (-entry, entry.abs());
-                for (k, [near, far]) in FarRow::new(partition, &cells, e).values.into_iter().enumerate() {
+                for (k, [near, far]) in
+                    FarRow::new(partition, &cells, e).values.into_iter().enumerate()
+                {
                     let term = -near * square(e + 1, e + 2 + k) - far * square(e, e + 2 + k);
                     sum += term;
                     absolute += term;
@@ -169,7 +174,11 @@ fn fast_form(operator: &GramOperator, x: &[f64]) -> Result<Estimate> {
         // |x|ᵀ |A| |x| ≤ 2 Σ a_ii x_i², since rows sum to zero
         absolute += 2.0 * a * v * v;
     }
-    Estimate::new(sum.value(), FAST_ROUNDING * absolute, Work { points: x.len() as u64, ..Work::default() })
+    Estimate::new(
+        sum.value(),
+        FAST_ROUNDING * absolute,
+        Work { points: x.len() as u64, ..Work::default() },
+    )
 }
 
 /// True if the square of the seminorm is accurate to twice the tolerance.

@@ -80,9 +80,14 @@ impl<'a> FarField<'a> {
             kernel: InversePower::new(1.0 + s),
         };
         let leaf = |cluster: &Cluster| -> Result<Option<Moments>> {
-            if cluster.children.is_none() { field.of_leaf(cluster, source).map(Some) } else { Ok(None) }
+            if cluster.children.is_none() {
+                field.of_leaf(cluster, source).map(Some)
+            } else {
+                Ok(None)
+            }
         };
-        let mut moments = parallel::over(&tree.clusters, leaf).into_iter().collect::<Result<Vec<_>>>()?;
+        let mut moments =
+            parallel::over(&tree.clusters, leaf).into_iter().collect::<Result<Vec<_>>>()?;
         for (index, cluster) in tree.clusters.iter().enumerate().rev() {
             if let Some(children) = cluster.children {
                 let parts = children.map(|child| (child, moments[child].as_ref()));
@@ -102,9 +107,11 @@ impl<'a> FarField<'a> {
             let ([a, b, c], [u, v, w]) = (source.triangles[t], source.values[t]);
             for &(r, weight) in points(2, q + 1)? {
                 let mix = |a: f64, b: f64, c: f64| a + (r[0] * (b - a) + r[1] * (c - a));
-                let [x, y] = [0, 1].map(|k| self.nodes.lagrange(from_box(cluster, k, mix(a[k], b[k], c[k]))));
+                let [x, y] = [0, 1]
+                    .map(|k| self.nodes.lagrange(from_box(cluster, k, mix(a[k], b[k], c[k]))));
                 let value = mix(u - centre, v - centre, w - centre);
-                let weights = [1.0, value, value * value].map(|power| power * weight * source.areas[t]);
+                let weights =
+                    [1.0, value, value * value].map(|power| power * weight * source.areas[t]);
                 for (of, weight) in of.iter_mut().zip(weights) {
                     for (row, x) in of.chunks_mut(q).zip(&x) {
                         row.iter_mut().zip(&y).for_each(|(entry, y)| *entry += weight * x * y);
@@ -152,8 +159,9 @@ impl<'a> FarField<'a> {
         let (first, second) = (&self.moments[a], &self.moments[b]);
         let unit = power_of_two(left.distance(right));
         let half = unit.powf(-self.power);
-        let scaled =
-            |parts: [Vec<f64>; 3]| parts.map(|part| part.iter().map(|m| m * half).collect::<Vec<f64>>());
+        let scaled = |parts: [Vec<f64>; 3]| {
+            parts.map(|part| part.iter().map(|m| m * half).collect::<Vec<f64>>())
+        };
         let m = scaled(shifted(first, first.centre - second.centre));
         let n = scaled(second.of.clone());
         let grid = |cluster: &Cluster| -> Vec<Point> {

@@ -49,14 +49,20 @@ impl InversePower {
             term
         });
         let scale = |k: usize| 2f64.powi(FIRST + k as i32).powf(-power);
-        Self { power, pieces: (0..PIECES).map(piece).collect(), scales: std::array::from_fn(scale), series }
+        Self {
+            power,
+            pieces: (0..PIECES).map(piece).collect(),
+            scales: std::array::from_fn(scale),
+            series,
+        }
     }
 
     /// The value x^{-p} at a positive number x.
     #[inline]
     pub(super) fn at(&self, x: f64) -> f64 {
         let bits = x.to_bits();
-        let exponent = (bits >> MANTISSA).wrapping_sub((ONE >> MANTISSA).wrapping_add_signed(FIRST.into()));
+        let exponent =
+            (bits >> MANTISSA).wrapping_sub((ONE >> MANTISSA).wrapping_add_signed(FIRST.into()));
         let Some(scale) = self.scales.get(exponent as usize) else {
             return x.powf(-self.power);
         };
@@ -86,12 +92,21 @@ mod tests {
                 let exact = x.powf(-power);
                 assert!((fast.at(x) / exact - 1.0).abs() < 8.0 * f64::EPSILON, "{x}^-{power}");
             }
-            for x in
-                [1.0, 2.0, 2.0 - f64::EPSILON, 1.0 + f64::EPSILON, 1e-300, 1e300, f64::MIN_POSITIVE / 8.0]
-            {
+            for x in [
+                1.0,
+                2.0,
+                2.0 - f64::EPSILON,
+                1.0 + f64::EPSILON,
+                1e-300,
+                1e300,
+                f64::MIN_POSITIVE / 8.0,
+            ] {
                 let exact = x.powf(-power);
                 let found = fast.at(x);
-                assert!(found == exact || (found / exact - 1.0).abs() < 8.0 * f64::EPSILON, "{x}^-{power}");
+                assert!(
+                    found == exact || (found / exact - 1.0).abs() < 8.0 * f64::EPSILON,
+                    "{x}^-{power}"
+                );
             }
         }
     }

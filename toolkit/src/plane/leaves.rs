@@ -48,7 +48,8 @@ pub(super) fn too_near(distance: f64, size: f64) -> Error {
 
 /// The rule with n points in each direction on a simplex of that dimension.
 pub(super) fn points(dimension: usize, n: usize) -> Result<&'static Points> {
-    static KNOWN: [[OnceLock<Points>; MOST + 1]; 3] = [const { [const { OnceLock::new() }; MOST + 1] }; 3];
+    static KNOWN: [[OnceLock<Points>; MOST + 1]; 3] =
+        [const { [const { OnceLock::new() }; MOST + 1] }; 3];
     let known = &KNOWN[dimension][n];
     if let Some(points) = known.get() {
         return Ok(points);
@@ -128,7 +129,9 @@ impl Leaves {
             } else if size >= other {
                 open.extend(a.halves(edge).map(|half| (half, b, [0.5 * weight[0], weight[1]])));
             } else {
-                open.extend(b.halves(other_edge).map(|half| (a, half, [weight[0], 0.5 * weight[1]])));
+                open.extend(
+                    b.halves(other_edge).map(|half| (a, half, [weight[0], 0.5 * weight[1]])),
+                );
             }
         }
         Ok(sum)
@@ -185,7 +188,12 @@ type Placed<const K: usize> = Vec<(super::geometry::Point, [f64; K], f64)>;
 
 /// The points of a rule relative to the first corner of `origin`, in units, with the values there and the
 /// weights.
-fn placed<const K: usize>(s: &Simplex<K>, origin: &Simplex<K>, unit: f64, n: usize) -> Result<Placed<K>> {
+fn placed<const K: usize>(
+    s: &Simplex<K>,
+    origin: &Simplex<K>,
+    unit: f64,
+    n: usize,
+) -> Result<Placed<K>> {
     let (corners, origin) = (s.corners(), origin.corners()[0].at);
     let (first, second) = (corners[1.min(s.dimension())], corners[s.dimension()]);
     let start = corners[0];
@@ -195,7 +203,8 @@ fn placed<const K: usize>(s: &Simplex<K>, origin: &Simplex<K>, unit: f64, n: usi
             let at = (start.at[k] - origin[k]) / unit;
             at + (t[0] * (first.at[k] - start.at[k]) + t[1] * (second.at[k] - start.at[k])) / unit
         };
-        let values = std::array::from_fn(|k| mixed(start.values[k], first.values[k], second.values[k]));
+        let values =
+            std::array::from_fn(|k| mixed(start.values[k], first.values[k], second.values[k]));
         ([coordinate(0), coordinate(1)], values, w)
     };
     Ok(points(s.dimension(), n)?.iter().map(place).collect())

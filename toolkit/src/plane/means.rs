@@ -111,8 +111,10 @@ impl Means {
         let unit = power_of_two(height);
         let s = self.order.value();
         let half = |w: f64| w / unit * unit.powf(-s);
-        let factor =
-            half(weight[0]) * half(weight[1]) * (height / size) * (height / unit).powf(-2.0 - 2.0 * s);
+        let factor = half(weight[0])
+            * half(weight[1])
+            * (height / size)
+            * (height / unit).powf(-2.0 - 2.0 * s);
         // w − w(A) is a linear function of u: its value at the foot, and its slope.
         let ends: [[f64; 2]; K] =
             std::array::from_fn(|k| [b.values[k] - a.values[k], c.values[k] - a.values[k]]);
@@ -124,7 +126,8 @@ impl Means {
                 let theta = from + (cell as f64 + t) * width;
                 let u = height * theta.sinh();
                 let kernel = factor * w * width * theta.cosh().powf(-1.0 - 2.0 * s);
-                let difference: [f64; K] = std::array::from_fn(|k| slopes[k].mul_add(u, at_foot[k]));
+                let difference: [f64; K] =
+                    std::array::from_fn(|k| slopes[k].mul_add(u, at_foot[k]));
                 add_square(&mut entries, kernel, difference);
             }
         }

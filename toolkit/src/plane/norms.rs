@@ -62,7 +62,11 @@ impl PlaneFunction {
     /// # Errors
     /// [`Error::InfiniteNorm`] for s ≥ 1/2 unless the gradient is constant, and for a function that jumps; else
     /// as [`PlaneFunction::seminorm`].
-    pub(crate) fn norm_with_gradient(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    pub(crate) fn norm_with_gradient(
+        &self,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         if self.is_piecewise_constant() && !self.is_constant() {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
@@ -123,7 +127,13 @@ impl PlaneFunction {
     }
 
     /// |w|²_s for w divided by `unit` on the polygon divided by `extent`.
-    fn squared(&self, order: Order, tolerance: Tolerance, unit: f64, extent: f64) -> Result<Estimate> {
+    fn squared(
+        &self,
+        order: Order,
+        tolerance: Tolerance,
+        unit: f64,
+        extent: f64,
+    ) -> Result<Estimate> {
         let sum = PairSum::new(self, unit, extent);
         let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);
         let (mut best, mut work) = (None::<Estimate>, Work::default());
@@ -145,7 +155,8 @@ impl PlaneFunction {
             accuracy *= (SHARPER * goal / found.relative_error()).max(LEAST_SHARPER);
         }
         let why = "no quadrature rule gave a finite value";
-        let best = best.ok_or(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, why))?;
+        let best =
+            best.ok_or(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, why))?;
         Estimate::new(best.value, best.error, work)
     }
 }

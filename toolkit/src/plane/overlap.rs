@@ -41,8 +41,10 @@ fn among(
         let half = of.len() / 2;
         of.select_nth_unstable_by(half, |&a, &b| center(a).total_cmp(&center(b)));
         let cut = center(of[half]);
-        let left: Vec<usize> = of.iter().copied().filter(|&t| rectangles[t][axis][0] < cut).collect();
-        let right: Vec<usize> = of.iter().copied().filter(|&t| rectangles[t][axis][1] > cut).collect();
+        let left: Vec<usize> =
+            of.iter().copied().filter(|&t| rectangles[t][axis][0] < cut).collect();
+        let right: Vec<usize> =
+            of.iter().copied().filter(|&t| rectangles[t][axis][1] > cut).collect();
         if left.len() + right.len() <= of.len() + of.len() / 2 {
             let found = among(triangles, rectangles, left, depth + 1);
             return found.or_else(|| among(triangles, rectangles, right, depth + 1));
@@ -50,7 +52,9 @@ fn among(
     }
     of.sort_unstable_by(|&a, &b| rectangles[a][axis][0].total_cmp(&rectangles[b][axis][0]));
     for (k, &a) in of.iter().enumerate() {
-        for &b in of[k + 1..].iter().take_while(|&&b| rectangles[b][axis][0] < rectangles[a][axis][1]) {
+        for &b in
+            of[k + 1..].iter().take_while(|&&b| rectangles[b][axis][0] < rectangles[a][axis][1])
+        {
             let [[low, high], [from, to]] = [rectangles[a][1 - axis], rectangles[b][1 - axis]];
             if from < high && low < to && share_points(&triangles[a], &triangles[b]) {
                 return Some([a.min(b), a.max(b)]);

@@ -57,8 +57,7 @@ pub(crate) struct SectorPower {
 /// Number of points in each direction, and that of the rule for the error estimate.
 const POINTS: [usize; 2] = [16, 22];
 /// Message: what limits the accuracy.
-const LIMIT: &str =
-    "the largest number of quadrature points is reached, or rounding of a + 1 - s limits the accuracy";
+const LIMIT: &str = "the largest number of quadrature points is reached, or rounding of a + 1 - s limits the accuracy";
 /// Largest width of a cell.
 const CELL: f64 = 0.5;
 /// Largest opening angle; beyond it the two sides come close to each other.
@@ -120,13 +119,21 @@ impl SectorPower {
     ///
     /// # Errors
     /// As [`SectorPower::seminorm`], with a = p − 1.
-    pub(crate) fn gradient_seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Option<Estimate>> {
+    pub(crate) fn gradient_seminorm(
+        &self,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Option<Estimate>> {
         let power = self.exponent;
         if self.frequency != power {
             return Ok(None);
         }
-        let gradient =
-            Self { part: Part::Rotation, exponent: power - 1.0, frequency: (power - 1.0).abs(), ..*self };
+        let gradient = Self {
+            part: Part::Rotation,
+            exponent: power - 1.0,
+            frequency: (power - 1.0).abs(),
+            ..*self
+        };
         gradient.seminorm(order, tolerance)?.times(power.abs()).map(Some)
     }
 
@@ -163,7 +170,8 @@ impl SectorPower {
             for (t, w) in plain.iter() {
                 let size = inner * xi;
                 let scale = size * xi.powf(-power);
-                let both = self.density(order, size, size * t) + self.density(order, size * t, size);
+                let both =
+                    self.density(order, size, size * t) + self.density(order, size * t, size);
                 sum += inner * v * w * scale * both;
                 points += 2;
             }
@@ -172,7 +180,11 @@ impl SectorPower {
             for (s, v) in plain.iter() {
                 for (t, w) in plain.iter() {
                     let at = [u[0] + (u[1] - u[0]) * s, psi[0] + (psi[1] - psi[0]) * t];
-                    sum += v * w * (u[1] - u[0]) * (psi[1] - psi[0]) * self.density(order, at[0], at[1]);
+                    sum += v
+                        * w
+                        * (u[1] - u[0])
+                        * (psi[1] - psi[0])
+                        * self.density(order, at[0], at[1]);
                     points += 1;
                 }
             }
@@ -188,7 +200,8 @@ impl SectorPower {
             cuts
         };
         let widest = CELL.min(1.0 / self.frequency);
-        let (us, psis) = (grown(depth, 1.0 / (1.0 + self.exponent.abs())), grown(self.angle, widest));
+        let (us, psis) =
+            (grown(depth, 1.0 / (1.0 + self.exponent.abs())), grown(self.angle, widest));
         for (i, u) in us.windows(2).enumerate() {
             for (j, psi) in psis.windows(2).enumerate() {
                 if (i, j) != (0, 0) && psi[1] > psi[0] {
@@ -206,7 +219,8 @@ impl SectorPower {
         let half = (0.5 * b * psi).sin();
         // P of sin(bφ).
         let sines = |b: f64| {
-            let ends = (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
+            let ends =
+                (2.0 * b * rest).sin() + (2.0 * b * self.angle).sin() - (2.0 * b * psi).sin();
             rest - ends / (4.0 * b)
         };
         let (p, q) = match self.part {

@@ -73,17 +73,22 @@ impl PairSum {
         let pairs = tree.pairs();
         let leaf = |index: usize| &tree.order[tree.clusters[index].first..tree.clusters[index].end];
         let near = |[a, b]: &[usize; 2]| self.near(means, leaf(*a), leaf(*b));
-        let mut parts = parallel::over(&pairs.near, near).into_iter().collect::<Result<Vec<_>>>()?;
+        let mut parts =
+            parallel::over(&pairs.near, near).into_iter().collect::<Result<Vec<_>>>()?;
         let q = (-accuracy.ln() / FAR_GAIN).ceil() as usize;
         let q = q.clamp(FAR_POINTS.0, FAR_POINTS.1);
-        let source = Source { triangles: &self.triangles, values: &self.values, areas: &self.areas };
+        let source =
+            Source { triangles: &self.triangles, values: &self.values, areas: &self.areas };
         let mut far = [0.0; 2];
         for (sum, q) in far.iter_mut().zip([q - 1, q + 1]) {
             let field = FarField::new(&tree, &source, q, s)?;
             let found: Vec<(f64, u64)> = parallel::over(&pairs.far, |[a, b]| field.pair(*a, *b));
             *sum = 2.0 * compensated(found.iter().map(|part| part.0));
             let points = found.iter().map(|part| part.1).sum();
-            parts.push(([0.0; LEVELS], Work { points, pairs: found.len() as u64, ..Work::default() }));
+            parts.push((
+                [0.0; LEVELS],
+                Work { points, pairs: found.len() as u64, ..Work::default() },
+            ));
         }
         settled(&parts, far[1], FAR_SAFETY * (far[1] - far[0]).abs())
     }
@@ -99,7 +104,8 @@ impl PairSum {
                     continue;
                 }
                 let weight = [if i == j { 1.0 } else { 2.0 } * self.areas[i], self.areas[j]];
-                let mean = means.mean(&self.simplices[i], &self.simplices[j], weight, &mut work.points)?;
+                let mean =
+                    means.mean(&self.simplices[i], &self.simplices[j], weight, &mut work.points)?;
                 work.pairs += 1;
                 sums.iter_mut().zip(mean).for_each(|(sum, [[part]])| sum.add(part));
             }

@@ -43,7 +43,8 @@ impl Tree {
         let index = self.clusters.len();
         let places = || self.order[first..end].iter().flat_map(|&t| triangles[t]);
         let low = places().fold([f64::INFINITY; 2], |low, p| [low[0].min(p[0]), low[1].min(p[1])]);
-        let high = places().fold([f64::NEG_INFINITY; 2], |high, p| [high[0].max(p[0]), high[1].max(p[1])]);
+        let high =
+            places().fold([f64::NEG_INFINITY; 2], |high, p| [high[0].max(p[0]), high[1].max(p[1])]);
         self.clusters.push(Cluster { first, end, low, high, children: None });
         if end - first > LEAF {
             let k = usize::from(high[1] - low[1] > high[0] - low[0]);
@@ -71,7 +72,9 @@ impl Tree {
             match (left.children, right.children) {
                 (None, None) => pairs.near.push([a, b]),
                 (Some([c, d]), _) if a == b => open.extend([[c, c], [c, d], [d, d]]),
-                (Some(children), other) if other.is_none() || left.diagonal() >= right.diagonal() => {
+                (Some(children), other)
+                    if other.is_none() || left.diagonal() >= right.diagonal() =>
+                {
                     open.extend(children.map(|child| [child, b]));
                 }
                 (_, Some(children)) => open.extend(children.map(|child| [a, child])),
@@ -93,7 +96,8 @@ impl Cluster {
 
     /// The distance between the boxes.
     pub(super) fn distance(&self, other: &Self) -> f64 {
-        let gap = |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
+        let gap =
+            |k: usize| (self.low[k] - other.high[k]).max(other.low[k] - self.high[k]).max(0.0);
         length([gap(0), gap(1)])
     }
 }
@@ -119,7 +123,8 @@ mod tests {
             for i in a.first..a.end {
                 for j in b.first..b.end {
                     let (i, j) = (tree.order[i], tree.order[j]);
-                    count[300 * i.min(j) + i.max(j)] += if a.first == b.first && i > j { 0 } else { 1 };
+                    count[300 * i.min(j) + i.max(j)] +=
+                        if a.first == b.first && i > j { 0 } else { 1 };
                 }
             }
         }

@@ -72,7 +72,10 @@ impl Triangles {
                 let count = edges.entry(ends).or_insert(0);
                 *count += 1;
                 if *count > 2 {
-                    return Err(Error::Edge { nodes: ends, reason: "belongs to more than two triangles" });
+                    return Err(Error::Edge {
+                        nodes: ends,
+                        reason: "belongs to more than two triangles",
+                    });
                 }
             }
         }
@@ -109,12 +112,14 @@ impl Triangles {
         }
         require_memory("squares", columns.saturating_mul(rows), BYTES_OF_SQUARE)?;
         let node = |i: usize, j: usize| j * (columns + 1) + i;
-        let places = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
+        let places =
+            (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * h, j as f64 * h]));
         let pair = |i: usize, j: usize| {
             let [a, b, c, d] = [node(i, j), node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)];
             [[a, b, c], [a, c, d]]
         };
-        let triangles: Vec<_> = (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
+        let triangles: Vec<_> =
+            (0..rows).flat_map(|j| (0..columns).flat_map(move |i| pair(i, j))).collect();
         Self::new(&places.collect::<Vec<_>>(), &triangles)
     }
 
@@ -207,7 +212,9 @@ impl Triangles {
         let span = |k: usize| {
             let of = |node: &usize| self.nodes[*node][k];
             let ends = self.triangles.iter().flatten().map(of);
-            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+            ends.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+                (low.min(x), high.max(x))
+            })
         };
         let ((left, right), (bottom, top)) = (span(0), span(1));
         (right - left).max(top - bottom)

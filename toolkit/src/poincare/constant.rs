@@ -34,7 +34,13 @@ use crate::estimate::{Estimate, Tolerance};
 /// for very short zones in the interior; for several intervals far apart, the longest of length ℓ, also 4e-15
 /// ℓ^(2ν−1) for ν < 1/2), and for a condition at a point if ν is so close to 1/2 that the constant depends on
 /// distances below 1e-290.
-#[doc(alias("Poincare constant", "Poincaré constant", "Poincare inequality", "Friedrichs", "eigenfunction"))]
+#[doc(alias(
+    "Poincare constant",
+    "Poincaré constant",
+    "Poincare inequality",
+    "Friedrichs",
+    "eigenfunction"
+))]
 pub fn gamma(
     order: impl Given<Order>,
     constraint: impl Given<Constraint>,
@@ -46,7 +52,12 @@ pub fn gamma(
         let reached = SHORTEST_RADIUS.powf(2.0 * order.offset());
         if reached > tolerance.relative() {
             let why = "the order is so close to 1/2 that the constant depends on distances below the range of binary64";
-            return Err(Error::out_of_reach("Poincare constant", tolerance.relative(), reached, why));
+            return Err(Error::out_of_reach(
+                "Poincare constant",
+                tolerance.relative(),
+                reached,
+                why,
+            ));
         }
     }
     let found = attained(order, &constraint, tolerance)?;

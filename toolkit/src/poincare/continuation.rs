@@ -69,9 +69,12 @@ impl Continuation {
     /// The value of a positive quantity at the order, from its values at the points.
     pub(crate) fn value(&self, points: &[Estimate]) -> Result<Estimate> {
         let logarithm = |count: usize| -> (f64, f64) {
-            self.weights(count).iter().zip(points).fold((0.0, 0.0), |(sum, error), (weight, point)| {
-                (sum + weight * point.value.ln(), error + weight.abs() * point.relative_error())
-            })
+            self.weights(count).iter().zip(points).fold(
+                (0.0, 0.0),
+                |(sum, error), (weight, point)| {
+                    (sum + weight * point.value.ln(), error + weight.abs() * point.relative_error())
+                },
+            )
         };
         let ((all, error), (fewer, _)) = (logarithm(points.len()), logarithm(points.len() - 1));
         let (asked, reached) = (self.tolerance.relative(), error + (all - fewer).abs());

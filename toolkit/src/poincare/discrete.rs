@@ -63,11 +63,13 @@ impl Discrete {
         let parts: Vec<f64> = constraint.parts.iter().map(|l| l / unit).collect();
         let vanishes = constraint.condition == Condition::Vanishing;
         let (cells, ranges) = model.cells(&parts, if vanishes { &constraint.zones } else { &[] });
-        let zones: Vec<Range<usize>> = constraint.zones.iter().map(|&part| ranges[part].clone()).collect();
+        let zones: Vec<Range<usize>> =
+            constraint.zones.iter().map(|&part| ranges[part].clone()).collect();
         let hull = zones[0].start..zones[zones.len() - 1].end;
         let space = SlopeSpace::new(cells, PANEL_SPREAD);
         let local = Local::new(&space, &hull, order.one_minus_twice());
-        let links = if vanishes { Links::new(&space, local.as_ref(), &zones) } else { Links::default() };
+        let links =
+            if vanishes { Links::new(&space, local.as_ref(), &zones) } else { Links::default() };
         let (gram, mut work) = seminorm_gram(&space, local.as_ref(), order, model.points())?;
         let points = model.points() + 4;
         let primitives = Primitives::new(&space, &zones, points)?;
@@ -117,7 +119,8 @@ impl Discrete {
         let mass = self.mass(&centred);
         let size = mean.len();
         let unit: Vec<f64> = representer.iter().map(|x| x / square.sqrt()).collect();
-        let moved: Vec<f64> = (0..size).map(|i| (0..size).map(|j| mass[(i, j)] * unit[j]).sum()).collect();
+        let moved: Vec<f64> =
+            (0..size).map(|i| (0..size).map(|j| mass[(i, j)] * unit[j]).sum()).collect();
         let rayleigh = dot(&unit, &moved);
         let image = dot(&moved, &self.factored.solve(&moved));
         Ok(DualNorm { square, rayleigh, image })

@@ -27,7 +27,8 @@ impl SlopeSum {
     /// Σ w_k u_k for functions of nearby orders, after their signs are made to agree.
     pub(super) fn combined(weights: &[f64], functions: Vec<Self>) -> Self {
         let first = functions.first().map_or(Vec::new(), |u| u.profile(1));
-        let agrees = |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
+        let agrees =
+            |u: &Self| first.iter().map(|&(x, value)| value * u.value(x)).sum::<f64>() >= 0.0;
         let mut terms = Vec::new();
         for (&weight, function) in weights.iter().zip(functions) {
             let weight = if agrees(&function) { weight } else { -weight };
@@ -39,7 +40,9 @@ impl SlopeSum {
     fn profile_of_terms(&self, per_cell: usize) -> Vec<(f64, f64)> {
         match self.terms.as_slice() {
             [] => Vec::new(),
-            [(weight, only)] => only.profile(per_cell).into_iter().map(|(x, u)| (x, weight * u)).collect(),
+            [(weight, only)] => {
+                only.profile(per_cell).into_iter().map(|(x, u)| (x, weight * u)).collect()
+            }
             [(_, first), ..] => {
                 first.profile(per_cell).iter().map(|&(x, _)| (x, self.value_of_terms(x))).collect()
             }
@@ -89,8 +92,11 @@ impl SlopeFunction {
             .map(|&split| sum(0..split, |c| c.1) + sum(split..coefficients.len(), |c| c.0))
             .collect();
         let mut function = Self { space, unit: discrete.unit, coefficients, nodes };
-        let largest =
-            function.nodes.iter().copied().fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
+        let largest = function
+            .nodes
+            .iter()
+            .copied()
+            .fold(0.0, |a: f64, b| if b.abs() > a.abs() { b } else { a });
         if largest < 0.0 {
             function.nodes.iter_mut().for_each(|value| *value = -*value);
             function.coefficients.iter_mut().for_each(|value| *value = -*value);

@@ -69,7 +69,9 @@ pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance
         }
     };
     let expansion = match &form {
-        Form::Uniform(law) => Some([law.slope, law.constant, law.correction, law.second_correction]),
+        Form::Uniform(law) => {
+            Some([law.slope, law.constant, law.correction, law.second_correction])
+        }
         _ => None,
     };
     Ok(Law { exponent: order.offset().min(0.0), expansion, order, place, tolerance, form })
@@ -146,10 +148,9 @@ impl Law {
             Form::Power(factor) => factor.times(theta.powf(self.order.offset())),
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
-            Form::Unknown => {
-                Err(self
-                    .no_formula("the set of orders with a known law for a zone in the interior of (0, 1)"))
-            }
+            Form::Unknown => Err(self.no_formula(
+                "the set of orders with a known law for a zone in the interior of (0, 1)",
+            )),
         }
     }
 

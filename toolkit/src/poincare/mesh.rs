@@ -59,7 +59,9 @@ impl MeshModel {
             growth: 1.6,
             innermost: (0.1 * error).powf(1.0 / (1.0 + 2.0 * order.value())),
             innermost_at_zero: 0.1 * error,
-            innermost_at_point: (0.1 * error).powf(1.0 / order.one_minus_twice().abs()).max(SHORTEST_RADIUS),
+            innermost_at_point: (0.1 * error)
+                .powf(1.0 / order.one_minus_twice().abs())
+                .max(SHORTEST_RADIUS),
             decay: order.one_minus_twice().abs(),
             functions: (2.0 + 0.8 * digits).ceil().clamp(4.0, 14.0) as usize,
         }
@@ -112,9 +114,12 @@ impl MeshModel {
         };
         let left: Vec<f64> = parts[..part].iter().rev().scan(0.0, running).collect();
         let right: Vec<f64> = parts[part + 1..].iter().scan(0.0, running).collect();
-        let innermost = |neighbour: Option<usize>| match neighbour.and_then(|part| parts.get(part)) {
+        let innermost = |neighbour: Option<usize>| match neighbour.and_then(|part| parts.get(part))
+        {
             Some(0.0) => self.innermost_at_point,
-            Some(_) if neighbour.is_some_and(|part| frozen.contains(&part)) => self.innermost_at_zero,
+            Some(_) if neighbour.is_some_and(|part| frozen.contains(&part)) => {
+                self.innermost_at_zero
+            }
             _ => self.innermost,
         };
         let length = parts[part];

@@ -39,7 +39,8 @@ pub(super) fn rounding(order: Order, constraint: &Constraint) -> f64 {
     let inside = match sides {
         [Some(left), Some(right)] if theta > 0.0 => {
             let decades = (left.min(right) / theta).log10().max(0.0);
-            ROUNDING_INSIDE * (decades / 300.0).powi(2) + negligible_for_jumps(order.one_minus_twice())
+            ROUNDING_INSIDE * (decades / 300.0).powi(2)
+                + negligible_for_jumps(order.one_minus_twice())
         }
         _ => 0.0,
     };

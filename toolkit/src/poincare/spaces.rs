@@ -29,10 +29,16 @@ pub(super) struct Attained {
 }
 
 /// The constant γ with a function that attains it.
-pub(super) fn attained(order: Order, constraint: &Constraint, tolerance: Tolerance) -> Result<Attained> {
+pub(super) fn attained(
+    order: Order,
+    constraint: &Constraint,
+    tolerance: Tolerance,
+) -> Result<Attained> {
     let direct = |order, tolerance| on_two_spaces(order, constraint, tolerance);
     continued(order, constraint, tolerance, direct, |larger| {
-        let at = |order, tolerance| direct(order, tolerance).map(|found| (found.constant, found.function));
+        let at = |order, tolerance| {
+            direct(order, tolerance).map(|found| (found.constant, found.function))
+        };
         let (values, functions): (Vec<_>, Vec<_>) = larger.at_points(at)?.into_iter().unzip();
         let function = SlopeSum::combined(&larger.all_weights(), functions);
         Ok(Attained { constant: larger.value(&values)?, function, spaces: None })
@@ -70,7 +76,8 @@ fn on_two_spaces(order: Order, constraint: &Constraint, tolerance: Tolerance) ->
     type Solved = (f64, SlopeSum, Discrete);
     let join = |fine: Solved, coarse: Solved| {
         let (apart, work) = ((fine.0 - coarse.0).abs(), fine.2.work + coarse.2.work);
-        let (value, function) = if fine.0 >= coarse.0 { (fine.0, fine.1) } else { (coarse.0, coarse.1) };
+        let (value, function) =
+            if fine.0 >= coarse.0 { (fine.0, fine.1) } else { (coarse.0, coarse.1) };
         let constant = Estimate::new(value, apart + rounding * value, work)?;
         Ok(Attained { constant, function, spaces: Some(Arc::new([fine.2, coarse.2])) })
     };
@@ -128,13 +135,13 @@ fn refine<T: Send, R>(
                 target *= FINER;
             }
             // Rounding made the fine space degenerate: a coarser one may be good enough.
-            (Err(Error::NotPositiveDefinite { .. }), _) | (_, Err(Error::NotPositiveDefinite { .. })) => {
+            (Err(Error::NotPositiveDefinite { .. }), _)
+            | (_, Err(Error::NotPositiveDefinite { .. })) => {
                 target *= COARSER;
             }
             (Err(error), _) | (_, Err(error)) => return Err(error),
         }
     }
-    let why =
-        "rounding of the Gram matrices, which grows for short zones and small orders, limits the accuracy";
+    let why = "rounding of the Gram matrices, which grows for short zones and small orders, limits the accuracy";
     Err(Error::best_of("Poincare constant", asked, best, why))
 }

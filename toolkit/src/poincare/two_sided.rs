@@ -53,7 +53,13 @@ pub(super) fn two_sided(
         let (whole, dual_norm) = (whole()?, largest_mean(order, constraint, tolerance)?);
         let upper = (whole.value + whole.error).hypot(dual_norm.value + dual_norm.error);
         let upper = upper.max(gamma.value + gamma.error);
-        return Ok(GammaBounds { gamma, lower: gamma.value - gamma.error, upper, whole, dual_norm });
+        return Ok(GammaBounds {
+            gamma,
+            lower: gamma.value - gamma.error,
+            upper,
+            whole,
+            dual_norm,
+        });
     };
     let [fine, coarse] = spaces.as_ref();
     let duals = || rayon::join(|| fine.dual_norm(), || coarse.dual_norm());

@@ -64,7 +64,11 @@ impl UniformLaw {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
         } else if p > NEAR_HALF {
             let limit = mellin::reached(order, Tolerance::reference())?;
-            Estimate::new(p * limit.value * limit.value, 2.0 * p * limit.value * limit.error, limit.work)?
+            Estimate::new(
+                p * limit.value * limit.value,
+                2.0 * p * limit.value * limit.error,
+                limit.work,
+            )?
         } else {
             let [far, ..] = dual_moments(order, SHORTER, tolerance)?;
             let span = growth(SHORTER) - growth(SHORT);
@@ -96,8 +100,8 @@ impl UniformLaw {
 
     /// The root λ, by Newton's method starting from λ = s + d/s: the corrections are a few hundredths.
     fn square(&self, theta: f64) -> Result<f64> {
-        let s =
-            self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln()) + self.constant.value;
+        let s = self.slope.value * exp_quotient(self.order.one_minus_twice(), -theta.ln())
+            + self.constant.value;
         let (d, e) = (self.correction.value, self.second_correction.value);
         let mut lambda = s + d / s;
         for _ in 0..NEWTON {
@@ -128,14 +132,18 @@ mod tests {
         for nu in ["0.48", "1/2-1e-9", "1/2-1e-12", "1/2", "1/2+1e-9", "0.52"] {
             let nu: Order = nu.parse().unwrap();
             let law = UniformLaw::new(nu, Tolerance::balanced()).unwrap();
-            let found = |constraint| gamma(nu, constraint, Tolerance::balanced()).unwrap().constant.value;
+            let found =
+                |constraint| gamma(nu, constraint, Tolerance::balanced()).unwrap().constant.value;
             let short = found(Constraint::mean_zero_on(0.0..1e-40).unwrap());
             let predicted = law.gamma(1e-40).unwrap().value;
             let (lambda, whole) = (short * short, found(Constraint::mean_zero()).powi(2));
             let neglected =
                 0.5 * law.second_correction.value * whole / lambda.powi(4) / (1.0 - whole / lambda);
             let apart = (short / predicted - 1.0).abs();
-            assert!(apart < neglected + KNOWN, "nu {nu}: {short}, {predicted}, neglected {neglected:e}");
+            assert!(
+                apart < neglected + KNOWN,
+                "nu {nu}: {short}, {predicted}, neglected {neglected:e}"
+            );
         }
     }
 }

@@ -295,9 +295,11 @@ mod tests {
         points.dedup();
         let partition = Mesh::graded(&points, 14, 0.5).unwrap();
         let nodes = partition.nodes();
-        let inside =
-            |x: f64| zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12);
-        let (size, gram, mass) = (nodes.len(), gram_linears(&partition, order), mass_form(&partition));
+        let inside = |x: f64| {
+            zones.intervals().iter().any(|&(a, length)| x > a - 1e-12 && x < a + length + 1e-12)
+        };
+        let (size, gram, mass) =
+            (nodes.len(), gram_linears(&partition, order), mass_form(&partition));
         let mut mean = vec![0.0; size];
         for (k, pair) in nodes.windows(2).enumerate() {
             if inside(0.5 * (pair[0] + pair[1])) {
@@ -335,7 +337,10 @@ mod tests {
                     let (sharp, rough) =
                         (found(nu, zones.clone(), condition), with_linears(nu, &zones, condition));
                     let share = rough / sharp.value;
-                    assert!(share < 1.0 + 1e-6 && share > 0.96, "{zones}, {nu}, {condition:?}: {share}");
+                    assert!(
+                        share < 1.0 + 1e-6 && share > 0.96,
+                        "{zones}, {nu}, {condition:?}: {share}"
+                    );
                 }
             }
         }
@@ -353,10 +358,15 @@ mod tests {
                 let far = [[0.1, 1e-5, 0.6, 1e-4], [0.2, 1e-9, 0.5, 1e-10]];
                 for lengths in [[0.1, 0.05, 0.2, 1e-3], [0.3, 1e-8, 5e-8, 2e-8], far[0], far[1]] {
                     let zones = Zones::from_lengths(&lengths).unwrap();
-                    let (one, other) =
-                        (found(nu, zones.clone(), condition), found(nu, mirrored(&zones), condition));
+                    let (one, other) = (
+                        found(nu, zones.clone(), condition),
+                        found(nu, mirrored(&zones), condition),
+                    );
                     let apart = (one.value - other.value).abs();
-                    assert!(apart <= one.error + other.error, "{zones}, {nu}, {condition:?}: {apart:e}");
+                    assert!(
+                        apart <= one.error + other.error,
+                        "{zones}, {nu}, {condition:?}: {apart:e}"
+                    );
                 }
                 let single = found(nu, 0.3..0.5, condition);
                 let split = Zones::from_lengths(&[0.3, 0.1, 1e-9, 0.1 - 1e-9]).unwrap();

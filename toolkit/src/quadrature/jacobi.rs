@@ -36,7 +36,9 @@ pub(super) fn jacobi_rule(n: usize, alpha: f64, beta: f64) -> Result<Rule> {
     let found = parallel::over(&starts, |&start| recurrence.point(start));
     let points: Vec<f64> = found.iter().map(|(t, _)| *t).collect();
     let weights: Vec<f64> = found.iter().map(|(_, sum)| mass / sum).collect();
-    if weights.iter().any(|w| !(*w > 0.0 && w.is_finite())) || points.windows(2).any(|t| t[0] >= t[1]) {
+    if weights.iter().any(|w| !(*w > 0.0 && w.is_finite()))
+        || points.windows(2).any(|t| t[0] >= t[1])
+    {
         return Err(range());
     }
     Ok(Rule { points, weights })
@@ -130,7 +132,8 @@ impl Recurrence {
         }
         for first in 0..n {
             for step in 0.. {
-                let small = |k: &usize| e[*k].abs() <= 0.5 * f64::EPSILON * (d[*k].abs() + d[*k + 1].abs());
+                let small =
+                    |k: &usize| e[*k].abs() <= 0.5 * f64::EPSILON * (d[*k].abs() + d[*k + 1].abs());
                 let last = (first..n - 1).find(small).unwrap_or(n - 1);
                 if last == first {
                     break;
@@ -193,7 +196,8 @@ impl Recurrence {
             slopes += value.high * slope;
             let factor = t * inverse - a;
             let next = factor * value - before * previous;
-            let next_slope = inverse.high * value.high + factor.high * slope - before.high * previous_slope;
+            let next_slope =
+                inverse.high * value.high + factor.high * slope - before.high * previous_slope;
             (previous, value) = (value, next);
             (previous_slope, slope) = (slope, next_slope);
         }

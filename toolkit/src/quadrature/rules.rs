@@ -172,13 +172,20 @@ mod tests {
     #[test]
     fn jacobi_moments_are_beta_functions() {
         for n in [1, 2, 3, 5, 8, 13, 40] {
-            for (alpha, beta) in
-                [(0.0, 0.0), (-0.5, -0.5), (0.3, -0.7), (-0.9, 0.4), (1.6, -0.999), (0.0, 2.3), (-0.3, -0.7)]
-            {
+            for (alpha, beta) in [
+                (0.0, 0.0),
+                (-0.5, -0.5),
+                (0.3, -0.7),
+                (-0.9, 0.4),
+                (1.6, -0.999),
+                (0.0, 2.3),
+                (-0.3, -0.7),
+            ] {
                 let rule = Rule::gauss_jacobi(n, alpha, beta).unwrap();
                 for k in 0..2 * n {
                     let moment = rule.integrate(|t| t.powi(k as i32));
-                    let exact = libm::tgamma(alpha + 1.0) / libm::tgamma(alpha + beta + 2.0 + k as f64)
+                    let exact = libm::tgamma(alpha + 1.0)
+                        / libm::tgamma(alpha + beta + 2.0 + k as f64)
                         * libm::tgamma(beta + 1.0 + k as f64);
                     assert!(
                         (moment / exact - 1.0).abs() < MOMENT_TOLERANCE,
@@ -213,7 +220,10 @@ mod tests {
         let expected = bessel / count * (1.0 - 1.0 / (24.0 * count * count));
         assert!((angle / expected - 1.0).abs() < 1e-14, "{angle} {expected}");
         let raw = on_unit_interval(n)[0];
-        assert!((raw / polished - 1.0).abs() > 1e-12, "gauss-quad's point needs no polish any more");
+        assert!(
+            (raw / polished - 1.0).abs() > 1e-12,
+            "gauss-quad's point needs no polish any more"
+        );
         for n in [5, 64, 200] {
             let rule = Rule::gauss_legendre(n).unwrap();
             for (s, t) in rule.points().iter().zip(on_unit_interval(n)) {

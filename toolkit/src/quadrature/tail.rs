@@ -26,7 +26,12 @@ const SPACING: f64 = 0.75;
 /// error `noise`.
 ///
 /// `None` for fewer than 5 values.
-pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<Limit> {
+pub(crate) fn extrapolate(
+    t: &[f64],
+    partial: &[f64],
+    density: &[f64],
+    noise: f64,
+) -> Option<Limit> {
     if partial.len() < 5 {
         return None;
     }
@@ -47,7 +52,8 @@ pub(crate) fn extrapolate(t: &[f64], partial: &[f64], density: &[f64], noise: f6
 fn equidistant(t: &[f64], partial: &[f64]) -> Vec<f64> {
     let last = t.len() - 1;
     let step = t[last] - t[last - 1];
-    let steps = (1..=last).rev().take_while(|&k| (t[k] - t[k - 1] - step).abs() < 1e-6 * step).count();
+    let steps =
+        (1..=last).rev().take_while(|&k| (t[k] - t[k - 1] - step).abs() < 1e-6 * step).count();
     let stride = steps.div_ceil(15).max(1);
     let mut chosen: Vec<f64> = (0..=steps / stride).map(|k| partial[last - k * stride]).collect();
     chosen.reverse();
@@ -83,8 +89,12 @@ fn transform(t: &[f64], partial: &[f64], density: &[f64], noise: f64) -> Option<
             return None;
         }
         // 1 / Π_{i≠j} (1/t_j − 1/t_i), in units of the last t
-        let product: f64 =
-            t.iter().enumerate().filter(|&(i, _)| i != j).map(|(_, &ti)| end / tj - end / ti).product();
+        let product: f64 = t
+            .iter()
+            .enumerate()
+            .filter(|&(i, _)| i != j)
+            .map(|(_, &ti)| end / tj - end / ti)
+            .product();
         let weight = 1.0 / (product * tj * density[j]);
         numerator += weight * (partial[j] - base);
         denominator += weight;
@@ -134,7 +144,8 @@ fn best_settled(limits: &[Limit]) -> Option<Limit> {
     limits
         .windows(3)
         .map(|w| {
-            let (before, after) = ((w[1].value - w[0].value).abs(), (w[2].value - w[1].value).abs());
+            let (before, after) =
+                ((w[1].value - w[0].value).abs(), (w[2].value - w[1].value).abs());
             Limit { value: w[2].value, error: 2.0 * after.max(0.3 * before) + w[2].error }
         })
         .filter(|limit| limit.error.is_finite())
@@ -145,7 +156,12 @@ fn best_settled(limits: &[Limit]) -> Option<Limit> {
 mod tests {
     use super::*;
 
-    fn check(integral: impl Fn(f64) -> f64, density: impl Fn(f64) -> f64, limit: f64, required: f64) {
+    fn check(
+        integral: impl Fn(f64) -> f64,
+        density: impl Fn(f64) -> f64,
+        limit: f64,
+        required: f64,
+    ) {
         let t: Vec<f64> = (1..=15).map(|k| 45.0 * f64::from(k)).collect();
         let partial: Vec<f64> = t.iter().map(|&t| integral(t)).collect();
         let density: Vec<f64> = t.iter().map(|&t| density(t)).collect();

@@ -78,7 +78,8 @@ fn scaled(order: Order, tau: f64, a: f64) -> [f64; 2] {
         let twice = if k == 0 { 1.0 } else { 2.0 };
         let weight = twice * step * v.cosh().powf(-1.0 - 2.0 * s) / height.hypot(1.0);
         kernel += weight * (tau * u).cos();
-        let difference = (0.5 * order.complement() * u).sinh().powi(2) + (0.5 * tau * u).sin().powi(2);
+        let difference =
+            (0.5 * order.complement() * u).sinh().powi(2) + (0.5 * tau * u).sin().powi(2);
         rest += 2.0 * weight * difference;
     }
     let scale = (0.5 * a / sine).powf(1.0 + 2.0 * s);
@@ -96,7 +97,10 @@ mod tests {
             let table = AngularKernel::new(order, tau, 1e-10);
             for a in [2e-10, 1e-3, 0.4, 1.3, 3.0, PI] {
                 let ([k, d], [exact, rest]) = (table.at(a), scaled(order, tau, a));
-                assert!((k * a.powf(2.4) - exact).abs() < 1e-10 * scaled(order, 0.0, a)[0], "{tau} {a}");
+                assert!(
+                    (k * a.powf(2.4) - exact).abs() < 1e-10 * scaled(order, 0.0, a)[0],
+                    "{tau} {a}"
+                );
                 assert!((d * a.powf(0.4) / rest - 1.0).abs() < 1e-10, "{tau} {a}");
             }
         }

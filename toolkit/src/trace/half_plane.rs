@@ -28,7 +28,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub(super) fn half_plane_trace(order: Order) -> Result<Estimate> {
     let sigma = require_trace(order)?;
     // −π cot(πs) = π tan(πσ), from the nearer end.
-    let tangent = if sigma < 0.25 { (PI * sigma).tan() } else { (PI * order.complement()).tan().recip() };
+    let tangent =
+        if sigma < 0.25 { (PI * sigma).tan() } else { (PI * order.complement()).tan().recip() };
     let d = PI * tangent - digamma_above_one(2.0 * sigma);
     let value = 2.0 * order.value() / (2.0 * sigma * d).sqrt();
     // What the rounding of s itself does where 1 − s is small.

@@ -127,7 +127,9 @@ pub fn trace_quotient(
     let (s, tolerance) = (UnitOrder::new(s.given()?)?, tolerance.given()?);
     let found = match (&domain, s) {
         (Domain::Corner(angle), _) => mode(*angle, s, tau)?,
-        (Domain::HalfPlane, UnitOrder::Inner(order)) => WedgeTrace::half_plane(order)?.quotient(tau)?,
+        (Domain::HalfPlane, UnitOrder::Inner(order)) => {
+            WedgeTrace::half_plane(order)?.quotient(tau)?
+        }
         (Domain::HalfPlane, _) => {
             let flat = half_plane(s)?;
             Error::require("tau", tau, "[0, 100]", (0.0..=100.0).contains(&tau))?;
@@ -162,7 +164,9 @@ fn with_profile(found: BestConstant, s: UnitOrder) -> BestConstant {
         _ if y >= 0.0 => (-y).exp(),
         _ => f64::NAN,
     };
-    found.with_extremal(move |point| point.first_chunk().map_or(f64::NAN, |&[x, y]| x.cos() * profile(y)))
+    found.with_extremal(move |point| {
+        point.first_chunk().map_or(f64::NAN, |&[x, y]| x.cos() * profile(y))
+    })
 }
 
 /// The quotient of one mode of a corner.
@@ -179,7 +183,8 @@ fn mode(angle: f64, s: UnitOrder, tau: f64) -> Result<Estimate> {
 /// The largest quotient of the modes of a corner.
 fn largest_mode(angle: f64, s: UnitOrder) -> Result<Estimate> {
     let coarse = MODES.iter().map(|&tau| mode(angle, s, tau)).collect::<Result<Vec<_>>>()?;
-    let at = (0..MODES.len()).max_by(|&i, &j| coarse[i].value.total_cmp(&coarse[j].value)).unwrap_or(0);
+    let at =
+        (0..MODES.len()).max_by(|&i, &j| coarse[i].value.total_cmp(&coarse[j].value)).unwrap_or(0);
     let work = coarse.iter().fold(Work::default(), |work, found| work + found.work);
     let mut best = Estimate::new(coarse[at].value, coarse[at].error, work)?;
     // At τ = 0 the quotient is even; a maximum at the last mode is that of τ → ∞.

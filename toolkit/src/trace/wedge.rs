@@ -133,7 +133,9 @@ pub(super) fn quotient_at_one(angle: f64, tau: f64) -> Result<f64> {
     let x = PI * require_tau(tau)?;
     if x < 1e-3 {
         // x coth x − 1 = x²/3 − x⁴/45 + ...
-        return Ok(2.0 * PI * PI / (3.0 * angle) * (1.0 - x * x / 15.0 + (angle * tau).powi(2) / 3.0));
+        return Ok(
+            2.0 * PI * PI / (3.0 * angle) * (1.0 - x * x / 15.0 + (angle * tau).powi(2) / 3.0)
+        );
     }
     Ok(2.0 * (x / x.tanh() - 1.0) / (tau * (angle * tau).tanh()))
 }
@@ -149,7 +151,10 @@ mod tests {
         for (angle, tau) in [(FRAC_PI_2, 0.0), (1.0, 1.5)] {
             let found = WedgeTrace::corner(order, angle).unwrap().quotient(tau).unwrap();
             let limit = quotient_at_one(angle, tau).unwrap();
-            assert!((found.value * scale / limit - 1.0).abs() < 1e-3, "{angle} {tau}: {found} {limit}");
+            assert!(
+                (found.value * scale / limit - 1.0).abs() < 1e-3,
+                "{angle} {tau}: {found} {limit}"
+            );
         }
         // The rules come as close as 1 − s; the quotient goes to its limit like 1 − s.
         for distance in [1e-3, 1e-5, 1e-8] {
@@ -171,10 +176,16 @@ mod tests {
     fn the_half_plane_has_its_closed_form_down_to_one_half() {
         for distance in [1e-6, 1e-4, 1e-3, 1e-2] {
             let order = Order::half_plus(distance).unwrap();
-            let closed = crate::trace_constant(crate::Domain::HalfPlane, order, 1e-8).unwrap().constant.value;
+            let closed = crate::trace_constant(crate::Domain::HalfPlane, order, 1e-8)
+                .unwrap()
+                .constant
+                .value;
             for tau in [0.0, 4.0, 64.0] {
                 let found = WedgeTrace::half_plane(order).unwrap().quotient(tau).unwrap();
-                assert!((found.value - closed * closed).abs() <= found.error, "{distance:e} {tau}: {found}");
+                assert!(
+                    (found.value - closed * closed).abs() <= found.error,
+                    "{distance:e} {tau}: {found}"
+                );
             }
         }
     }

@@ -173,8 +173,11 @@ impl WedgeElements {
         let elements = self.cuts.len() - 1;
         let (last, count) = self.unknowns(elements - 1);
         let size = last + count;
-        let mut form =
-            AngularForm { matrix: DMatrix::zeros(size, size), linear: vec![0.0; size], constant: 0.0 };
+        let mut form = AngularForm {
+            matrix: DMatrix::zeros(size, size),
+            linear: vec![0.0; size],
+            constant: 0.0,
+        };
         form.matrix[(0, 0)] = self.first_energy()?;
         for e in 0..elements {
             for f in e..elements {
@@ -184,7 +187,14 @@ impl WedgeElements {
         Ok(form)
     }
 
-    fn add(&self, e: usize, f: usize, kernel: &AngularKernel, mirrored: bool, form: &mut AngularForm) {
+    fn add(
+        &self,
+        e: usize,
+        f: usize,
+        kernel: &AngularKernel,
+        mirrored: bool,
+        form: &mut AngularForm,
+    ) {
         let ((start, n), (other, m)) = (self.unknowns(e), self.unknowns(f));
         let offset = if f <= e + 1 { other - start } else { n };
         let all = offset + m;
@@ -200,7 +210,8 @@ impl WedgeElements {
                 near = 0.0;
             }
             if mirrored {
-                let to_end = |e: usize, x: f64| self.angle - self.cuts[e + 1] + self.size(e) * (1.0 - x);
+                let to_end =
+                    |e: usize, x: f64| self.angle - self.cuts[e + 1] + self.size(e) * (1.0 - x);
                 let [k, d] = kernel.at(to_end(e, x) + to_end(f, y));
                 (near, rest) = (near + k, rest + d);
             }
@@ -229,7 +240,8 @@ impl WedgeElements {
     fn first_energy(&self) -> Result<f64> {
         let s = self.order.value();
         let leading = PI.sqrt() * libm::tgamma(s + 0.5) / libm::tgamma(s + 1.0);
-        let power = closed_forms::power_seminorm_squared(2.0 * self.order.offset(), self.order)?.value;
+        let power =
+            closed_forms::power_seminorm_squared(2.0 * self.order.offset(), self.order)?.value;
         Ok(leading * self.cuts[1].powf(1.0 - 2.0 * s) * power)
     }
 }

@@ -10,7 +10,9 @@ fn poincare_constants_between_bounds_known_by_hand() {
     for _ in 0..cases(100) {
         let order = order(&mut random);
         let theta = decades(&mut random, -4.0, 0.0);
-        match gamma(order, Constraint::mean_zero_on(0.0..theta), Tolerance::fast()).map(|g| g.constant) {
+        match gamma(order, Constraint::mean_zero_on(0.0..theta), Tolerance::fast())
+            .map(|g| g.constant)
+        {
             Ok(found) => {
                 answered += 1;
                 let [low, high] = [found.value - found.error, found.value + found.error];
@@ -40,7 +42,8 @@ fn constant(order: Order, start: f64, theta: f64) -> Estimate {
 fn a_law_states_its_remainder() {
     let half_less = Order::half_plus(-1e-6).unwrap();
     let near = Order::new(0.49).unwrap();
-    let cases = [(half_less, 0.01), (half_less, 0.2), (half_less, 0.5), (near, 0.1), (near, 1e-300)];
+    let cases =
+        [(half_less, 0.01), (half_less, 0.2), (half_less, 0.5), (near, 0.1), (near, 1e-300)];
     for (order, theta) in cases {
         let (by_law, found) =
             (law(order, 0.0, 1e-8).unwrap().at(theta).unwrap(), constant(order, 0.0, theta));
@@ -60,8 +63,11 @@ fn random_laws_enclose_the_constant_at_every_order_length_and_place() {
             _ => Order::new(random.between(0.01, 0.99)),
         };
         let order = order.unwrap();
-        let theta =
-            if random.below(3) == 0 { decades(&mut random, -290.0, -2.0) } else { random.between(0.0, 0.99) };
+        let theta = if random.below(3) == 0 {
+            decades(&mut random, -290.0, -2.0)
+        } else {
+            random.between(0.0, 0.99)
+        };
         let place = match random.below(4) {
             0 => 0.0,
             1 => 1.0,

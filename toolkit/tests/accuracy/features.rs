@@ -17,7 +17,8 @@ struct Feature {
 
 fn feature(random: &mut SplitMix) -> Feature {
     let left = random.between(-2.0, 1.0);
-    let length = if random.below(4) == 0 { decades(random, -3.0, 3.0) } else { random.between(0.5, 3.0) };
+    let length =
+        if random.below(4) == 0 { decades(random, -3.0, 3.0) } else { random.between(0.5, 3.0) };
     let kind = random.below(3);
     // the bell's standard deviation is half of its width
     let width = length * decades(random, -2.699, -1.3);
@@ -75,7 +76,8 @@ fn undeclared(random: &mut SplitMix, kind: usize) -> Case {
         let [left, right] = u.ends;
         let order = if u.jumps { random.between(0.05, 0.4) } else { random.between(0.05, 0.9) };
         let asked = Tolerance::new(decades(random, -8.0, -3.0)).unwrap();
-        let breaks: Vec<f64> = std::iter::once(left).chain(u.inner.iter().copied()).chain([right]).collect();
+        let breaks: Vec<f64> =
+            std::iter::once(left).chain(u.inner.iter().copied()).chain([right]).collect();
         let declared = Function::from_fn(&breaks, &u.f).unwrap();
         let Ok(exact) = verb(kind % 8, order, &declared, asked) else { continue };
         // zeros of u and of its derivative are declared for other exponents
@@ -102,7 +104,13 @@ fn undeclared(random: &mut SplitMix, kind: usize) -> Case {
 }
 
 /// The norms of u − 0, on an interval that starts at 0, as a mesh does.
-fn shifted(u: &Feature, order: f64, kind: usize, asked: Tolerance, zero: &Function) -> Result<Estimate> {
+fn shifted(
+    u: &Feature,
+    order: f64,
+    kind: usize,
+    asked: Tolerance,
+    zero: &Function,
+) -> Result<Estimate> {
     let [left, right] = u.ends;
     let moved = Function::from_fn(&[0.0, right - left], |x| (u.f)(left + x))?;
     let difference = moved.minus(zero)?;
@@ -139,7 +147,9 @@ fn narrow_bells_of_the_issue_have_their_norms() {
     let bell = |c: f64, w: f64| move |x: f64| (-0.5 * ((x - c) / w).powi(2)).exp();
     let pi = std::f64::consts::PI;
     let alone = |w: f64| (w * pi.sqrt()).sqrt();
-    for (c, w) in [(0.137, 5e-4), (0.137, 1e-3), (0.0, 5e-4), (0.62, 0.005), (0.62, 0.004), (0.62, 0.006)] {
+    for (c, w) in
+        [(0.137, 5e-4), (0.137, 1e-3), (0.0, 5e-4), (0.62, 0.005), (0.62, 0.004), (0.62, 0.006)]
+    {
         let u = Function::from_fn(&[-1.0, 1.0], bell(c, w)).unwrap();
         let found = u.norm(0.0, 1e-8).unwrap();
         assert!((found.value - alone(w)).abs() <= found.error, "{c} {w}: {found}, {}", alone(w));

@@ -46,7 +46,10 @@ fn half_order_moment([mass, first]: &[Series; 2], length: f64, moment: Moment) -
         let root = (1.0 - s).sqrt();
         let w = s / (1.0 + root).powi(2);
         let ((m, em), (f, ef)) = (mass.at(w), first.at(w));
-        (a * m + b * f, a.abs() * (em + m.abs() * f64::EPSILON) + b.abs() * (ef + f.abs() * f64::EPSILON))
+        (
+            a * m + b * f,
+            a.abs() * (em + m.abs() * f64::EPSILON) + b.abs() * (ef + f.abs() * f64::EPSILON),
+        )
     };
     let rule = gauss_legendre(POINTS).unwrap();
     let over = |value: f64, t: f64| value / (t * (1.0 - length * t));
@@ -80,7 +83,8 @@ impl Series {
             for k in (1..=m).rev() {
                 let sign = if k % 2 == 1 { 1.0 } else { -1.0 };
                 terms.push(sign * factor(k as f64) * ratios[k - 1] * binomial);
-                binomial *= ((2 * k - 1) * (2 * k - 2)) as f64 / (4 * (m + k - 1) * (m - k + 1)) as f64;
+                binomial *=
+                    ((2 * k - 1) * (2 * k - 2)) as f64 / (4 * (m + k - 1) * (m - k + 1)) as f64;
             }
             let size = compensated(terms.iter().map(|term| term.abs()));
             (compensated(terms), size * (m as f64 + ROUNDINGS) * f64::EPSILON)

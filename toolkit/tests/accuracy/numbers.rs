@@ -80,7 +80,10 @@ fn closed_log_power(random: &mut SplitMix) -> Case {
     let alpha = log_exponent(random, -10.0);
     let exact = (references::log_power(alpha), ROUNDING);
     let found = |_| closed_forms::log_power_seminorm_squared(alpha);
-    Case { asked: None, ..Case::new(format!("||ln x|^{alpha:e}|²"), Tolerance::reference(), exact, found) }
+    Case {
+        asked: None,
+        ..Case::new(format!("||ln x|^{alpha:e}|²"), Tolerance::reference(), exact, found)
+    }
 }
 
 /// Up to five elements: of lengths 1e-300 ... 1, tiny ones beside long ones, or all of one size.
@@ -160,7 +163,8 @@ fn power(random: &mut SplitMix) -> Case {
 /// x^a with small a at ν = 1/2, of size one down to e^(−1/a), by the logarithm of x, and less 1.
 #[test]
 fn slow_powers_are_followed_below_the_range_of_numbers() {
-    for (a, less) in [(0.8e-3, 0.0), (1.239e-3, 0.0), (1.239e-3, 1.0), (3e-3, 1.0), (0.01, 1.0), (0.05, 0.0)]
+    for (a, less) in
+        [(0.8e-3, 0.0), (1.239e-3, 0.0), (1.239e-3, 1.0), (3e-3, 1.0), (0.01, 1.0), (0.05, 0.0)]
     {
         let exact = closed_forms::power_seminorm_squared(a, Order::HALF).unwrap().value.sqrt();
         let u = Function::from_log_distances(&[0.0, 1.0], move |at| {
@@ -263,7 +267,10 @@ fn wave_load(random: &mut SplitMix) -> Case {
     let u = Function::from_fn(&[0.0, 1.0], |x: f64| (frequency * x).cos()).unwrap();
     let exact = ((1.0 + frequency * frequency).powf(-0.5 * order.value()) / 2f64.sqrt(), 1e-13);
     let found = |asked| u.dual_norm(DualOf::Interpolation, order, asked);
-    Case { is_deep: false, ..Case::new(format!("cos {frequency} x as a load, {order}"), asked, exact, found) }
+    Case {
+        is_deep: false,
+        ..Case::new(format!("cos {frequency} x as a load, {order}"), asked, exact, found)
+    }
 }
 
 /// ∫₀¹ x^a |ln x|^p.
@@ -285,7 +292,10 @@ fn slow_behind_fast(random: &mut SplitMix) -> Case {
         + small * small * moment(2.0 * slow, 2 * r);
     let exact = if q == 1 { moment(fast, p) + small * moment(slow, r) } else { square.sqrt() };
     let what = format!("x^{fast} log^{p} + {small} x^{slow} log^{r} in L^{q}");
-    Case { is_deep: false, ..Case::new(what, asked, (exact, 1e-13), |asked| u?.lp(q as f64, asked)) }
+    Case {
+        is_deep: false,
+        ..Case::new(what, asked, (exact, 1e-13), |asked| u?.lp(q as f64, asked))
+    }
 }
 
 /// Cases, and the share of refusals that is allowed.
@@ -321,7 +331,9 @@ fn infinite_powers_of_the_logarithm_are_not_taken_for_finite() {
         match power_of_logarithm(alpha, 0.0).seminorm(order, Tolerance::fast()) {
             Err(Error::InfiniteNorm { .. }) => infinite += 1,
             Err(_) => refused += 1,
-            Ok(found) => panic!("|ln x|^{alpha:e}, {order:?} is not in H^nu, and has the norm {found}"),
+            Ok(found) => {
+                panic!("|ln x|^{alpha:e}, {order:?} is not in H^nu, and has the norm {found}")
+            }
         }
     }
     println!("infinite powers of the logarithm: {infinite} infinite, {refused} refused");
@@ -333,7 +345,8 @@ fn wrong_answers_are_found() {
     let made = |value: f64, error: f64, points: u64, found: bool| {
         let estimate = Estimate { value, error, work: Work { points, ..Work::default() } };
         let (asked, reached, best) = (1e-6, estimate.relative_error(), Some(estimate));
-        let refusal = Err(Error::ToleranceNotMet { what: "norm", asked, reached, best, why: "made" });
+        let refusal =
+            Err(Error::ToleranceNotMet { what: "norm", asked, reached, best, why: "made" });
         let tolerance = Tolerance::new(1e-6).unwrap();
         let found = if found { Ok(estimate) } else { refusal };
         let exact = Estimate { value: 1.0, error: 1e-13, work: Work::default() };

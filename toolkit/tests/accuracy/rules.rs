@@ -32,7 +32,9 @@ fn points_and_weights_have_all_digits_up_to_4096_points() {
 /// With one exponent 0 the weights sum to 1 over 1 plus the other.
 #[test]
 fn weights_sum_to_their_integral() {
-    for (n, alpha, beta) in [(1024, 0.0, -0.9), (1024, -0.999, 0.0), (1024, 0.25, 0.0), (4096, 0.0, 0.0)] {
+    for (n, alpha, beta) in
+        [(1024, 0.0, -0.9), (1024, -0.999, 0.0), (1024, 0.25, 0.0), (4096, 0.0, 0.0)]
+    {
         let rule = gauss_jacobi(n, alpha, beta).unwrap();
         let (sum, exact): (f64, f64) = (rule.weights().iter().sum(), 1.0 / (1.0 + alpha + beta));
         assert!((sum / exact - 1.0).abs() <= ROUNDING, "{n} {alpha} {beta}: {sum}, {exact}");

@@ -12,7 +12,12 @@ use std::sync::OnceLock;
 const ROUNDING: f64 = 1e-13;
 /// Half of the stated errors are no larger than this many times the true ones, or rounding.
 const CAREFUL: f64 = 100.0;
-fn case(what: String, asked: f64, exact: f64, ask: impl FnOnce(Tolerance) -> Result<Estimate>) -> Case {
+fn case(
+    what: String,
+    asked: f64,
+    exact: f64,
+    ask: impl FnOnce(Tolerance) -> Result<Estimate>,
+) -> Case {
     Case::new(what, Tolerance::new(asked).unwrap(), (exact, ROUNDING), ask)
 }
 
@@ -36,7 +41,10 @@ impl Layers {
             c * (-d).exp() * (k * d).cos()
         };
         let layers: f64 = self.terms.iter().map(layer).sum();
-        layers + self.linear * x + self.constant + if self.sine > 0.0 { (self.sine * x).sin() } else { 0.0 }
+        layers
+            + self.linear * x
+            + self.constant
+            + if self.sine > 0.0 { (self.sine * x).sin() } else { 0.0 }
     }
 
     fn shortest(&self) -> f64 {
@@ -50,7 +58,8 @@ fn layers() -> &'static [Layers] {
         let text = include_str!("../reference/layers_reference.json");
         let all: serde_json::Value = serde_json::from_str(text).unwrap();
         let number = |v: &serde_json::Value| v.as_f64().unwrap();
-        let list = |v: &serde_json::Value| v.as_array().unwrap().iter().map(number).collect::<Vec<_>>();
+        let list =
+            |v: &serde_json::Value| v.as_array().unwrap().iter().map(number).collect::<Vec<_>>();
         let cases = all["cases"].as_array().unwrap();
         let of = |case: &serde_json::Value| Layers {
             terms: case["terms"]
@@ -97,7 +106,10 @@ fn layered(random: &mut SplitMix) -> Case {
         let (exact, name) = match kind {
             0 => (size * u.mean, "mean".to_owned()),
             1 => (size * (length.sqrt() * u.l2), "L2".to_owned()),
-            _ => (size * (length.powf(0.5 - u.orders[k]) * u.seminorms[k]), format!("order {}", u.orders[k])),
+            _ => (
+                size * (length.powf(0.5 - u.orders[k]) * u.seminorms[k]),
+                format!("order {}", u.orders[k]),
+            ),
         };
         // A mean that cancels is relative to that of |u|.
         if !is_number(exact) || kind == 0 && u.mean.abs() < 0.1 && u.sine > 0.0 {
@@ -132,7 +144,8 @@ fn piecewise_linear(random: &mut SplitMix) -> Case {
         let count = 2 + random.below(5);
         let scale = decades(random, -120.0, 120.0);
         let spread = [1.0, 10.0, 30.0, 120.0][random.below(4)];
-        let mut lengths: Vec<f64> = (0..count).map(|_| scale * decades(random, -spread, spread)).collect();
+        let mut lengths: Vec<f64> =
+            (0..count).map(|_| scale * decades(random, -spread, spread)).collect();
         let middle = random.below(count);
         // nodes are exact to either side of the one at 0
         let left: f64 = 0.0;
@@ -155,7 +168,8 @@ fn piecewise_linear(random: &mut SplitMix) -> Case {
             continue;
         }
         let by_positions =
-            Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at)).unwrap();
+            Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at))
+                .unwrap();
         let kind = random.below(4);
         let asked = tolerance(random);
         let what = format!("{values:?} at {nodes:?}");
@@ -197,13 +211,15 @@ fn undeclared(random: &mut SplitMix) -> Case {
         let f = |x: f64| {
             let x = x / length;
             let i = (1..nodes.len() - 1).take_while(|&k| x >= nodes[k]).count();
-            let slope = if is_step { 0.0 } else { (values[i + 1] - values[i]) / (nodes[i + 1] - nodes[i]) };
+            let slope =
+                if is_step { 0.0 } else { (values[i + 1] - values[i]) / (nodes[i + 1] - nodes[i]) };
             size * if is_step { values[i + 1] } else { values[i] + slope * (x - nodes[i]) }
         };
         let u = Function::from_fn(&[0.0, length], f).unwrap();
         let asked = if is_step { decades(random, -3.0, -1.5) } else { tolerance(random) };
-        let what =
-            format!("undeclared, step {is_step}, {values:?} at {nodes:?}, length {length:e}, order {order}");
+        let what = format!(
+            "undeclared, step {is_step}, {values:?} at {nodes:?}, length {length:e}, order {order}"
+        );
         if random.below(4) == 0 {
             let q = 1.0 + random.below(3) as f64;
             let exact = size * known.lp(q, 1e-12).unwrap().value;
@@ -226,8 +242,11 @@ fn product(random: &mut SplitMix) -> Case {
         let factorial = |n: usize| (1..=n).map(|k| k as f64).product::<f64>();
         let term = |j: usize| {
             let choose = factorial(q) / factorial(j) / factorial(q - j);
-            let integral =
-                if j == 0 { 1.0 } else { w * factorial(m * j) / (j as f64).powi((m * j + 1) as i32) };
+            let integral = if j == 0 {
+                1.0
+            } else {
+                w * factorial(m * j) / (j as f64).powi((m * j + 1) as i32)
+            };
             choose * f64::powi(b, (q - j) as i32) * integral
         };
         let power: f64 = (0..=q).map(term).sum();
@@ -242,7 +261,8 @@ fn product(random: &mut SplitMix) -> Case {
         };
         let u = Function::from_positions(&[0.0, length], f).unwrap();
         let asked = tolerance(random);
-        let what = format!("(x/w)^{m} exp(-x/w) + {b}, w = {w:e}, length {length:e}, size {size:e}");
+        let what =
+            format!("(x/w)^{m} exp(-x/w) + {b}, w = {w:e}, length {length:e}, size {size:e}");
         if random.below(3) == 0 {
             return case(format!("mean of {what}"), asked, mean, |asked| u.mean(asked));
         }
@@ -278,8 +298,9 @@ fn assert_near(what: &str, found: Result<Estimate>, exact: f64, asked: f64) {
 #[test]
 fn seminorms_see_layers_beside_anything() {
     let w = 1e-30;
-    let rational =
-        |at: Position| (5.0 * at.distance_to(0)).sin() + at.distance_to(0) / (at.distance_to(0) + w);
+    let rational = |at: Position| {
+        (5.0 * at.distance_to(0)).sin() + at.distance_to(0) / (at.distance_to(0) + w)
+    };
     let u = Function::from_positions(&[0.0, 1.0], rational).unwrap();
     let found = u.seminorm(0.5, 1e-8).unwrap();
     assert!((found.value - 3.18842).abs() < 5e-6, "{found}");
@@ -303,7 +324,8 @@ fn short_intervals_beside_long_ones_count() {
     // 0 on (−1, 0), x/w on (0, w): the value nearest to 0 on the short side is no step on the long one.
     for w in [1e-210, 1e-250] {
         let (nodes, lengths, values) = ([-1.0, 0.0, w], [1.0, w], [0.0, 0.0, 1.0]);
-        let u = Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at)).unwrap();
+        let u = Function::from_positions(&nodes, |at| linear_at(&nodes, &lengths, &values, at))
+            .unwrap();
         let mesh = Mesh::from_lengths(&lengths).unwrap();
         let exact = Function::linears(&mesh, &values).unwrap().seminorm(0.05, 1e-12).unwrap();
         assert_near("ramp", u.seminorm(0.05, 1e-7), exact.value, 1e-7);
@@ -335,7 +357,10 @@ fn dual_norms_of_short_loads_keep_their_length() {
         assert!((found.value - 1.007817359).abs() <= found.error + 1e-9, "{w:e}: {found}");
         for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
             let (found, limit) = (norm(w, 0.9, of), norm(1e-15, 0.9, of));
-            assert!((found.value - limit.value).abs() <= found.error + limit.error, "{w:e}: {found} {limit}");
+            assert!(
+                (found.value - limit.value).abs() <= found.error + limit.error,
+                "{w:e}: {found} {limit}"
+            );
         }
     }
 }
@@ -344,7 +369,8 @@ fn dual_norms_of_short_loads_keep_their_length() {
 fn layers_of_any_height_and_of_moderate_width_are_within_their_error() {
     // |c e^{−d/w}|_0.2 on (0, 1), w = 7.45e-251, c = 2.11e125: slopes overflow. 34 digits as in the references.
     let (c, w) = (2.11e125, 7.45e-251);
-    let high = Function::from_positions(&[0.0, 1.0], |at| c * (-at.distance_to(1) / w).exp()).unwrap();
+    let high =
+        Function::from_positions(&[0.0, 1.0], |at| c * (-at.distance_to(1) / w).exp()).unwrap();
     for asked in [1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
         assert_near("high layer", high.seminorm(0.2, asked), 3.07458331060165e50, asked);
     }

@@ -15,8 +15,9 @@ pub fn cases(default: usize) -> usize {
 
 /// Of the family; `SIGNORINI_SEED=7` takes other cases.
 pub fn seeded(family: u64) -> SplitMix {
-    let seed = std::env::var("SIGNORINI_SEED")
-        .map_or(0, |text| text.parse().unwrap_or_else(|_| panic!("SIGNORINI_SEED = {text} is not a number")));
+    let seed = std::env::var("SIGNORINI_SEED").map_or(0, |text| {
+        text.parse().unwrap_or_else(|_| panic!("SIGNORINI_SEED = {text} is not a number"))
+    });
     SplitMix::new(family + 1000 * seed)
 }
 
@@ -69,7 +70,10 @@ impl Case {
         };
         let message = match found {
             Ok(found) if apart(found) => "dishonest",
-            Ok(found) if asked.is_some_and(|t| found.error > t.relative().max(8e-15) * found.value.abs()) => {
+            Ok(found)
+                if asked
+                    .is_some_and(|t| found.error > t.relative().max(8e-15) * found.value.abs()) =>
+            {
                 "misses the tolerance"
             }
             Ok(found) if found.work.points > 4 * Tolerance::WORK => "works beyond its limit",
@@ -109,7 +113,8 @@ pub fn judge(first: u64, families: &[Family]) -> Vec<f64> {
             match &case.found {
                 Ok(found) => {
                     let off = (found.value - case.exact.value).abs();
-                    careful.push(found.error / off.max(4.0 * f64::EPSILON * case.exact.value.abs()));
+                    careful
+                        .push(found.error / off.max(4.0 * f64::EPSILON * case.exact.value.abs()));
                 }
                 Err(_) => refused += 1,
             }

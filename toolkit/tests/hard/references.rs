@@ -85,7 +85,8 @@ pub const LEAST: f64 = 0.12;
 /// the integrand is homogeneous of degree 2α − 2ν − 1, and [`LEAST`] is what 2α + 1 − 2ν is at least.
 pub fn log_power_below_half(alpha: f64, order: Order) -> f64 {
     const STEP: f64 = 1.0 / 48.0;
-    let (decay, twice, unit) = ((-2.0 * order.offset()), 2.0 * order.value(), log_unit(alpha, order));
+    let (decay, twice, unit) =
+        ((-2.0 * order.offset()), 2.0 * order.value(), log_unit(alpha, order));
     let points = |c: f64| -> Vec<(f64, f64)> {
         let point = |k: i32| {
             let tau = STEP * f64::from(k);
@@ -147,13 +148,17 @@ pub fn linears(lengths: &[f64], ends: &[[f64; 2]], order: Order, rule: &Rule) ->
     let mut sum = 0.0;
     for (i, (&p, u)) in lengths.iter().zip(ends).enumerate() {
         let rise = u[1] - u[0];
-        sum += rise * rise * scale(p, order) / ((1.0 - order.value()) * (1.0 + 2.0 * (1.0 - order.value())));
+        sum += rise * rise * scale(p, order)
+            / ((1.0 - order.value()) * (1.0 + 2.0 * (1.0 - order.value())));
         for j in i + 1..lengths.len() {
             let v = ends[j];
             let distance = lengths[i + 1..j].iter().sum();
             let (left, right) = ([p, u[0] - u[1]], [lengths[j], v[1] - v[0]]);
-            let (short, long, jump) =
-                if p <= lengths[j] { (left, right, v[0] - u[1]) } else { (right, left, u[1] - v[0]) };
+            let (short, long, jump) = if p <= lengths[j] {
+                (left, right, v[0] - u[1])
+            } else {
+                (right, left, u[1] - v[0])
+            };
             sum += 2.0 * pair(distance, short, long, jump, order, rule);
         }
     }
@@ -221,8 +226,11 @@ impl RunningSum {
     /// One more term.
     fn add(&mut self, term: f64) {
         let next = self.sum + term;
-        self.carry +=
-            if self.sum.abs() >= term.abs() { (self.sum - next) + term } else { (term - next) + self.sum };
+        self.carry += if self.sum.abs() >= term.abs() {
+            (self.sum - next) + term
+        } else {
+            (term - next) + self.sum
+        };
         self.sum = next;
     }
 

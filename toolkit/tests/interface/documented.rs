@@ -77,13 +77,16 @@ fn functions(file: &Path, text: &str) -> Vec<Function> {
             of = None;
         }
         let Some(rest) = line.trim_start().strip_prefix("pub ") else { continue };
-        let Some(rest) = rest.strip_prefix("const ").unwrap_or(rest).strip_prefix("fn ") else { continue };
+        let Some(rest) = rest.strip_prefix("const ").unwrap_or(rest).strip_prefix("fn ") else {
+            continue;
+        };
         let name: String = rest.chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect();
         let signature = lines[k..lines.len().min(k + 3)].join(" ");
         let arguments = signature.split_once(&format!("fn {name}")).unwrap().1;
         let first = arguments.split_once('(').map_or("", |(_, rest)| rest.trim_start());
         let first = first.split([',', ')', ':']).next().unwrap_or("");
-        let takes_self = first.split_whitespace().any(|word| word.trim_start_matches('&') == "self");
+        let takes_self =
+            first.split_whitespace().any(|word| word.trim_start_matches('&') == "self");
         found.push(Function { file: file.to_owned(), of: of.clone(), name, takes_self });
     }
     found
@@ -112,8 +115,8 @@ fn missing(sources: &[(PathBuf, String)]) -> Vec<String> {
         blocks.iter().any(|(file, block)| match &function.of {
             None => has(block, "", &function.name),
             Some(of) if function.takes_self => {
-                let called =
-                    has(block, ".", &function.name) || has(block, &format!("{of}::"), &function.name);
+                let called = has(block, ".", &function.name)
+                    || has(block, &format!("{of}::"), &function.name);
                 called && (has(block, "", of) || of_type(file, of))
             }
             Some(of) => has(block, &format!("{of}::"), &function.name),
@@ -124,7 +127,9 @@ fn missing(sources: &[(PathBuf, String)]) -> Vec<String> {
     assert!(all.len() > 100, "{} public functions", all.len());
     let without = all.iter().filter(|function| !shown(function));
     without
-        .map(|f| format!("{}{}", f.of.as_ref().map_or(String::new(), |of| format!("{of}::")), f.name))
+        .map(|f| {
+            format!("{}{}", f.of.as_ref().map_or(String::new(), |of| format!("{of}::")), f.name)
+        })
         .collect()
 }
 
@@ -154,7 +159,8 @@ fn declarations(text: &str) -> Vec<String> {
             next += 1;
             whole = format!("{whole} {}", lines[next].trim());
         }
-        let whole = whole.trim_end_matches(['{', ';', ',', ' ']).replace("( ", "(").replace(", )", ")");
+        let whole =
+            whole.trim_end_matches(['{', ';', ',', ' ']).replace("( ", "(").replace(", )", ")");
         found.push(of.as_ref().map_or(whole.clone(), |of| format!("{of}: {whole}")));
     }
     found

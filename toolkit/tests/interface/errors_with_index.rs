@@ -8,7 +8,10 @@ fn named(result: Result<()>) -> (usize, f64) {
     let text = error.to_string();
     match error {
         Error::NotFinite { index, value, .. } | Error::EntryOutOfRange { index, value, .. } => {
-            assert!(text.contains(&format!("index {index}")) && text.contains(&value.to_string()), "{text}");
+            assert!(
+                text.contains(&format!("index {index}")) && text.contains(&value.to_string()),
+                "{text}"
+            );
             (index, value)
         }
         other => panic!("{other}"),

@@ -20,7 +20,10 @@ fn a_logarithm_of_rounded_distances_is_refused_quickly() {
         let found = rounded.seminorm(order, tolerance);
         let (best, why) = refusal(&found);
         let best = best.expect("a value");
-        assert!((best.value - reference.value).abs() <= best.error + reference.error, "{best} {reference}");
+        assert!(
+            (best.value - reference.value).abs() <= best.error + reference.error,
+            "{best} {reference}"
+        );
         assert!(why.contains("from_positions"), "{why}");
         // 43 s were 10⁹ evaluations.
         assert!(best.work.points < 5_000_000, "{best:?}");

@@ -27,7 +27,11 @@ fn powers_have_twelve_digits() {
         };
         let (estimate, exact) = (estimate.unwrap(), number(&row, "seminorm_sq"));
         let error = (estimate.value / exact - 1.0).abs();
-        assert!(error < CLOSED_FORM_TOLERANCE, "{row}: {} against {exact}, {error:e}", estimate.value);
+        assert!(
+            error < CLOSED_FORM_TOLERANCE,
+            "{row}: {} against {exact}, {error:e}",
+            estimate.value
+        );
         assert!(error < estimate.relative_error(), "{row}: error {error:e} beyond its estimate");
     }
 }
@@ -56,7 +60,11 @@ fn jumps_and_hats_have_elementary_values() {
     // ν = 1/2, hat over two unit elements alone: own cells 1 each, touching cells 2 ∫∫ (s−t)²/(s+t)²
     let hat = closed_forms::hat_seminorm_squared(0.0, 1.0, 1.0, 0.0, Order::HALF).unwrap().value;
     let touching = 2.0 * (3.0 - 4.0 * 2f64.ln()); // ∫∫ = ∫₀¹ ((1−η)/(1+η))² dη · (2/2) · 1 = 3 − 4 ln 2
-    assert!((hat / (2.0 + touching) - 1.0).abs() < CLOSED_FORM_TOLERANCE, "{hat} {}", 2.0 + touching);
+    assert!(
+        (hat / (2.0 + touching) - 1.0).abs() < CLOSED_FORM_TOLERANCE,
+        "{hat} {}",
+        2.0 + touching
+    );
 }
 
 /// The tolerances asked of closures, loosest first.
@@ -92,17 +100,21 @@ fn logarithms_as_closures_reach_the_tolerance_asked() {
         let of = |key| number(&row, key);
         let u = match row["function"].as_str().unwrap() {
             // At α = 0.4 a quarter of the seminorm lies below x = 1e-300.
-            "|ln x|^alpha" => Function::from_log_distances(&[0.0, 1.0], log_power(of("alpha"))).unwrap(),
+            "|ln x|^alpha" => {
+                Function::from_log_distances(&[0.0, 1.0], log_power(of("alpha"))).unwrap()
+            }
             "min(|ln x|^alpha, N)" => {
                 let breaks = [0.0, of("x_cut"), 1.0];
-                Function::from_positions(&breaks, truncated(of("alpha"), of("N"), of("x_cut"))).unwrap()
+                Function::from_positions(&breaks, truncated(of("alpha"), of("N"), of("x_cut")))
+                    .unwrap()
             }
             _ => continue,
         };
         let exact = of("seminorm_sq").sqrt();
         for asked in ASKED {
-            let found =
-                u.seminorm(Order::HALF, asked).unwrap_or_else(|e| panic!("{row}, asked {asked:e}: {e}"));
+            let found = u
+                .seminorm(Order::HALF, asked)
+                .unwrap_or_else(|e| panic!("{row}, asked {asked:e}: {e}"));
             let error = (found.value / exact - 1.0).abs();
             assert!(
                 error <= asked && error <= 10.0 * found.relative_error(),

@@ -10,8 +10,9 @@ fn dense_and_iterative_solves_agree() {
     };
     let small = Mesh::geometric(298, 0.9, 1.0).unwrap();
     let large = Mesh::geometric(300, 0.9, 1.0).unwrap();
-    let dual =
-        |mesh: &Mesh, values: &[f64]| Function::load(mesh, values).unwrap().norm(-order, 1e-9).unwrap();
+    let dual = |mesh: &Mesh, values: &[f64]| {
+        Function::load(mesh, values).unwrap().norm(-order, 1e-9).unwrap()
+    };
     let dense = dual(&small, &functional(&small));
     // Two more elements of length 1e-14 at the end change nothing that can be seen; the solver changes.
     let mut load = functional(&large);
@@ -34,14 +35,18 @@ fn the_three_norms_are_ordered_and_equivalent() {
     let u = Function::piecewise(&Mesh::uniform(2, 1.0).unwrap(), 0, &[-1.0, 1.0]).unwrap();
     let tolerance = Tolerance::new(1e-5).unwrap();
     let value = |of| u.dual_norm(of, Order::HALF, tolerance).unwrap().value;
-    let (slobodeckij, cosines, sines) =
-        (value(DualOf::Slobodeckij), value(DualOf::Interpolation), value(DualOf::InterpolationZero));
+    let (slobodeckij, cosines, sines) = (
+        value(DualOf::Slobodeckij),
+        value(DualOf::Interpolation),
+        value(DualOf::InterpolationZero),
+    );
     // cosine series of the sign: 8/π² Σ_{odd} k^{-2} (1 + (kπ)²)^{-1/2}
     let exact: f64 = (0..2_000_000)
         .rev()
         .map(|m| {
             let k = 2.0 * f64::from(m) + 1.0;
-            8.0 / (std::f64::consts::PI * k).powi(2) / (1.0 + (std::f64::consts::PI * k).powi(2)).sqrt()
+            8.0 / (std::f64::consts::PI * k).powi(2)
+                / (1.0 + (std::f64::consts::PI * k).powi(2)).sqrt()
         })
         .sum::<f64>();
     assert!((cosines / exact.sqrt() - 1.0).abs() < 1e-5, "{cosines} against {}", exact.sqrt());

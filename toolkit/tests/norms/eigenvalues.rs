@@ -10,7 +10,9 @@ const DENSE: f64 = 1e-13;
 
 fn unequal(count: usize, decades: f64) -> Result<Mesh> {
     let mut random = SplitMix::new(1);
-    Mesh::from_lengths(&(0..count).map(|_| 10f64.powf(decades * random.uniform())).collect::<Vec<_>>())
+    Mesh::from_lengths(
+        &(0..count).map(|_| 10f64.powf(decades * random.uniform())).collect::<Vec<_>>(),
+    )
 }
 
 fn dense_eigenvalues(form: &Gram) -> Result<Vec<f64>> {
@@ -31,11 +33,15 @@ fn dense_eigenvalues(form: &Gram) -> Result<Vec<f64>> {
 
 #[test]
 fn both_ends_of_the_spectrum_are_those_of_the_dense_matrices() -> Result<()> {
-    for mesh in
-        [Mesh::uniform(200, 2.0)?, unequal(200, 0.5)?, unequal(200, 3.0)?, Mesh::algebraic(200, 3.0, 1.0)?]
-    {
+    for mesh in [
+        Mesh::uniform(200, 2.0)?,
+        unequal(200, 0.5)?,
+        unequal(200, 3.0)?,
+        Mesh::algebraic(200, 3.0, 1.0)?,
+    ] {
         for s in [0.3, 0.5, 0.8] {
-            let mut forms = vec![(Gram::new(&mesh, s, 1e-7)?, 1), (Gram::zero_outside(&mesh, s, 1e-7)?, 0)];
+            let mut forms =
+                vec![(Gram::new(&mesh, s, 1e-7)?, 1), (Gram::zero_outside(&mesh, s, 1e-7)?, 0)];
             if s < 0.5 {
                 forms.push((Gram::constants(&mesh, s, 1e-7)?, 1));
             }
@@ -62,7 +68,9 @@ const LOWEST: f64 = 1.157_773_883_697_7;
 fn the_lowest_eigenvalue_of_the_root_of_the_laplacian_is_the_known_one() -> Result<()> {
     let half = Mesh::algebraic(1500, 3.0, 1.0)?;
     let lengths = half.lengths();
-    let mesh = Mesh::from_lengths(&lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>())?;
+    let mesh = Mesh::from_lengths(
+        &lengths.iter().chain(lengths.iter().rev()).copied().collect::<Vec<_>>(),
+    )?;
     let constant = 0.5 * fractional_laplacian_constant(0.5)?.value;
     let [low, _] = Gram::zero_outside(&mesh, 0.5, 1e-10)?.extreme_eigenvalues()?;
     // From above, by the square of the error of piecewise linears, n^{-3}.
@@ -85,11 +93,15 @@ fn the_largest_eigenvalue_of_a_random_mesh_does_not_depend_on_the_tolerance() {
     for _ in 0..2 {
         let nodes: Vec<f64> = (0..20_000).map(|i| f64::from(i) + 0.8 * random.uniform()).collect();
         let mesh = Mesh::from_nodes(&nodes).unwrap();
-        let largest = |asked| Gram::new(&mesh, 0.5, asked).unwrap().extreme_eigenvalues().unwrap()[1];
+        let largest =
+            |asked| Gram::new(&mesh, 0.5, asked).unwrap().extreme_eigenvalues().unwrap()[1];
         let fine = largest(1e-7);
         for asked in [1e-3, 1e-5] {
             let coarse = largest(asked);
-            assert!((coarse.value - fine.value).abs() <= coarse.error + fine.error, "{coarse} {fine}");
+            assert!(
+                (coarse.value - fine.value).abs() <= coarse.error + fine.error,
+                "{coarse} {fine}"
+            );
         }
     }
 }
@@ -174,7 +186,8 @@ fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
     let (mut tried, mut refused) = (0, 0);
     for _ in 0..crate::hard::cases(2400) {
         let count = 4 + random.below(6);
-        let lengths: Vec<f64> = (0..count).map(|_| 10f64.powf(random.between(-12.0, 0.0))).collect();
+        let lengths: Vec<f64> =
+            (0..count).map(|_| 10f64.powf(random.between(-12.0, 0.0))).collect();
         let mesh = Mesh::from_lengths(&lengths)?;
         let below = 10f64.powf(random.between(-7.0, -1.0));
         let (form, exact) = if random.below(2) == 0 {

@@ -32,8 +32,10 @@ impl Sample {
 
     fn function(self) -> Function<'static> {
         let k = usize::from(self.c > 0.0);
-        Function::from_positions(&self.breaks(), move |at: Position| self.value(at.distance_to(k), at.x()))
-            .unwrap()
+        Function::from_positions(&self.breaks(), move |at: Position| {
+            self.value(at.distance_to(k), at.x())
+        })
+        .unwrap()
     }
 
     /// u − u_h with all nodes declared.
@@ -88,7 +90,10 @@ fn random_errors_agree_with_closures_at_every_tolerance() {
         for tolerance in [1e-2, 1e-4, 1e-6] {
             let found = u.minus(&field).unwrap().seminorm(order(nu), asked(tolerance)).unwrap();
             let off = (found.value - exact.value).abs();
-            let words = format!("{case}: {sample:?} nu {nu} {tolerance} {:?}", field.mesh().unwrap().nodes());
+            let words = format!(
+                "{case}: {sample:?} nu {nu} {tolerance} {:?}",
+                field.mesh().unwrap().nodes()
+            );
             assert!(off <= found.error + exact.error, "{words}: {found} {exact}");
             assert!(found.relative_error() <= tolerance, "{words}: {found}");
             let found = u.minus(&field).unwrap().norm(0.0, asked(tolerance)).unwrap();
@@ -107,14 +112,18 @@ fn the_error_of_a_parabola_is_its_bubbles() {
         let mesh = Mesh::algebraic(count, grading, 1.0).unwrap();
         let values: Vec<f64> = mesh.nodes().iter().map(|x| x * x).collect();
         let field = Function::linears(&mesh, &values).unwrap();
-        let bubbles: Vec<f64> = mesh.lengths().iter().flat_map(|h| [0.0, -0.25 * h * h, 0.0]).collect();
+        let bubbles: Vec<f64> =
+            mesh.lengths().iter().flat_map(|h| [0.0, -0.25 * h * h, 0.0]).collect();
         let exact = Function::piecewise(&mesh, 2, &bubbles).unwrap();
         for nu in [0.25, 0.5, 0.75] {
             let exact = exact.seminorm(order(nu), asked(1e-9)).unwrap();
             for tolerance in [1e-3, 1e-6] {
                 let found = u.minus(&field).unwrap().seminorm(order(nu), asked(tolerance)).unwrap();
                 let off = (found.value - exact.value).abs();
-                assert!(off <= found.error + exact.error, "{count} {nu} {tolerance}: {found} {exact}");
+                assert!(
+                    off <= found.error + exact.error,
+                    "{count} {nu} {tolerance}: {found} {exact}"
+                );
                 assert!(found.work.total() < 20_000_000 + 8000 * count as u64, "{:?}", found.work);
             }
         }
@@ -141,14 +150,20 @@ fn smooth_ends_below_rounding_are_no_waves() {
 #[test]
 fn jumps_and_other_intervals_are_refused() {
     let u = Function::from_fn(&[0.0, 1.0], |x| x).unwrap();
-    let steps =
-        Function::piecewise(&Mesh::uniform(8, 1.0).unwrap(), 0, &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0])
-            .unwrap();
+    let steps = Function::piecewise(
+        &Mesh::uniform(8, 1.0).unwrap(),
+        0,
+        &[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0],
+    )
+    .unwrap();
     let found = u.minus(&steps).unwrap().seminorm(Order::HALF, Tolerance::fast());
     assert!(matches!(found, Err(Error::InfiniteNorm { .. })));
     assert!(u.minus(&steps).unwrap().seminorm(order(0.4), Tolerance::fast()).is_ok());
     let longer = Function::piecewise(&Mesh::uniform(8, 2.0).unwrap(), 0, &[0.0; 8]).unwrap();
-    assert!(matches!(u.minus(&longer).unwrap().norm(0.0, Tolerance::fast()), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        u.minus(&longer).unwrap().norm(0.0, Tolerance::fast()),
+        Err(Error::OutOfRange { .. })
+    ));
     let power = Function::power(0.2).unwrap();
     let singular = power.minus(&longer).unwrap().seminorm(order(0.8), Tolerance::fast());
     assert!(singular.is_err());
@@ -167,8 +182,10 @@ fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
     let field = Function::linears(&mesh, &values).unwrap();
     let all = sample.by_closure(&field);
     for q in [1.0, 2.0, 3.5] {
-        let (a, b) =
-            (u.minus(&field).unwrap().lp(q, 1e-6).unwrap(), Estimate::or_best(all.lp(q, 1e-6)).unwrap());
+        let (a, b) = (
+            u.minus(&field).unwrap().lp(q, 1e-6).unwrap(),
+            Estimate::or_best(all.lp(q, 1e-6)).unwrap(),
+        );
         assert!((a.value - b.value).abs() <= a.error + b.error, "{q}: {a} {b}");
     }
     let l2 = u.minus(&field).unwrap().norm(0.0, 1e-8).unwrap();
@@ -176,7 +193,10 @@ fn lebesgue_and_dual_norms_of_errors_are_those_of_the_difference() {
     for of in [DualOf::Slobodeckij, DualOf::Interpolation, DualOf::InterpolationZero] {
         let a = u.minus(&field).unwrap().dual_norm(of, 0.5, 1e-5).unwrap();
         let b = Estimate::or_best(all.dual_norm(of, 0.5, 1e-5)).unwrap();
-        assert!((a.value - b.value).abs() <= a.error + b.error && a.value < l2.value, "{of:?}: {a} {b}");
+        assert!(
+            (a.value - b.value).abs() <= a.error + b.error && a.value < l2.value,
+            "{of:?}: {a} {b}"
+        );
     }
     assert!(u.minus(&field).unwrap().lp(0.5, 1e-6).is_err());
 }

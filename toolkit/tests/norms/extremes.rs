@@ -6,7 +6,11 @@ use fractional_sobolev::{DualOf, Error, Function, Gram, Mesh, Order, Tolerance, 
 fn one_element_and_a_million() {
     let order = Order::new(0.25).unwrap();
     let one = Gram::new(&Mesh::uniform(1, 1.0).unwrap(), order, 1e-8).unwrap().to_dense().unwrap();
-    assert!((one[(0, 0)] * (1.0 - 0.25) * (1.0 + 2.0 * (1.0 - 0.25)) - 1.0).abs() < 1e-11, "{}", one[(0, 0)]);
+    assert!(
+        (one[(0, 0)] * (1.0 - 0.25) * (1.0 + 2.0 * (1.0 - 0.25)) - 1.0).abs() < 1e-11,
+        "{}",
+        one[(0, 0)]
+    );
     let n = 1_000_000;
     let partition = Mesh::uniform(n, 1.0).unwrap();
     let operator = Gram::constants(&partition, order, Tolerance::reference()).unwrap();
@@ -23,13 +27,16 @@ fn one_element_and_a_million() {
 #[test]
 fn nan_infinite_and_repeated_input_are_errors() {
     assert!(Order::new(f64::NAN).is_err() && Order::new(f64::INFINITY).is_err());
-    for nodes in [&[0.0, 0.5, 0.5, 1.0][..], &[0.0, f64::NAN], &[f64::NEG_INFINITY, 0.0], &[1.0, 0.0]] {
+    for nodes in
+        [&[0.0, 0.5, 0.5, 1.0][..], &[0.0, f64::NAN], &[f64::NEG_INFINITY, 0.0], &[1.0, 0.0]]
+    {
         assert!(Mesh::from_nodes(nodes).is_err(), "{nodes:?}");
     }
     let partition = || Mesh::uniform(1, 1.0).unwrap();
     for bad in [f64::NAN, f64::INFINITY] {
         assert!(Function::linears(&partition(), &[0.0, bad]).is_err());
-        let u = Function::from_fn(&[0.0, 1.0], move |x: f64| if x > 0.5 { bad } else { x }).unwrap();
+        let u =
+            Function::from_fn(&[0.0, 1.0], move |x: f64| if x > 0.5 { bad } else { x }).unwrap();
         assert!(matches!(u.seminorm(Order::HALF, Tolerance::fast()), Err(Error::NotFinite { .. })));
         assert!(Function::from_fn(&[0.0, bad], |x: f64| x).is_err());
     }
@@ -38,7 +45,8 @@ fn nan_infinite_and_repeated_input_are_errors() {
 
 #[test]
 fn infinite_norms_of_closures_are_recognised() {
-    let jump = Function::from_fn(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 }).unwrap();
+    let jump =
+        Function::from_fn(&[0.0, 0.5, 1.0], |x: f64| if x < 0.5 { 0.0 } else { 1.0 }).unwrap();
     let power = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(-0.3)).unwrap();
     let logarithm = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
         0 => (-at.offset().ln()).powf(0.6),
@@ -73,7 +81,8 @@ fn closures_of_any_size_scale_out() {
         }
     }
     for size in [1e-150, 1e150] {
-        let u = Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size]).unwrap();
+        let u =
+            Function::linears(&Mesh::uniform(2, 1.0).unwrap(), &[0.0, 0.5 * size, size]).unwrap();
         let dual = u.norm(-0.7, Tolerance::fast()).unwrap().value;
         assert!(dual > 0.1 * size && dual < size, "{dual}");
     }
@@ -98,10 +107,16 @@ fn a_jump_barely_below_one_half_has_its_seminorm() {
         // 4/(2ν (1 − 2ν)) (1 − (1 + O(1)) (1 − 2ν) ...) on (0, 1), cut in the middle
         let exact = closed_forms::jump_seminorm_squared(0.5, 0.5, order).unwrap().value.sqrt();
         let found = plain.seminorm(order, 1e-6).unwrap();
-        assert!((found.value - exact).abs() <= found.error + 1e-5 * exact, "{offset:e}: {found}, {exact}");
+        assert!(
+            (found.value - exact).abs() <= found.error + 1e-5 * exact,
+            "{offset:e}: {found}, {exact}"
+        );
         // beside it the smooth part is below the tolerance
         let found = positions.seminorm(order, 1e-3).unwrap();
-        assert!((found.value - 3.0 * exact).abs() <= found.error + 1e-3 * exact, "{offset:e}: {found}");
+        assert!(
+            (found.value - 3.0 * exact).abs() <= found.error + 1e-3 * exact,
+            "{offset:e}: {found}"
+        );
     }
     let half = plain.seminorm(Order::HALF, 1e-6);
     assert!(matches!(half, Err(Error::InfiniteNorm { .. })), "{half:?}");
@@ -113,7 +128,8 @@ fn a_line_has_its_dual_norm_at_orders_next_to_minus_one() {
     let values = Function::linears(&Mesh::uniform(1, 1.0).unwrap(), &[-0.5, 0.5]).unwrap();
     for from_one in [1e-14, 1e-12, 1e-10, 1e-6] {
         let order = Order::new(1.0 - from_one).unwrap();
-        let [found, exact] = [&line, &values].map(|u| u.dual_norm(DualOf::Slobodeckij, order, 1e-6).unwrap());
+        let [found, exact] =
+            [&line, &values].map(|u| u.dual_norm(DualOf::Slobodeckij, order, 1e-6).unwrap());
         let apart = (found.value - exact.value).abs();
         assert!(apart <= found.error + exact.error, "{from_one:e}: {found}, {exact}");
     }

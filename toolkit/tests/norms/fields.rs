@@ -26,7 +26,10 @@ fn moments_agree_with_all_pairs_for_every_degree() {
                 for tolerance in TOLERANCES {
                     let found = u.seminorm(order(nu), Tolerance::new(tolerance).unwrap()).unwrap();
                     let off = (found.value - exact.value).abs();
-                    assert!(off <= found.error + exact.error, "{degree} {nu} {tolerance}: {found} {exact}");
+                    assert!(
+                        off <= found.error + exact.error,
+                        "{degree} {nu} {tolerance}: {found} {exact}"
+                    );
                     assert!(found.relative_error() <= tolerance);
                 }
             }

@@ -21,8 +21,11 @@ fn load_of_one(mesh: &Mesh) -> Vec<f64> {
 }
 
 /// ∫ u for (−Δ)^s u = 1 on (−1, 1): Γ(1/2) Γ(1 + s)/(Γ(3/2 + s) Γ(1 + 2s)), by mpmath to 20 digits.
-const ENERGIES: [(f64, f64); 3] =
-    [(0.25, 1.972_450_079_459_092_6), (0.5, std::f64::consts::FRAC_PI_2), (0.75, 1.081_565_184_107_655_6)];
+const ENERGIES: [(f64, f64); 3] = [
+    (0.25, 1.972_450_079_459_092_6),
+    (0.5, std::f64::consts::FRAC_PI_2),
+    (0.75, 1.081_565_184_107_655_6),
+];
 
 /// C(1, s) ‖u − u_h‖²/2 relative to the energy, by Galerkin orthogonality.
 fn relative_error(mesh: &Mesh, s: f64, exact: f64) -> Result<(f64, u64)> {
@@ -49,7 +52,9 @@ fn the_diagonal_is_the_seminorm_of_a_hat_on_the_line() -> Result<()> {
 
 #[test]
 fn products_and_solutions_are_those_of_the_dense_matrix() -> Result<()> {
-    for mesh in [Mesh::uniform(300, 1.0)?, graded(300, 4.0)?, Mesh::graded(&[0.0, 0.3, 1.0], 15, 0.5)?] {
+    for mesh in
+        [Mesh::uniform(300, 1.0)?, graded(300, 4.0)?, Mesh::graded(&[0.0, 0.3, 1.0], 15, 0.5)?]
+    {
         for s in [0.1, 0.5, 0.9] {
             let form = Gram::zero_outside(&mesh, s, 1e-13)?;
             let dense = form.to_dense()?;
@@ -61,7 +66,10 @@ fn products_and_solutions_are_those_of_the_dense_matrix() -> Result<()> {
             let b = nalgebra::DVector::from_fn(n, |i, _| load[i] / scale[i]);
             let exact = nalgebra::Cholesky::new(scaled).expect("positive definite").solve(&b);
             let dense_energy = b.dot(&exact);
-            assert!((energy.value / dense_energy - 1.0).abs() < DENSE, "{s}: {energy} {dense_energy}");
+            assert!(
+                (energy.value / dense_energy - 1.0).abs() < DENSE,
+                "{s}: {energy} {dense_energy}"
+            );
             assert!((energy.value - dense_energy).abs() <= energy.error + DENSE * dense_energy);
             let largest = x.iter().fold(0.0f64, |m, x| m.max(x.abs()));
             let worst = (0..n).map(|i| (x[i] - exact[i] / scale[i]).abs()).fold(0.0, f64::max);
@@ -75,11 +83,15 @@ fn products_and_solutions_are_those_of_the_dense_matrix() -> Result<()> {
 fn orders_are_one_half_on_uniform_and_two_minus_s_on_graded_meshes() -> Result<()> {
     for (s, exact) in ENERGIES {
         for (theory, exponent) in [(0.5, 1.0), (2.0 - s, 2.0 * (2.0 - s))] {
-            let error = |n: usize| Ok::<_, Error>(relative_error(&graded(n, exponent)?, s, exact)?.0);
+            let error =
+                |n: usize| Ok::<_, Error>(relative_error(&graded(n, exponent)?, s, exact)?.0);
             let order = (error(500)? / error(1000)?).log2();
             // At the exponent 2(2 − s) both ends contribute a logarithm.
             let tolerance = if exponent > 1.0 { 0.1 } else { ORDER };
-            assert!((order - theory).abs() < tolerance, "s = {s}, exponent {exponent}: order {order}");
+            assert!(
+                (order - theory).abs() < tolerance,
+                "s = {s}, exponent {exponent}: order {order}"
+            );
         }
     }
     Ok(())
@@ -91,7 +103,10 @@ fn the_energy_is_known_to_its_error_on_a_hundred_thousand_unequal_elements() -> 
     let (error, iterations) = relative_error(&graded(100_000, 2.0 * (2.0 - s))?, s, exact)?;
     // n^{s−2} with the factor of coarse meshes: products must keep 1e-12 of the energy.
     let expected = 1.6 * 1e5f64.powf(s - 2.0);
-    assert!(error > 0.5 * expected && error < 4.0 * expected, "{s}: {error:e} against {expected:e}");
+    assert!(
+        error > 0.5 * expected && error < 4.0 * expected,
+        "{s}: {error:e} against {expected:e}"
+    );
     assert!(iterations <= 26);
     Ok(())
 }
@@ -112,7 +127,10 @@ fn iterations_depend_neither_on_the_number_of_elements_nor_on_the_grading() -> R
 #[test]
 fn a_load_with_a_mean_is_refused_where_constants_have_no_seminorm() -> Result<()> {
     let mesh = Mesh::uniform(10, 1.0)?;
-    assert!(matches!(Gram::new(&mesh, 0.5, 1e-8)?.solve(&[1.0; 11]), Err(Error::OutOfRange { .. })));
+    assert!(matches!(
+        Gram::new(&mesh, 0.5, 1e-8)?.solve(&[1.0; 11]),
+        Err(Error::OutOfRange { .. })
+    ));
     assert!(matches!(
         Gram::zero_outside(&Mesh::uniform(1, 1.0)?, 0.5, 1e-8),
         Err(Error::CountOutOfRange { .. })

@@ -49,7 +49,10 @@ fn check_row_sums(what: &str, matrix: &DMatrix<f64>) {
     for i in 0..matrix.nrows() {
         let row: Vec<f64> = (0..matrix.ncols()).map(|j| matrix[(i, j)]).collect();
         let (sum, scale) = (row.iter().sum::<f64>(), row.iter().map(|a| a.abs()).sum::<f64>());
-        assert!(sum.abs() <= ROW_SUM_TOLERANCE * scale, "{what} row {i}: sum {sum:e}, scale {scale:e}");
+        assert!(
+            sum.abs() <= ROW_SUM_TOLERANCE * scale,
+            "{what} row {i}: sum {sum:e}, scale {scale:e}"
+        );
     }
 }
 

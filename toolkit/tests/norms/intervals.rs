@@ -20,14 +20,24 @@ fn assert_close(what: &str, value: f64, expected: f64, tolerance: f64) {
 fn means_and_lebesgue_norms_of_powers_are_beta_integrals() {
     for a in [-0.3, 0.001, 0.5, 3.0, 40.0] {
         let u = Function::from_fn(&[0.0, 1.0], |x: f64| x.powf(a)).unwrap();
-        assert_close(&format!("mean of x^{a}"), u.mean(asked()).unwrap().value, 1.0 / (a + 1.0), ASKED);
+        assert_close(
+            &format!("mean of x^{a}"),
+            u.mean(asked()).unwrap().value,
+            1.0 / (a + 1.0),
+            ASKED,
+        );
         for q in [1.0_f64, 1.5, 2.0, 3.0, 7.25] {
             if a * q <= -1.0 {
                 assert!(u.lp(q, asked()).is_err(), "x^{a} is not in L^{q}");
                 continue;
             }
             let norm = u.lp(q, asked()).unwrap().value;
-            assert_close(&format!("L^{q} norm of x^{a}"), norm, (a * q + 1.0).powf(-1.0 / q), ASKED);
+            assert_close(
+                &format!("L^{q} norm of x^{a}"),
+                norm,
+                (a * q + 1.0).powf(-1.0 / q),
+                ASKED,
+            );
         }
     }
 }
@@ -35,7 +45,8 @@ fn means_and_lebesgue_norms_of_powers_are_beta_integrals() {
 #[test]
 fn order_above_one_adds_the_derivative() {
     // u = x^2, u' = 2 x: |u|_0^2 = 1/5, |u'|_0^2 = 4/3 and |u'|_nu^2 = 4 |x|_nu^2.
-    let parabola = |slope| Function::from_fn(&[0.0, 1.0], |x: f64| x * x).unwrap().with_gradient(vec![slope]);
+    let parabola =
+        |slope| Function::from_fn(&[0.0, 1.0], |x: f64| x * x).unwrap().with_gradient(vec![slope]);
     let u = parabola(Function::from_fn(&[0.0, 1.0], |x: f64| 2.0 * x).unwrap());
     for nu in [1e-6, 0.01, 0.25, 0.5, 0.75, 0.99] {
         let order = Order::new(nu).unwrap();

@@ -33,12 +33,14 @@ fn assert_close(what: &str, value: f64, expected: f64) {
 
 #[test]
 fn quadratic_form_closed_form_and_pairs_agree() {
-    let all = [0, 1].into_iter().flat_map(|degree| meshes().into_iter().map(move |mesh| (degree, mesh)));
+    let all =
+        [0, 1].into_iter().flat_map(|degree| meshes().into_iter().map(move |mesh| (degree, mesh)));
     for (degree, mesh) in all.filter(|(degree, mesh)| *degree == 1 || mesh.len() > 1) {
         for order in orders().into_iter().filter(|order| degree == 1 || order.offset() < 0.0) {
             let values = values(mesh.len() + degree);
             let (u, gram, quadratic): (_, _, Vec<f64>) = if degree == 1 {
-                let three = values.windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1]), w[1]]).collect();
+                let three =
+                    values.windows(2).flat_map(|w| [w[0], 0.5 * (w[0] + w[1]), w[1]]).collect();
                 (Function::linears(&mesh, &values), Gram::new(&mesh, order, 1e-8), three)
             } else {
                 let three = values.iter().flat_map(|&v| [v; 3]).collect();
@@ -65,7 +67,10 @@ fn monomials_have_their_closed_form_on_any_mesh() {
             for degree in 1..=6 {
                 let power = |x: f64| x.powi(degree as i32);
                 let u = Function::interpolate(&partition, degree, power).unwrap();
-                let unit = closed_forms::power_seminorm_squared(degree as f64, order).unwrap().value.sqrt();
+                let unit = closed_forms::power_seminorm_squared(degree as f64, order)
+                    .unwrap()
+                    .value
+                    .sqrt();
                 // |x^k|_ν on (0, L) is L^{k+1/2−ν} times that on (0, 1).
                 let expected = unit * partition.total().powf(degree as f64 - order.offset());
                 let estimate = u.seminorm(order, Tolerance::new(1e-11).unwrap()).unwrap();
@@ -78,16 +83,19 @@ fn monomials_have_their_closed_form_on_any_mesh() {
 
 #[test]
 fn restriction_drops_the_rest_of_the_interval() {
-    let u = Function::linears(&Mesh::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0]).unwrap();
+    let u =
+        Function::linears(&Mesh::uniform(4, 2.0).unwrap(), &[9.0, 0.0, 1.0, 0.0, -7.0]).unwrap();
     let order = Order::new(0.75).unwrap();
     let hat = u.restrict(1..3).unwrap().seminorm(order, Tolerance::reference()).unwrap().value;
-    let expected = closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
+    let expected =
+        closed_forms::hat_seminorm_squared(0.0, 0.5, 0.5, 0.0, order).unwrap().value.sqrt();
     assert_close("hat", hat, expected);
 }
 
 #[test]
 fn lebesgue_norms_and_means() {
-    let u = Function::linears(&Mesh::from_lengths(&[1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9]).unwrap();
+    let u = Function::linears(&Mesh::from_lengths(&[1.0, 2.0]).unwrap(), &[-1.0, 1.0, 1.0 + 1e-9])
+        .unwrap();
     assert_close("mean", u.mean(Tolerance::reference()).unwrap().value, (2.0 + 1e-9) / 3.0);
     let cubic = u.lp(3.0, Tolerance::reference()).unwrap().value;
     assert_close("L3", cubic.powi(3), 0.25 + 2.0 + 3e-9);

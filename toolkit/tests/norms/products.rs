@@ -24,7 +24,10 @@ fn check(what: &str, operator: &Gram, is_uniform: bool) {
         worst = worst.max((y[i] - exact).abs());
         worst_entry = worst_entry.max((y[i] - exact).abs() / absolute);
     }
-    println!("{what}: {:.1e} of the largest, {worst_entry:.1e} of |A||x| entry by entry", worst / largest);
+    println!(
+        "{what}: {:.1e} of the largest, {worst_entry:.1e} of |A||x| entry by entry",
+        worst / largest
+    );
     assert!(worst <= PRODUCT_TOLERANCE * largest, "{what}: {worst:e} against {largest:e}");
     if !is_uniform {
         assert!(worst_entry <= PRODUCT_TOLERANCE, "{what}: {worst_entry:e} of |A||x| in one entry");

@@ -27,8 +27,9 @@ impl Pieces {
         let mut lengths: Vec<f64> = (0..count).map(|_| random.between(0.1, 1.0)).collect();
         let sum: f64 = lengths.iter().sum();
         lengths.iter_mut().for_each(|h| *h *= total / sum);
-        let mut value =
-            || if kind == 0 { (2 * random.below(2)) as f64 - 1.0 } else { random.between(-1.0, 1.0) };
+        let mut value = || {
+            if kind == 0 { (2 * random.below(2)) as f64 - 1.0 } else { random.between(-1.0, 1.0) }
+        };
         let mut piece = || match kind {
             0 => {
                 let v = value();
@@ -100,7 +101,8 @@ impl Pieces {
         let total = self.total();
         let (mut sum, mut rest, mut weight) = (0.0, self.integrals(None), 1.0);
         for k in usize::from(zero)..coefficients {
-            let square = self.integrals(Some((k, zero))).powi(2) * if k == 0 { 1.0 } else { 2.0 } / total;
+            let square =
+                self.integrals(Some((k, zero))).powi(2) * if k == 0 { 1.0 } else { 2.0 } / total;
             weight = (k as f64 * PI / total).hypot(1.0).powf(-2.0 * nu);
             sum += weight * square;
             rest -= square;
@@ -156,7 +158,8 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (Estimate, f64) {
                 element += 1;
             }
             let first = element * 2 * (layers + 1);
-            let (start, total) = (mesh.from_left()[i] - mesh.from_left()[first], pieces.lengths[element]);
+            let (start, total) =
+                (mesh.from_left()[i] - mesh.from_left()[first], pieces.lengths[element]);
             let [l, r, c, d] = pieces.values[element];
             for (t, w) in rule.iter() {
                 let s = (start + h * t) / total;
@@ -213,9 +216,11 @@ fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
         let scale = [1e-3, 0.1][case % 2];
         let lengths: Vec<f64> = lengths.iter().map(|h| scale * h).collect();
         let nu = random.between(0.05, 0.8);
-        let find = |u: &Function<'_>, t| Estimate::or_best(u.norm(-order(nu), tolerance(t))).unwrap();
+        let find =
+            |u: &Function<'_>, t| Estimate::or_best(u.norm(-order(nu), tolerance(t))).unwrap();
         let whole = find(&constants(&lengths, &values), 1e-7);
-        let cut = |h: &[f64]| h.iter().flat_map(|h| [0.25 * h, 0.45 * h, 0.3 * h]).collect::<Vec<f64>>();
+        let cut =
+            |h: &[f64]| h.iter().flat_map(|h| [0.25 * h, 0.45 * h, 0.3 * h]).collect::<Vec<f64>>();
         let thrice: Vec<f64> = values.iter().flat_map(|&v| [v; 3]).collect();
         for t in [1e-4, 1e-6, 1e-8] {
             let pieces = find(&constants(&cut(&lengths), &thrice), t);
@@ -226,7 +231,11 @@ fn elements_cut_in_pieces_keep_the_norm_of_1_1() {
             heard += usize::from(reach < 1e-5);
         }
     }
-    assert!(2 * heard > 3 * cases(20) && sharpest < 1e-7, "{heard} of {}, {sharpest:e}", 3 * cases(20));
+    assert!(
+        2 * heard > 3 * cases(20) && sharpest < 1e-7,
+        "{heard} of {}, {sharpest:e}",
+        3 * cases(20)
+    );
 }
 
 #[test]
@@ -246,7 +255,8 @@ fn functions_with_breaks_have_the_norms_of_piecewise_polynomials() {
             ];
             assert!((a.value - b.value).abs() <= a.error + b.error, "{of:?} {nu}: {a} {b}");
             for u in [&log, &power] {
-                let [wide, sharp] = [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
+                let [wide, sharp] =
+                    [1e-3, 1e-6].map(|t| u.dual_norm(of, order(nu), tolerance(t)).unwrap());
                 let off = (wide.value - sharp.value).abs();
                 assert!(off <= wide.error + sharp.error, "{of:?} {nu}: {wide} {sharp}");
                 let l2 = u.norm(0.0, tolerance(1e-3)).unwrap();

@@ -4,7 +4,10 @@ use fractional_sobolev::{Curve, DualOf, Error, Estimate, Function, Mesh, Order, 
 use std::f64::consts::{PI, TAU};
 
 /// The linear interpolant of f at the nodes.
-fn interpolate(curve: Curve, f: impl Fn([f64; 2]) -> f64) -> fractional_sobolev::Result<Function<'static>> {
+fn interpolate(
+    curve: Curve,
+    f: impl Fn([f64; 2]) -> f64,
+) -> fractional_sobolev::Result<Function<'static>> {
     let values: Vec<f64> = curve.nodes().into_iter().map(f).collect();
     Function::on_curve(&curve, 1, &values)
 }
@@ -36,7 +39,8 @@ fn over_corner(angle: f64, nu: f64) -> f64 {
     let value = |theta: f64| {
         let reach = 1.0 / theta.cos().max(theta.sin());
         let d = (1.0 - (2.0 * theta).sin() * angle.cos()).sqrt();
-        theta.sin().powi(2) * d.powf(-1.0 - 2.0 * nu) * reach.powf(3.0 - 2.0 * nu) / (3.0 - 2.0 * nu)
+        theta.sin().powi(2) * d.powf(-1.0 - 2.0 * nu) * reach.powf(3.0 - 2.0 * nu)
+            / (3.0 - 2.0 * nu)
     };
     // Simpson's rule on either side of the kink at π/4.
     let half = |from: f64| {
@@ -64,7 +68,10 @@ fn corners_of_every_angle() {
                 // u = τ on the second leg alone.
                 let own = 2.0 / ((2.0 - 2.0 * nu) * (3.0 - 2.0 * nu));
                 let exact = (own + 2.0 * over_corner(angle, nu)).sqrt();
-                assert!((found.value / exact - 1.0).abs() < 1e-8, "{angle} {nu} {count}: {found} {exact}");
+                assert!(
+                    (found.value / exact - 1.0).abs() < 1e-8,
+                    "{angle} {nu} {count}: {found} {exact}"
+                );
             }
         }
     }
@@ -73,8 +80,12 @@ fn corners_of_every_angle() {
 #[test]
 fn straight_curves_are_intervals() {
     let (first, second) = (Mesh::algebraic(20, 3.0, 1.0).unwrap(), uniform(13));
-    let lengths: Vec<f64> =
-        first.lengths().iter().map(|h| 3.0 * h).chain(second.lengths().iter().map(|h| 2.0 * h)).collect();
+    let lengths: Vec<f64> = first
+        .lengths()
+        .iter()
+        .map(|h| 3.0 * h)
+        .chain(second.lengths().iter().map(|h| 2.0 * h))
+        .collect();
     let direction = [0.6, 0.8];
     let at = |t: f64| [1.0 + t * direction[0], -2.0 + t * direction[1]];
     let curve = Curve::open(&[at(0.0), at(3.0), at(5.0)], &[first, second]).unwrap();
@@ -88,7 +99,10 @@ fn straight_curves_are_intervals() {
             let tolerance = Tolerance::new(tolerance).unwrap();
             let found = on_curve.norm(order(nu), tolerance).unwrap();
             let exact = flat.norm(order(nu), Tolerance::reference()).unwrap();
-            assert!((found.value - exact.value).abs() <= found.error + exact.error, "{nu}: {found} {exact}");
+            assert!(
+                (found.value - exact.value).abs() <= found.error + exact.error,
+                "{nu}: {found} {exact}"
+            );
         }
     }
     let on_curve = Function::on_curve(&curve, 0, &steps).unwrap();
@@ -96,7 +110,10 @@ fn straight_curves_are_intervals() {
     for nu in [0.1, 0.49] {
         let found = on_curve.seminorm(order(nu), Tolerance::balanced()).unwrap();
         let exact = flat.seminorm(order(nu), Tolerance::reference()).unwrap();
-        assert!((found.value - exact.value).abs() <= found.error + exact.error, "{nu}: {found} {exact}");
+        assert!(
+            (found.value - exact.value).abs() <= found.error + exact.error,
+            "{nu}: {found} {exact}"
+        );
     }
 }
 
@@ -162,7 +179,8 @@ fn duals_of_interpolation_spaces_have_their_fourier_series() {
         let count = 2_000_000;
         // sin^2 is 1/2 on average beyond
         let last = count as f64 + 0.5;
-        let rest = (TAU / total).powf(-2.0 * nu) / (PI * PI) * last.powf(-1.0 - 2.0 * nu) / (1.0 + 2.0 * nu);
+        let rest = (TAU / total).powf(-2.0 * nu) / (PI * PI) * last.powf(-1.0 - 2.0 * nu)
+            / (1.0 + 2.0 * nu);
         let sum: f64 = (1..=count).rev().map(term).sum::<f64>() + rest + mean * mean;
         let exact = (total * sum).sqrt();
         let curve = Curve::closed(&triangle, &meshes).unwrap();
@@ -186,7 +204,8 @@ fn duals_on_open_curves_know_the_arc_length_alone() {
     let u = Function::on_curve(&bent, 1, &values).unwrap();
     let straight = Function::linears(&Mesh::uniform(6, 2.0).unwrap(), &values).unwrap();
     for of in [DualOf::Interpolation, DualOf::InterpolationZero] {
-        let [a, b] = [u.dual_norm(of, 0.4, 1e-9), straight.dual_norm(of, 0.4, 1e-9)].map(Result::unwrap);
+        let [a, b] =
+            [u.dual_norm(of, 0.4, 1e-9), straight.dual_norm(of, 0.4, 1e-9)].map(Result::unwrap);
         assert!((a.value / b.value - 1.0).abs() < 1e-12, "{a} {b}");
     }
     assert_eq!(u.dual_norm(DualOf::Slobodeckij, 0.4, 1e-3), u.norm(-0.4, 1e-3));
@@ -199,7 +218,8 @@ fn many_elements_of_a_closed_curve_are_a_matter_of_seconds() {
         let curve = Curve::algebraic(&SQUARE, per_side, 1.0).unwrap();
         interpolate(curve, |x| x[0] + x[0] * 3.0 * x[1]).unwrap()
     };
-    let [few, many] = [of(2), of(25_000)].map(|u| u.dual_norm(DualOf::Interpolation, 0.5, 1e-8).unwrap());
+    let [few, many] =
+        [of(2), of(25_000)].map(|u| u.dual_norm(DualOf::Interpolation, 0.5, 1e-8).unwrap());
     assert!((few.value - many.value).abs() <= few.error + many.error, "{few} {many}");
 }
 
@@ -237,7 +257,10 @@ fn a_corner_function_on_an_l_has_ten_digits() {
         x.hypot(y).powf(2.0 / 3.0) * (2.0 * angle / 3.0).sin()
     };
     let found = Function::on_polygon(&l, corner).unwrap().seminorm(0.5, 1e-10).unwrap();
-    assert!((found.value - 3.577_137_929_2).abs() < 1e-10 && found.relative_error() < 1e-10, "{found}");
+    assert!(
+        (found.value - 3.577_137_929_2).abs() < 1e-10 && found.relative_error() < 1e-10,
+        "{found}"
+    );
     let at = |n: usize| interpolate(Curve::algebraic(&l, n, 4.0).unwrap(), corner).unwrap();
     let off = [32, 64, 128].map(|n| at(n).seminorm(0.5, 1e-9).unwrap().value / found.value - 1.0);
     assert!(off[2].abs() < 1e-4 && off[0] / off[1] > 2.5 && off[1] / off[2] > 2.5, "{off:?}");
@@ -245,7 +268,10 @@ fn a_corner_function_on_an_l_has_ten_digits() {
         let far = l.map(|vertex| vertex.map(|x| unit * x));
         let u = Function::on_polygon(&far, |[x, y]| corner([x / unit, y / unit])).unwrap();
         assert!((u.seminorm(0.5, 1e-10).unwrap().value / found.value - 1.0).abs() < 1e-10);
-        assert!((u.norm(0.0, 1e-10).unwrap().value / unit.sqrt() / 1.901_276_617_695_32 - 1.0).abs() < 1e-9);
+        assert!(
+            (u.norm(0.0, 1e-10).unwrap().value / unit.sqrt() / 1.901_276_617_695_32 - 1.0).abs()
+                < 1e-9
+        );
     }
 }
 
@@ -271,8 +297,9 @@ fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
     let jump = |[x, y]: [f64; 2]| f64::from(y == 0.0 && x > 0.0 && x < 1.0);
     let few = Tolerance::new(1e-8).unwrap().with_work(1 << 22);
     let refused = Function::on_polygon(&SQUARE, jump).unwrap().seminorm(0.5, few);
-    let is_named =
-        |e: &Error| matches!(e, Error::InfiniteNorm { .. } | Error::ToleranceNotMet { best: Some(_), .. });
+    let is_named = |e: &Error| {
+        matches!(e, Error::InfiniteNorm { .. } | Error::ToleranceNotMet { best: Some(_), .. })
+    };
     assert!(refused.as_ref().is_err_and(is_named), "{refused:?}");
     let refused = Function::on_polygon(&SQUARE, kink).unwrap().seminorm(0.5, few);
     assert!(matches!(refused, Err(Error::ToleranceNotMet { best: Some(_), .. })), "{refused:?}");
@@ -288,7 +315,8 @@ fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
     assert!(matches!(endless, Err(Error::InfiniteNorm { .. })), "{endless:?}");
     let exact = limit.seminorm(0.5, 1e-10).unwrap();
     let moved = SQUARE.map(|[x, y]| [x + 3.0 / 7.0, y + 5.0 / 7.0]);
-    let moved = Function::on_polygon(&moved, |[x, y]| power([x - 3.0 / 7.0, y - 5.0 / 7.0])).unwrap();
+    let moved =
+        Function::on_polygon(&moved, |[x, y]| power([x - 3.0 / 7.0, y - 5.0 / 7.0])).unwrap();
     for tolerance in [1e-4, 1e-8, 1e-10] {
         let found = Estimate::or_best(moved.seminorm(0.5, tolerance)).unwrap();
         assert!(
@@ -297,5 +325,7 @@ fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
         );
     }
     assert!(moved.seminorm(0.5, 1e-10).is_err());
-    assert!(Function::on_polygon(&SQUARE, |[x, _]| 1.0 / (x - x)).unwrap().norm(0.5, 1e-6).is_err());
+    assert!(
+        Function::on_polygon(&SQUARE, |[x, _]| 1.0 / (x - x)).unwrap().norm(0.5, 1e-6).is_err()
+    );
 }

@@ -29,7 +29,9 @@ fn by_cells(a: f64, b: f64, angle: f64, s: f64) -> f64 {
             let (g, h) = ((b * phi).sin(), (b * (phi + psi)).sin());
             (g - tau * h).powi(2) + (h - tau * g).powi(2)
         };
-        (0..pieces as usize).map(|k| width * rule.integrate(|t| f((k as f64 + t) * width))).sum::<f64>()
+        (0..pieces as usize)
+            .map(|k| width * rule.integrate(|t| f((k as f64 + t) * width)))
+            .sum::<f64>()
     };
     let mut sum = 0.0;
     for psi in cuts(angle, 0.4).windows(2) {
@@ -39,7 +41,8 @@ fn by_cells(a: f64, b: f64, angle: f64, s: f64) -> f64 {
                 for (y, w) in rule.iter() {
                     let at = u[0] + (u[1] - u[0]) * y;
                     let rho = (-at).exp();
-                    let distance = (-(-at).exp_m1()).powi(2) + 4.0 * rho * (0.5 * psi_at).sin().powi(2);
+                    let distance =
+                        (-(-at).exp_m1()).powi(2) + 4.0 * rho * (0.5 * psi_at).sin().powi(2);
                     let weight = v * w * (psi[1] - psi[0]) * (u[1] - u[0]) * rho * rho;
                     sum += weight * inner(psi_at, (-a * at).exp()) * distance.powf(-1.0 - s);
                 }
@@ -53,14 +56,21 @@ fn by_cells(a: f64, b: f64, angle: f64, s: f64) -> f64 {
 fn two_methods_agree_up_to_the_limit_of_finiteness() {
     let mut worst = 0.0f64;
     for angle in [0.5 * PI, 0.8, 1.5 * PI] {
-        for (a, b, s) in
-            [(0.5, PI / angle, 0.3), (-0.4, 1.0, 0.55), (-0.299, 0.7, 0.7), (2.0 / 3.0, 2.0 / 3.0, 0.6)]
-        {
+        for (a, b, s) in [
+            (0.5, PI / angle, 0.3),
+            (-0.4, 1.0, 0.55),
+            (-0.299, 0.7, 0.7),
+            (2.0 / 3.0, 2.0 / 3.0, 0.6),
+        ] {
             let w = Function::sector_power(a, b, angle, 1.0).unwrap();
             let found = w.seminorm(Order::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
             let other = by_cells(a, b, angle, s);
             let difference = (found.value.powi(2) / other - 1.0).abs();
-            assert!(difference < TWO_METHODS, "{angle} {a} {b} {s}: {found} {} {difference:e}", other.sqrt());
+            assert!(
+                difference < TWO_METHODS,
+                "{angle} {a} {b} {s}: {found} {} {difference:e}",
+                other.sqrt()
+            );
             worst = worst.max(difference);
         }
     }
@@ -85,7 +95,9 @@ fn scaling_and_infinite_norms() {
             "{error}"
         );
     }
-    for bad in [Function::sector_power(-1.0, 1.0, 1.0, 1.0), Function::sector_power(0.5, 1.0, 6.0, 1.0)] {
+    for bad in
+        [Function::sector_power(-1.0, 1.0, 1.0, 1.0), Function::sector_power(0.5, 1.0, 6.0, 1.0)]
+    {
         assert!(matches!(bad, Err(Error::OutOfRange { .. })));
     }
     assert!(Function::sector_power(0.5, f64::NAN, 1.0, 1.0).is_err());

@@ -3,7 +3,9 @@
 
 use crate::common::SplitMix;
 use crate::hard::cases;
-use fractional_sobolev::{Error, Function, Order, Tolerance, Triangles, closed_forms, gauss_legendre};
+use fractional_sobolev::{
+    Error, Function, Order, Tolerance, Triangles, closed_forms, gauss_legendre,
+};
 use rayon::prelude::*;
 use serde_json::Value;
 
@@ -58,7 +60,8 @@ fn function_of(case: &Value) -> (Values, f64) {
         return (linear_on(corners, numbers(&case["gradient"]).try_into().unwrap()), ONE_TRIANGLE);
     }
     let triangles = case["triangles"].as_array().unwrap().iter();
-    let triangles = triangles.map(|t| [0, 1, 2].map(|k| t[k].as_u64().unwrap() as usize)).collect::<Vec<_>>();
+    let triangles =
+        triangles.map(|t| [0, 1, 2].map(|k| t[k].as_u64().unwrap() as usize)).collect::<Vec<_>>();
     let mesh = Triangles::new(&points(&case["points"]), &triangles).unwrap();
     let values = numbers(&case["values"]);
     (Values { mesh, degree: usize::from(case["case"] != "P0 on mesh"), values }, MESHES)
@@ -66,7 +69,8 @@ fn function_of(case: &Value) -> (Values, f64) {
 
 #[test]
 fn reference_values_are_met() {
-    let data: Value = serde_json::from_str(include_str!("../reference/plane_reference.json")).unwrap();
+    let data: Value =
+        serde_json::from_str(include_str!("../reference/plane_reference.json")).unwrap();
     let mut worst = [0.0f64; 2];
     for case in data["cases"].as_array().unwrap() {
         let (w, required) = function_of(case);
@@ -147,7 +151,8 @@ fn scaling_rotation_and_constants() {
     for _ in 0..20 {
         let mesh = mesh(&mut random, 2);
         let (w, order) = function(&mut random, mesh);
-        let seminorm = |w: &Values| w.function().seminorm(order, Tolerance::reference()).unwrap().value;
+        let seminorm =
+            |w: &Values| w.function().seminorm(order, Tolerance::reference()).unwrap().value;
         let like = |mesh: Triangles, values: Vec<f64>| Values { mesh, degree: w.degree, values };
         let norm = seminorm(&w);
         for l in [1e-100, 3e-7, 1e5, 1e100] {
@@ -201,7 +206,8 @@ fn by_covariogram(corners: [[f64; 2]; 3], gradient: [f64; 2], s: f64) -> f64 {
 fn slivers_and_sizes_keep_their_digits() {
     let height = 2f64.powi(-20);
     for s in [0.05, 0.3, 0.5, 0.75, 0.95] {
-        for (x, gradient) in [(0.5, [1.0, 0.0]), (0.25, [0.25, -0.75]), (1.5, [0.0, 1.0]), (0.0, [1.0, 1.0])]
+        for (x, gradient) in
+            [(0.5, [1.0, 0.0]), (0.25, [0.25, -0.75]), (1.5, [0.0, 1.0]), (0.0, [1.0, 1.0])]
         {
             // Powers of two, so that nodes and values are exact.
             for size in [2f64.powi(-332), 1.0, 2f64.powi(332)] {

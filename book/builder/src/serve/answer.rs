@@ -44,7 +44,8 @@ pub(super) async fn answer(
     let mut answer = match reply(request, address, laboratory).await {
         Ok(answer) => answer,
         Err((status, words)) => {
-            let mut answer = written("application/json", json!({"error": words}).to_string().into_bytes());
+            let mut answer =
+                written("application/json", json!({"error": words}).to_string().into_bytes());
             *answer.status_mut() = status;
             // What is left of a refused request is not read as the next one.
             answer.headers_mut().insert(header::CONNECTION, HeaderValue::from_static("close"));
@@ -107,7 +108,11 @@ fn host(headers: &HeaderMap, address: SocketAddr) -> Result<String, Refused> {
 }
 
 /// What a page asks, and its outcome in the words of the page.
-async fn compute(request: Request<Incoming>, host: &str, laboratory: &Laboratory) -> Result<Answer, Refused> {
+async fn compute(
+    request: Request<Incoming>,
+    host: &str,
+    laboratory: &Laboratory,
+) -> Result<Answer, Refused> {
     let headers = request.headers();
     if single(headers, &header::ORIGIN) != Some(&format!("http://{host}")) {
         return Err(refused(StatusCode::FORBIDDEN, "not from a page of this book"));
@@ -122,9 +127,10 @@ async fn compute(request: Request<Incoming>, host: &str, laboratory: &Laboratory
     let body = Limited::new(request.into_body(), limits.body).collect();
     let body = timeout(limits.request, body).await;
     let body = body.map_err(|_| refused(StatusCode::REQUEST_TIMEOUT, "too slow"))?;
-    let body = body.map_err(|_| refused(StatusCode::PAYLOAD_TOO_LARGE, "too long or broken"))?.to_bytes();
-    let asked: Map<String, Value> =
-        serde_json::from_slice(&body).map_err(|_| refused(StatusCode::BAD_REQUEST, "not a JSON object"))?;
+    let body =
+        body.map_err(|_| refused(StatusCode::PAYLOAD_TOO_LARGE, "too long or broken"))?.to_bytes();
+    let asked: Map<String, Value> = serde_json::from_slice(&body)
+        .map_err(|_| refused(StatusCode::BAD_REQUEST, "not a JSON object"))?;
     let question = Question::read(&asked, laboratory)
         .map_err(|words| refused(StatusCode::UNPROCESSABLE_ENTITY, words))?;
     let outcome = outcome(&question, laboratory).await?;
@@ -151,13 +157,17 @@ impl<'a> Question<'a> {
         let example = example.ok_or("an unknown example")?;
         let page = text("page").and_then(|name| laboratory.page(name)).ok_or("an unknown page")?;
         let options = asked.get("options").and_then(Value::as_object).ok_or("no options")?;
-        let description = laboratory.data().options.get(example).ok_or("an example without options")?;
+        let description =
+            laboratory.data().options.get(example).ok_or("an example without options")?;
         Ok(Self { example, page, arguments: arguments(description, options)? })
     }
 }
 
 /// An outcome that is kept, or that of a run once the one before has ended.
-async fn outcome(question: &Question<'_>, laboratory: &Laboratory) -> Result<Arc<Outcome>, Refused> {
+async fn outcome(
+    question: &Question<'_>,
+    laboratory: &Laboratory,
+) -> Result<Arc<Outcome>, Refused> {
     let key = (question.example.to_owned(), question.arguments.clone());
     if let Some(kept) = laboratory.recall(&key) {
         return Ok(kept);

@@ -59,7 +59,10 @@ impl Laboratory {
         let index = chapters.first().map(|page| ("index.html".to_owned(), page.text.clone()));
         let allowed = read(&layout.book.join("allowed-decimals.txt")).unwrap_or_default();
         let stem = |program: &PathBuf| {
-            (program.file_stem().unwrap_or_default().to_string_lossy().into_owned(), program.clone())
+            (
+                program.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+                program.clone(),
+            )
         };
         Ok(Self {
             files,
@@ -101,7 +104,13 @@ impl Laboratory {
         let repository = &self.layout.repository;
         let (examples, tests) = (repository.join("examples"), repository.join("tests"));
         let ideas = self.layout.book.join("ideas");
-        then(&Sources { data, examples: &examples, tests: &tests, ideas: &ideas, allowed: &self.allowed })
+        then(&Sources {
+            data,
+            examples: &examples,
+            tests: &tests,
+            ideas: &ideas,
+            allowed: &self.allowed,
+        })
     }
 
     /// An outcome that is kept.

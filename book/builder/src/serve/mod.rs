@@ -49,7 +49,8 @@ impl Server {
     pub fn bind(laboratory: Laboratory, port: u16) -> Result<Self> {
         let failed = |source| Error::Server { port, source };
         let runtime = Builder::new_current_thread().enable_all().build().map_err(failed)?;
-        let listener = runtime.block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, port))).map_err(failed)?;
+        let listener =
+            runtime.block_on(TcpListener::bind((Ipv4Addr::LOCALHOST, port))).map_err(failed)?;
         let address = listener.local_addr().map_err(failed)?;
         Ok(Self { runtime, listener, address, laboratory })
     }

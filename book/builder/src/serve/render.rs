@@ -10,13 +10,19 @@ use std::collections::BTreeSet;
 
 /// `seconds`, `blocks` by directive (null where the outcome has no such entry), `begins`: those that read
 /// otherwise where they begin a sentence, `more`: figures that the page does not show.
-pub(super) fn render(laboratory: &Laboratory, example: &str, page: &str, outcome: &Outcome) -> Value {
+pub(super) fn render(
+    laboratory: &Laboratory,
+    example: &str,
+    page: &str,
+    outcome: &Outcome,
+) -> Value {
     let mut data: Data = laboratory.data().clone();
     let of_example = |name: &str| name.split_once('/').is_some_and(|(owner, _)| owner == example);
     let directives = live::directives(page, &data);
     data.figures.retain(|name, _| !of_example(name));
     data.series.retain(|name, _| !of_example(name));
-    let figures = outcome.figures.iter().map(|(name, svg)| (format!("{example}/{name}"), svg.clone()));
+    let figures =
+        outcome.figures.iter().map(|(name, svg)| (format!("{example}/{name}"), svg.clone()));
     data.figures.extend(figures);
     data.examples.insert(example.to_owned(), Value::Object(outcome.headline.clone()));
     let (mut blocks, mut begins) = (Map::new(), Map::new());

@@ -35,12 +35,16 @@ pub(super) enum Refusal {
 }
 
 /// Runs a program with arguments that were checked. When the future is dropped the process is killed.
-pub(super) async fn run(program: &Path, arguments: &[String], limits: &Limits) -> Result<Outcome, Refusal> {
+pub(super) async fn run(
+    program: &Path,
+    arguments: &[String],
+    limits: &Limits,
+) -> Result<Outcome, Refusal> {
     let failed = |what: &str| Refusal::Run(what.to_owned());
     let directory = tempfile::tempdir().map_err(|_| failed("no place to work in"))?;
     let place = directory.path();
-    let complaint =
-        std::fs::File::create(place.join("complaint")).map_err(|_| failed("no place to work in"))?;
+    let complaint = std::fs::File::create(place.join("complaint"))
+        .map_err(|_| failed("no place to work in"))?;
     let start = Instant::now();
     let mut child = Command::new(program)
         .args(arguments)
@@ -69,7 +73,9 @@ pub(super) async fn run(program: &Path, arguments: &[String], limits: &Limits) -
     let headline = headline.map_err(|_| failed("the example left no answer"))?;
     let mut figures = BTreeMap::new();
     for file in names(&place.join("figures")).unwrap_or_default() {
-        if let (Some(stem), Ok(svg)) = (file.strip_suffix(".svg"), read(&place.join("figures").join(&file))) {
+        if let (Some(stem), Ok(svg)) =
+            (file.strip_suffix(".svg"), read(&place.join("figures").join(&file)))
+        {
             figures.insert(stem.to_owned(), svg);
         }
     }
@@ -120,10 +126,12 @@ fn size(place: &Path) -> u64 {
     let below = |path: &Path| -> Vec<std::fs::DirEntry> {
         std::fs::read_dir(path).into_iter().flatten().filter_map(Result::ok).collect()
     };
-    let bytes =
-        |entry: &std::fs::DirEntry| entry.metadata().map_or(0, |m| if m.is_file() { m.len() } else { 0 });
+    let bytes = |entry: &std::fs::DirEntry| {
+        entry.metadata().map_or(0, |m| if m.is_file() { m.len() } else { 0 })
+    };
     let top = below(place);
-    let inner = top.iter().flat_map(|entry| below(&entry.path())).map(|entry| bytes(&entry)).sum::<u64>();
+    let inner =
+        top.iter().flat_map(|entry| below(&entry.path())).map(|entry| bytes(&entry)).sum::<u64>();
     inner + top.iter().map(bytes).sum::<u64>()
 }
 

@@ -21,13 +21,15 @@ fn page(browser: &str, address: &str) -> Option<String> {
         .args(["--dump-dom", address])
         .output()
         .ok()?;
-    Some(String::from_utf8_lossy(&output.stdout).into_owned()).filter(|html| html.contains("</html>"))
+    Some(String::from_utf8_lossy(&output.stdout).into_owned())
+        .filter(|html| html.contains("</html>"))
 }
 
 /// A Chromium, if there is one.
 fn browser() -> Option<&'static str> {
-    let is_there =
-        |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let is_there = |name: &&str| {
+        Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success())
+    };
     let found = BROWSERS.into_iter().find(is_there);
     if found.is_none() {
         println!("skipped: no Chromium here");
@@ -39,7 +41,8 @@ fn browser() -> Option<&'static str> {
 fn a_browser_computes_with_the_parameters_of_the_address() {
     let Some(browser) = browser() else { return };
     let book = Book::serve(short());
-    let at = |query: &str| page(browser, &format!("http://{}/first.html{query}", book.host())).unwrap();
+    let at =
+        |query: &str| page(browser, &format!("http://{}/first.html{query}", book.host())).unwrap();
     let plain = at("");
     assert!(plain.contains("x is 1/2") && plain.contains(">Compute</button>"), "{plain}");
     assert_eq!(book.runs().len(), 0, "a page computes only when asked");

@@ -1,7 +1,9 @@
 //! Requests that a page of the book would never send: each is refused and starts no program.
 
 use super::http::{Book, answer, short};
-use super::lists::{BODIES, EXAMPLES, HOSTS, METHODS, NAMES, ORIGINS, PAGES, PATHS, TYPES, VALUES, words};
+use super::lists::{
+    BODIES, EXAMPLES, HOSTS, METHODS, NAMES, ORIGINS, PAGES, PATHS, TYPES, VALUES, words,
+};
 use serde_json::{Value, json};
 use std::io::Write;
 use std::net::TcpStream;
@@ -16,7 +18,8 @@ fn asked(book: &Book, example: &str, page: &str, options: &Value) -> Vec<u8> {
 
 /// A good request with one part replaced.
 fn changed(book: &Book, from: &str, to: &str) -> Vec<u8> {
-    let good = String::from_utf8(asked(book, "planted", "first.html", &json!({"x": "0.4"}))).unwrap();
+    let good =
+        String::from_utf8(asked(book, "planted", "first.html", &json!({"x": "0.4"}))).unwrap();
     assert!(good.contains(from), "{from}");
     good.replacen(from, to, 1).into_bytes()
 }
@@ -29,10 +32,15 @@ fn attempts(book: &Book) -> Vec<Attempt> {
     };
     let long = "y".repeat(1 << 20);
     let mut all: Vec<Attempt> = Vec::new();
-    let mut push = |what: &str, word: &str, bytes: Vec<u8>| all.push((format!("{what} {word:?}"), bytes));
+    let mut push =
+        |what: &str, word: &str, bytes: Vec<u8>| all.push((format!("{what} {word:?}"), bytes));
     for name in words(HOSTS).iter().map(|name| name.replace("PORT", &port)) {
         push("GET, host", &name, get("/", &name));
-        push("POST, host", &name, changed(book, &format!("Host: {host}"), &format!("Host: {name}")));
+        push(
+            "POST, host",
+            &name,
+            changed(book, &format!("Host: {host}"), &format!("Host: {name}")),
+        );
     }
     for name in words(ORIGINS).iter().map(|name| name.replace("PORT", &port)) {
         push("origin", &name, changed(book, &own, &format!("Origin: {name}\r\n")));
@@ -42,7 +50,9 @@ fn attempts(book: &Book) -> Vec<Attempt> {
         push("POST", path, changed(book, "POST /run ", &format!("POST {path} ")));
     }
     words(METHODS).iter().for_each(|method| push("method", method, changed(book, "POST", method)));
-    words(TYPES).iter().for_each(|kind| push("type", kind, changed(book, "application/json", kind)));
+    words(TYPES)
+        .iter()
+        .for_each(|kind| push("type", kind, changed(book, "application/json", kind)));
     let options = |options: &Value| asked(book, "planted", "first.html", options);
     for (name, values) in VALUES {
         words(values).iter().for_each(|value| push(name, value, options(&json!({name: value}))));
@@ -53,7 +63,9 @@ fn attempts(book: &Book) -> Vec<Attempt> {
     for example in words(EXAMPLES) {
         push("example", &example, asked(book, &example, "first.html", &json!({})));
     }
-    words(PAGES).iter().for_each(|page| push("page", page, asked(book, "planted", page, &json!({}))));
+    words(PAGES)
+        .iter()
+        .for_each(|page| push("page", page, asked(book, "planted", page, &json!({}))));
     for body in BODIES.replace('~', "\"").split('|').chain([long.as_str(), &"[".repeat(4000)]) {
         push("body", &body[..body.len().min(80)], book.post(body));
     }

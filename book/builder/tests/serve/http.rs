@@ -48,7 +48,9 @@ impl Book {
         };
         let book = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let kept = |file: &str| std::fs::read_to_string(book.join(file)).unwrap();
-        for file in ["book.toml", "style/book.css", "style/slider.js", "style/fit.js", "style/live.js"] {
+        for file in
+            ["book.toml", "style/book.css", "style/slider.js", "style/fit.js", "style/live.js"]
+        {
             write(&format!("book/{file}"), &kept(file));
         }
         write("book/src/SUMMARY.md", "# Summary\n\n- [First](first.md)\n");
@@ -75,7 +77,8 @@ impl Book {
 
     /// The command lines of all runs so far.
     pub fn runs(&self) -> Vec<String> {
-        let log = std::fs::read_to_string(self.directory.path().join("planted.log")).unwrap_or_default();
+        let log =
+            std::fs::read_to_string(self.directory.path().join("planted.log")).unwrap_or_default();
         log.lines().map(str::to_owned).collect()
     }
 
@@ -100,7 +103,8 @@ impl Book {
 
     pub fn get(&self, path: &str) -> (u16, String) {
         self.raw(
-            format!("GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.host()).as_bytes(),
+            format!("GET {path} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", self.host())
+                .as_bytes(),
         )
     }
 
@@ -116,7 +120,8 @@ impl Book {
     }
 
     pub fn ask(&self, options: &Value) -> (u16, Value) {
-        let body = json!({"example": "planted", "page": "first.html", "options": options}).to_string();
+        let body =
+            json!({"example": "planted", "page": "first.html", "options": options}).to_string();
         let (status, text) = self.raw(&self.post(&body));
         (status, serde_json::from_str(&text).unwrap_or(Value::Null))
     }

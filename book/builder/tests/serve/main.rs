@@ -23,7 +23,8 @@ fn pages_are_served_and_offer_their_parameters() {
     }
     assert!(!book.get("/print.html").1.contains("class=\"try-it\""), "a panel cannot be printed");
     let (status, page) = book.raw(
-        format!("HEAD /first.html HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", book.host()).as_bytes(),
+        format!("HEAD /first.html HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", book.host())
+            .as_bytes(),
     );
     assert_eq!((status, page.as_str()), (200, ""));
 }
@@ -95,7 +96,8 @@ fn wait_for(what: &str, mut done: impl FnMut() -> bool) {
 #[test]
 fn one_run_at_a_time_and_a_page_that_is_left_ends_its_run() {
     let book = Book::serve(patient());
-    let body = json!({"example": "planted", "page": "first.html", "options": {"mode": "wait"}}).to_string();
+    let body = json!({"example": "planted", "page": "first.html", "options": {"mode": "wait"}})
+        .to_string();
     let mut page = TcpStream::connect(book.address).unwrap();
     page.write_all(&book.post(&body)).unwrap();
     wait_for("the run does not start", || book.runs().len() == 1);

@@ -7,10 +7,14 @@ use std::time::Duration;
 
 fn main() -> std::io::Result<()> {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let option = |name: &str| words.iter().find_map(|word| word.strip_prefix(&format!("--{name}=")));
-    let path =
-        |name: &str| words.iter().position(|w| w == name).and_then(|k| words.get(k + 1)).map(PathBuf::from);
-    let (Some(values), Some(out)) = (path("--values"), path("--out")) else { std::process::exit(3) };
+    let option =
+        |name: &str| words.iter().find_map(|word| word.strip_prefix(&format!("--{name}=")));
+    let path = |name: &str| {
+        words.iter().position(|w| w == name).and_then(|k| words.get(k + 1)).map(PathBuf::from)
+    };
+    let (Some(values), Some(out)) = (path("--values"), path("--out")) else {
+        std::process::exit(3)
+    };
     let log = std::env::current_exe()?.with_extension("log");
     let mut log = std::fs::File::options().create(true).append(true).open(log)?;
     writeln!(log, "{}", words.join(" "))?;
@@ -39,13 +43,17 @@ fn main() -> std::io::Result<()> {
         _ => {}
     }
     let x = option("x").unwrap_or("0.5");
-    let finding =
-        format!(r#"{{"finding": "k", "outcome": "holds", "words": "now x is {x}", "comparison": "0 <= 1"}}"#);
-    let head = r#""label": "l", "claim": "c", "measured": "m", "verdict": "holds", "confirmed": true"#;
-    let table = format!(r#""columns": [{{"key": "x", "title": "x", "meaning": ""}}], "rows": [["{x}"]]"#);
+    let finding = format!(
+        r#"{{"finding": "k", "outcome": "holds", "words": "now x is {x}", "comparison": "0 <= 1"}}"#
+    );
+    let head =
+        r#""label": "l", "claim": "c", "measured": "m", "verdict": "holds", "confirmed": true"#;
+    let table =
+        format!(r#""columns": [{{"key": "x", "title": "x", "meaning": ""}}], "rows": [["{x}"]]"#);
     let json = format!(r#"{{{head}, "values": {{"x": {x}}}, "findings": [{finding}], {table}}}"#);
     std::fs::write(values, json)?;
-    let svg =
-        format!("<svg viewBox=\"0 0 10 10\" xmlns=\"http://www.w3.org/2000/svg\"><text>x = {x}</text></svg>");
+    let svg = format!(
+        "<svg viewBox=\"0 0 10 10\" xmlns=\"http://www.w3.org/2000/svg\"><text>x = {x}</text></svg>"
+    );
     std::fs::write(out.join("chart.svg"), svg)
 }

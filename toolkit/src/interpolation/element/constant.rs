@@ -44,8 +44,9 @@ pub(in crate::interpolation) fn on_interval(
             BestConstant::new(limit, limit, None).times(factor)?
         }
         UnitOrder::Inner(order) => {
-            let found = extremal(norm, h, order, tolerance)
-                .map_err(|error| error.carry("interpolation constant", |best| best.times(factor)))?;
+            let found = extremal(norm, h, order, tolerance).map_err(|error| {
+                error.carry("interpolation constant", |best| best.times(factor))
+            })?;
             let constant = found.constant.times(factor)?;
             // |v(·/h)|_ν = h^{1/2−ν} |v|_ν
             let unit = h.powf(0.5 + order.value());
@@ -60,7 +61,11 @@ pub(in crate::interpolation) fn on_interval(
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`].
-pub(in crate::interpolation) fn of_mean(h: f64, order: Order, tolerance: Tolerance) -> Result<BestConstant> {
+pub(in crate::interpolation) fn of_mean(
+    h: f64,
+    order: Order,
+    tolerance: Tolerance,
+) -> Result<BestConstant> {
     if order.value() < LIMIT {
         return on_interval(h, ErrorNorm::Derivative, UnitOrder::Inner(order), tolerance);
     }
@@ -69,7 +74,8 @@ pub(in crate::interpolation) fn of_mean(h: f64, order: Order, tolerance: Toleran
         .map_err(|error| error.carry("projection constant", |best| best.times(factor)))?;
     let constant = found.constant.times(factor)?;
     let unit = h.powf(order.value() - 0.5);
-    Ok(BestConstant::new(constant, constant, None).with_extremal(move |point| unit * found.at(point, h).0))
+    Ok(BestConstant::new(constant, constant, None)
+        .with_extremal(move |point| unit * found.at(point, h).0))
 }
 
 /// A constant with the slope that attains it, on the unit element.
@@ -86,7 +92,11 @@ impl ElementExtremal {
     fn at(&self, point: &[f64], h: f64) -> (f64, f64) {
         let t = point.first().map_or(f64::NAN, |x| x / h);
         let is_inside = (0.0..=1.0).contains(&t);
-        if is_inside { evaluate(&self.degrees, &self.coefficients, t) } else { (f64::NAN, f64::NAN) }
+        if is_inside {
+            evaluate(&self.degrees, &self.coefficients, t)
+        } else {
+            (f64::NAN, f64::NAN)
+        }
     }
 }
 
@@ -94,7 +104,12 @@ impl ElementExtremal {
 ///
 /// # Errors
 /// [`Error::ToleranceNotMet`].
-fn extremal(norm: ErrorNorm, h: f64, order: Order, tolerance: Tolerance) -> Result<ElementExtremal> {
+fn extremal(
+    norm: ErrorNorm,
+    h: f64,
+    order: Order,
+    tolerance: Tolerance,
+) -> Result<ElementExtremal> {
     let mut last = None;
     let constant = converge("interpolation constant", tolerance, |count| {
         let degrees = odd_degrees(count);
@@ -111,9 +126,11 @@ fn extremal(norm: ErrorNorm, h: f64, order: Order, tolerance: Tolerance) -> Resu
 /// The vector normalised such that |v|_ν = 1 and v(1) > 0.
 fn normalised(gram: &DMatrix<f64>, vector: &[f64], degrees: &[usize]) -> Vec<f64> {
     let size = vector.len();
-    let energy: f64 =
-        (0..size).map(|i| (0..size).map(|j| vector[i] * gram[(i, j)] * vector[j]).sum::<f64>()).sum();
-    let at_end: f64 = degrees.iter().zip(vector).map(|(&k, c)| c * (2.0 * k as f64 + 1.0).sqrt()).sum();
+    let energy: f64 = (0..size)
+        .map(|i| (0..size).map(|j| vector[i] * gram[(i, j)] * vector[j]).sum::<f64>())
+        .sum();
+    let at_end: f64 =
+        degrees.iter().zip(vector).map(|(&k, c)| c * (2.0 * k as f64 + 1.0).sqrt()).sum();
     let scale = energy.sqrt().recip().copysign(at_end);
     vector.iter().map(|c| c * scale).collect()
 }

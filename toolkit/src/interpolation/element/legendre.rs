@@ -74,7 +74,10 @@ pub(super) fn evaluate(degrees: &[usize], coefficients: &[f64], x: f64) -> (f64,
     legendre::fill(&mut legendre, t);
     degrees.iter().zip(coefficients).fold((0.0, 0.0), |(value, primitive), (&k, &c)| {
         let root = (2.0 * k as f64 + 1.0).sqrt();
-        (value + c * root * legendre[k], primitive + c * 0.5 / root * (legendre[k + 1] - legendre[k - 1]))
+        (
+            value + c * root * legendre[k],
+            primitive + c * 0.5 / root * (legendre[k + 1] - legendre[k - 1]),
+        )
     })
 }
 
@@ -143,7 +146,9 @@ mod tests {
             let exact = 12.0 / ((1.0 - nu) * (3.0 - 2.0 * nu));
             assert!((gram[(0, 0)] / exact - 1.0).abs() < 1e-14, "{nu}: {} {exact}", gram[(0, 0)]);
             // opposite parities are orthogonal
-            assert!(gram[(0, 1)].abs() < 1e-13 * exact && gram[(1, 2)].abs() < 1e-13 * gram[(2, 2)]);
+            assert!(
+                gram[(0, 1)].abs() < 1e-13 * exact && gram[(1, 2)].abs() < 1e-13 * gram[(2, 2)]
+            );
         }
     }
 

@@ -29,13 +29,15 @@ pub(super) fn at_zero(norm: ErrorNorm, h: f64) -> Result<Estimate> {
     if norm == ErrorNorm::Derivative {
         return Estimate::new(0.5, 0.0, Work::default());
     }
-    let value = |count: usize| -> Result<f64> {
-        let degrees = odd_degrees(count);
-        let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
-        let seminorm =
-            DMatrix::from_fn(count, count, |i, j| if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 });
-        Ok(Factored::new(&seminorm)?.largest_eigenvalue(&form(norm, h, &degrees)?)?.0.sqrt())
-    };
+    let value =
+        |count: usize| -> Result<f64> {
+            let degrees = odd_degrees(count);
+            let harmonic = |k: usize| (1..=k).rev().map(|j| 1.0 / j as f64).sum::<f64>();
+            let seminorm = DMatrix::from_fn(count, count, |i, j| {
+                if i == j { 4.0 * harmonic(degrees[i]) } else { 0.0 }
+            });
+            Ok(Factored::new(&seminorm)?.largest_eigenvalue(&form(norm, h, &degrees)?)?.0.sqrt())
+        };
     let fine = value(COUNT)?;
     let error = (fine - value(COUNT / 2)?).abs() + 16.0 * f64::EPSILON * fine;
     Estimate::new(fine, error, Work { factorizations: 4, ..Work::default() })

@@ -46,9 +46,13 @@ impl EndIncrements {
     /// [`Error::NotPositiveDefinite`] if rounding makes the Gram matrix indefinite.
     fn new(partition: &Mesh) -> Result<Self> {
         let size = partition.len() + 1;
-        let norm = gram_linears(partition, Order::HALF) + mass_form(partition) + primitive_form(partition)?;
-        let broken =
-            || Error::NotPositiveDefinite { what: "Gram matrix of the norm of H^{3/2}", pivot: size };
+        let norm = gram_linears(partition, Order::HALF)
+            + mass_form(partition)
+            + primitive_form(partition)?;
+        let broken = || Error::NotPositiveDefinite {
+            what: "Gram matrix of the norm of H^{3/2}",
+            pivot: size,
+        };
         let factor = Cholesky::new(&norm).ok_or_else(broken)?;
         // Column k: the integrals of the hats over (0, θ_k), in units of θ_k to stay in range.
         let nodes = partition.from_left()[1..].to_vec();
@@ -129,7 +133,9 @@ mod tests {
         // A pair inside the interval has a smaller increment than one at the end.
         let theta = 0.6f64.powi(20);
         let distance = |k: usize| (increments.nodes[k] / theta).ln().abs();
-        let near = (0..increments.nodes.len()).min_by(|&a, &b| distance(a).total_cmp(&distance(b))).unwrap();
+        let near = (0..increments.nodes.len())
+            .min_by(|&a, &b| distance(a).total_cmp(&distance(b)))
+            .unwrap();
         assert!(increments.norms[near] > 1.0);
     }
 }

@@ -58,7 +58,8 @@ impl Embedding {
                 upper::check(order, q).map(|()| Self::Lq(order, q))
             }
             (SobolevOrder::OnePlus(Order::HALF), Target::Hoelder(alpha)) => {
-                Error::require("alpha", alpha, "(0, 1)", alpha > 0.0 && alpha < 1.0).map(Self::Hoelder)
+                Error::require("alpha", alpha, "(0, 1)", alpha > 0.0 && alpha < 1.0)
+                    .map(Self::Hoelder)
             }
             _ => Err(Error::Incompatible {
                 what: "embedding into",
@@ -146,10 +147,12 @@ pub fn embedding_constant(
         Embedding::Lq(order, q) => {
             let found = EmbeddingSpace::of(order, q)?.climb(q, tolerance)?;
             let between = between(found.quotient, upper)?;
-            Ok(BestConstant::new(between, found.quotient, Some(upper)).with_extremal(move |point| {
-                let value = |&x: &f64| linear_at(&found.mesh, &found.values, x);
-                point.first().and_then(value).unwrap_or(f64::NAN)
-            }))
+            Ok(BestConstant::new(between, found.quotient, Some(upper)).with_extremal(
+                move |point| {
+                    let value = |&x: &f64| linear_at(&found.mesh, &found.values, x);
+                    point.first().and_then(value).unwrap_or(f64::NAN)
+                },
+            ))
         }
         Embedding::Hoelder(alpha) => {
             let mesh = trial::graded((1.0 - alpha).recip())?;

@@ -194,7 +194,9 @@ mod tests {
         let coarse = EmbeddingSpace::new(Order::HALF, 100, 0.5).unwrap();
         let fine = EmbeddingSpace::new(Order::HALF, 195, 0.7).unwrap();
         for q in [16.0, 50.0, 90.0] {
-            let of = |space: &EmbeddingSpace| space.climb(q, Tolerance::balanced()).unwrap().quotient.value;
+            let of = |space: &EmbeddingSpace| {
+                space.climb(q, Tolerance::balanced()).unwrap().quotient.value
+            };
             let (a, b) = (of(&coarse), of(&fine));
             assert!(a <= b * (1.0 + 1e-6) && b <= a * 1.003, "{q}: {a} {b}");
         }

@@ -198,7 +198,12 @@ impl Powers {
         Angular::new(self.count, a).values.into_iter().map(|p| power * p).collect()
     }
 
-    pub(super) fn gradients(self, shape: &TriangleShape, apex: usize, beta: Barycentric) -> Vec<[f64; 2]> {
+    pub(super) fn gradients(
+        self,
+        shape: &TriangleShape,
+        apex: usize,
+        beta: Barycentric,
+    ) -> Vec<[f64; 2]> {
         let mut out = vec![[0.0; 2]; self.count];
         self.fill_gradients(shape, apex, beta, &mut Angular::new(self.count, 0.5), &mut out);
         out
@@ -220,7 +225,12 @@ impl Powers {
     }
 
     /// τ^{1−μ} times the gradients.
-    pub(super) fn angular_gradients(self, shape: &TriangleShape, apex: usize, a: f64) -> Vec<[f64; 2]> {
+    pub(super) fn angular_gradients(
+        self,
+        shape: &TriangleShape,
+        apex: usize,
+        a: f64,
+    ) -> Vec<[f64; 2]> {
         let mut out = vec![[0.0; 2]; self.count];
         self.fill_angular_gradients(shape, apex, a, &mut Angular::new(self.count, a), &mut out);
         out
@@ -252,7 +262,8 @@ mod tests {
     fn orthonormal_with_slopes_that_are_slopes() {
         let shape = TriangleShape::new([[0.0, 0.0], [2.0, 0.3], [0.4, 1.1]]).unwrap().unit();
         let (set, apex) = (Polynomials(5), 1);
-        let (radial, across) = (Rule::gauss_jacobi(8, 0.0, 1.0).unwrap(), Rule::gauss_legendre(8).unwrap());
+        let (radial, across) =
+            (Rule::gauss_jacobi(8, 0.0, 1.0).unwrap(), Rule::gauss_legendre(8).unwrap());
         let count = set.index().len();
         let mut gram = vec![0.0; count * count];
         for (tau, v) in radial.iter() {

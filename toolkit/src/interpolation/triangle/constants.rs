@@ -127,8 +127,11 @@ impl Matrices {
             UnitOrder::Inner(order) if order.value() >= 0.02 => {
                 let s = order.value();
                 let is_near = (2.0 * s - 1.0).abs() < FROM_POLYNOMIALS;
-                let power =
-                    if is_near { 1.0 + FROM_POLYNOMIALS } else { (2.0 * s).min(2.0 - FROM_POLYNOMIALS) };
+                let power = if is_near {
+                    1.0 + FROM_POLYNOMIALS
+                } else {
+                    (2.0 * s).min(2.0 - FROM_POLYNOMIALS)
+                };
                 let space = Space::new(unit, degree, power, ANGULAR);
                 let forms = space.forms(order)?;
                 Ok(with(space, forms, ANGULAR))
@@ -149,9 +152,10 @@ impl Matrices {
         let (form, upper) = match norm {
             ErrorNorm::Derivative => (self.forms.derivative.clone(), derivative),
             ErrorNorm::L2 => (self.forms.l2.clone(), l2),
-            ErrorNorm::H1 => {
-                (&self.forms.derivative + &self.forms.l2 * (size * size), derivative.hypot(size * l2))
-            }
+            ErrorNorm::H1 => (
+                &self.forms.derivative + &self.forms.l2 * (size * size),
+                derivative.hypot(size * l2),
+            ),
             ErrorNorm::Dual | ErrorNorm::At(_) => return Err(refused(norm)),
         };
         let found = settled(&self.space, &self.forms.seminorm, &form, self.degree, self.angular)?;
@@ -165,7 +169,12 @@ impl Matrices {
             if beta.iter().any(|&b| b.is_nan() || b < OUTSIDE) {
                 return f64::NAN;
             }
-            unit * space.errors(beta).iter().zip(&coefficients).map(|(value, c)| value * c).sum::<f64>()
+            unit * space
+                .errors(beta)
+                .iter()
+                .zip(&coefficients)
+                .map(|(value, c)| value * c)
+                .sum::<f64>()
         };
         BestConstant::new(found.value, lower, Some(upper))
             .with_extremal(move |point| point.first_chunk().map_or(f64::NAN, |&x| value(x)))
@@ -206,7 +215,10 @@ fn settled(
     let (lower, coefficients) = quotient(degree, angular)?;
     let direction = if angular == 0 { 0.0 } else { lower - quotient(degree, angular - 1)?.0 };
     let (before, value) = (limit(&levels[..3]), limit(&levels[1..]));
-    let error = (value - before).abs() + TRUST * (value - lower) + 2.0 * direction.abs() + QUADRATURE * lower;
+    let error = (value - before).abs()
+        + TRUST * (value - lower)
+        + 2.0 * direction.abs()
+        + QUADRATURE * lower;
     let work = Work { points: degrees.len() as u64, ..Work::default() };
     Ok(Settled { lower, value: Estimate::new(value, error, work)?, coefficients })
 }

@@ -26,7 +26,9 @@ pub(super) fn largest_quotient(
     let (values, vectors) = symmetric_eigen(&part(a)).ok_or_else(bad)?;
     let least = CUT * values.last().ok_or_else(bad)?;
     let from = values.iter().position(|value| *value > least).ok_or_else(bad)?;
-    let root = DMatrix::from_fn(size, size - from, |i, j| vectors[(i, from + j)] / values[from + j].sqrt());
+    let root = DMatrix::from_fn(size, size - from, |i, j| {
+        vectors[(i, from + j)] / values[from + j].sqrt()
+    });
     let (found, inner) =
         symmetric_eigen(&transpose_times(&root, &product(&part(b), &root))).ok_or_else(bad)?;
     let last = found.len() - 1;

@@ -27,7 +27,8 @@ pub(super) struct CornerGram {
 /// (R(τ) − R(τq), R(τq)) at the points τ of a rule, as matrices of functions by points.
 fn radials(set: Polynomials, rule: &Rule, epsilon: f64) -> Result<[DMatrix<f64>; 2]> {
     let shape = (set.index().len(), rule.points().len());
-    let (mut differences, mut values) = (DMatrix::zeros(shape.0, shape.1), DMatrix::zeros(shape.0, shape.1));
+    let (mut differences, mut values) =
+        (DMatrix::zeros(shape.0, shape.1), DMatrix::zeros(shape.0, shape.1));
     for (j, &tau) in rule.points().iter().enumerate() {
         differences.column_mut(j).copy_from_slice(&set.radial_differences(tau, epsilon)?);
         values.column_mut(j).copy_from_slice(&set.radials(tau * (1.0 - epsilon)));
@@ -71,7 +72,8 @@ impl CornerGram {
             );
             let polynomials = if is_first {
                 let [u, v] = radials(set, &plain, epsilon)?;
-                let [uu, uv, vv] = [(&u, &u), (&u, &v), (&v, &v)].map(|(a, b)| integrals(&plain, a, b));
+                let [uu, uv, vv] =
+                    [(&u, &u), (&u, &v), (&v, &v)].map(|(a, b)| integrals(&plain, a, b));
                 DMatrix::from_fn(size, size, |i, j| {
                     let (k, l) = (angular[i], angular[j]);
                     let first = uu[(i, j)] * aa(k, l) + uv[(i, j)] * ad(k, l);
@@ -81,7 +83,9 @@ impl CornerGram {
                 DMatrix::zeros(size, size)
             };
             let [u, v] = radials(set, &singular, epsilon)?.map(|values| -> Vec<f64> {
-                let sum = |i| values.row(i).iter().zip(singular.weights()).map(|(value, w)| w * value).sum();
+                let sum = |i| {
+                    values.row(i).iter().zip(singular.weights()).map(|(value, w)| w * value).sum()
+                };
                 (0..size).map(sum).collect()
             });
             let there = (1.0 - epsilon).powf(exponent - 1.0);
@@ -89,7 +93,8 @@ impl CornerGram {
             let mixed = DMatrix::from_fn(size, count, |i, l| {
                 let k = angular[i];
                 let first = u[i] * (change * aa(k, l) + there * ad(k, l));
-                factor / shape.twice().sqrt() * (first + v[i] * (change * ad(l, k) + there * dd(k, l)))
+                factor / shape.twice().sqrt()
+                    * (first + v[i] * (change * ad(l, k) + there * dd(k, l)))
             });
             let powers = DMatrix::from_fn(count, count, |k, l| {
                 let cross = change * there * (ad(k, l) + ad(l, k));

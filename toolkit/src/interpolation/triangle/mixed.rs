@@ -28,7 +28,11 @@ fn graded(count: usize) -> Result<Vec<(f64, f64)>> {
 ///
 /// # Errors
 /// None.
-pub(super) fn corner_rule(shape: &TriangleShape, apex: usize, count: usize) -> Result<Vec<([f64; 3], f64)>> {
+pub(super) fn corner_rule(
+    shape: &TriangleShape,
+    apex: usize,
+    count: usize,
+) -> Result<Vec<([f64; 3], f64)>> {
     let half = graded(count)?;
     let both: Vec<[f64; 3]> = half
         .iter()
@@ -58,7 +62,8 @@ pub(super) fn between(
     let (s, other) = (order.value(), (apex + 1) % 3);
     let weight_power = 2.0 * order.complement() - 1.0;
     let power = 3.0 * weight_power + 2.0;
-    let (weighted, plain) = (Rule::gauss_jacobi(POINTS, 0.0, power)?, Rule::gauss_legendre(POINTS)?);
+    let (weighted, plain) =
+        (Rule::gauss_jacobi(POINTS, 0.0, power)?, Rule::gauss_legendre(POINTS)?);
     let graded = graded(POINTS)?;
     let outer: Vec<[f64; 4]> = weighted
         .iter()
@@ -73,7 +78,9 @@ pub(super) fn between(
     // τ and its weight
     let radial: Vec<(f64, f64)> = graded
         .iter()
-        .map(|&(rest, along)| (1.0 - rest, along * (1.0 - rest).powf(weight_power + powers.exponent - 1.0)))
+        .map(|&(rest, along)| {
+            (1.0 - rest, along * (1.0 - rest).powf(weight_power + powers.exponent - 1.0))
+        })
         .collect();
     let part = |&[xi, last, c, w]: &[f64; 4]| -> DMatrix<f64> {
         let mut sum = DMatrix::<f64>::zeros(powers.count, powers.count);
@@ -86,7 +93,8 @@ pub(super) fn between(
             for &(low, across) in &graded {
                 let low = (1.0 - distance) * low;
                 for sign in [1.0, -1.0] {
-                    let (a, b) = if sign > 0.0 { (low, low + distance) } else { (low + distance, low) };
+                    let (a, b) =
+                        if sign > 0.0 { (low, low + distance) } else { (low + distance, low) };
                     let c = epsilon * b - sign * distance;
                     let kappa = epsilon * epsilon * ff + 2.0 * epsilon * c * ft + c * c * tt;
                     let weight = first * across * (1.0 - distance) * kappa.powf(-1.0 - s);

@@ -68,7 +68,8 @@ pub(super) fn directions(
 ) -> Result<DMatrix<f64>> {
     let [f, t] = shape.frame(apex);
     let (ff, ft, tt) = (dot(f, f), dot(f, t), dot(t, t));
-    let (across, along) = (Rule::gauss_legendre(ACROSS.max(count + 2))?, Rule::gauss_legendre(count + MORE)?);
+    let (across, along) =
+        (Rule::gauss_legendre(ACROSS.max(count + 2))?, Rule::gauss_legendre(count + MORE)?);
     let mut cuts = vec![0.0, epsilon.min(1.0)];
     while cuts[cuts.len() - 1] < 1.0 {
         let next = GROWTH * cuts[cuts.len() - 1];
@@ -86,13 +87,20 @@ pub(super) fn directions(
                 let weight = v * (cell[1] - cell[0]) * w * rest;
                 for sign in [1.0, -1.0] {
                     let low = rest * y;
-                    let (a, b) = if sign > 0.0 { (low, low + distance) } else { (low + distance, low) };
+                    let (a, b) =
+                        if sign > 0.0 { (low, low + distance) } else { (low + distance, low) };
                     let c = epsilon * b - sign * distance;
                     let kappa = epsilon * epsilon * ff + 2.0 * epsilon * c * ft + c * c * tt;
                     let root = (weight * (-(1.0 + order.value()) * kappa.ln()).exp()).sqrt();
-                    legendre::fill_with_quotients(&mut here, &mut quotients, 2.0 * a - 1.0, 2.0 * b - 1.0);
-                    let (values, differences) =
-                        rows.as_mut_slice()[2 * count * at..2 * count * (at + 1)].split_at_mut(count);
+                    legendre::fill_with_quotients(
+                        &mut here,
+                        &mut quotients,
+                        2.0 * a - 1.0,
+                        2.0 * b - 1.0,
+                    );
+                    let (values, differences) = rows.as_mut_slice()
+                        [2 * count * at..2 * count * (at + 1)]
+                        .split_at_mut(count);
                     let across = -2.0 * sign * distance * root;
                     values.iter_mut().zip(&here).for_each(|(row, p)| *row = root * p);
                     differences.iter_mut().zip(&quotients).for_each(|(row, q)| *row = across * q);

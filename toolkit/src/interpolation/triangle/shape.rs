@@ -103,7 +103,8 @@ pub(super) fn at_point(corners: &[[f64; 2]; 3], x: [f64; 2]) -> Barycentric {
     let [a, b, c] = *corners;
     let cross = |u: [f64; 2], v: [f64; 2]| u[0] * v[1] - u[1] * v[0];
     let all = cross(minus(b, a), minus(c, a));
-    let (second, third) = (cross(minus(x, a), minus(c, a)) / all, cross(minus(b, a), minus(x, a)) / all);
+    let (second, third) =
+        (cross(minus(x, a), minus(c, a)) / all, cross(minus(b, a), minus(x, a)) / all);
     [1.0 - second - third, second, third]
 }
 

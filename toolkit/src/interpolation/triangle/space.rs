@@ -43,7 +43,8 @@ impl Space {
             corners: Vec::new(),
         };
         let unit = [0, 1, 2].map(|k| space.values(barycentric(k, 0.0, 0.5)));
-        space.corners = (0..unit[0].len()).map(|i| unit.each_ref().map(|values| values[i])).collect();
+        space.corners =
+            (0..unit[0].len()).map(|i| unit.each_ref().map(|values| values[i])).collect();
         space
     }
 
@@ -56,7 +57,11 @@ impl Space {
     /// The values of all functions minus their interpolants.
     pub(super) fn errors(&self, beta: Barycentric) -> Vec<f64> {
         let interpolant = |corners: &[f64; 3]| (0..3).map(|k| corners[k] * beta[k]).sum::<f64>();
-        self.values(beta).iter().zip(&self.corners).map(|(value, c)| value - interpolant(c)).collect()
+        self.values(beta)
+            .iter()
+            .zip(&self.corners)
+            .map(|(value, c)| value - interpolant(c))
+            .collect()
     }
 
     fn gradients(&self, beta: Barycentric) -> Vec<[f64; 2]> {
@@ -66,9 +71,13 @@ impl Space {
 
     fn error_gradients(&self, beta: Barycentric) -> Vec<[f64; 2]> {
         let g = self.shape.gradients();
-        let slope = |c: usize, corners: &[f64; 3]| (0..3).map(|k| corners[k] * g[k][c]).sum::<f64>();
+        let slope =
+            |c: usize, corners: &[f64; 3]| (0..3).map(|k| corners[k] * g[k][c]).sum::<f64>();
         let all = self.gradients(beta);
-        all.iter().zip(&self.corners).map(|(v, k)| [v[0] - slope(0, k), v[1] - slope(1, k)]).collect()
+        all.iter()
+            .zip(&self.corners)
+            .map(|(v, k)| [v[0] - slope(0, k), v[1] - slope(1, k)])
+            .collect()
     }
 
     /// The degree of every function: (p, false) of a polynomial, (k, true) of a power.
@@ -122,8 +131,8 @@ impl Space {
         let size = self.polynomials.index().len();
         let [derivative, l2] = self.masses(size)?;
         let inner = Polynomials(self.polynomials.0 - 1);
-        let second =
-            Self::new(self.shape, self.polynomials.0 - 1, 1.0, 0).slopes(0, Polynomials(inner.0 - 1))?;
+        let second = Self::new(self.shape, self.polynomials.0 - 1, 1.0, 0)
+            .slopes(0, Polynomials(inner.0 - 1))?;
         let mut seminorm = DMatrix::<f64>::zeros(size, size);
         for slope in self.slopes(0, inner)? {
             for second in &second {
@@ -143,8 +152,10 @@ impl Space {
         for (tau, v) in radial.iter() {
             for (a, w) in across.iter() {
                 let beta = barycentric(0, tau, a);
-                let (mine, theirs) =
-                    (self.polynomials.gradients(&self.shape, beta), inner.values(&self.shape, apex, beta));
+                let (mine, theirs) = (
+                    self.polynomials.gradients(&self.shape, beta),
+                    inner.values(&self.shape, apex, beta),
+                );
                 for (i, slope) in mine.iter().enumerate() {
                     for (j, value) in theirs.iter().enumerate() {
                         for c in 0..2 {
@@ -178,9 +189,13 @@ impl Space {
         let rule = if self.powers.count == 0 {
             let n = self.polynomials.0 + 2;
             let (radial, across) = (Rule::gauss_jacobi(n, 0.0, 1.0)?, Rule::gauss_legendre(n)?);
-            let point =
-                |tau: f64, v: f64, a: f64, w: f64| (barycentric(0, tau, a), self.shape.twice() * v * w);
-            radial.iter().flat_map(|(tau, v)| across.iter().map(move |(a, w)| point(tau, v, a, w))).collect()
+            let point = |tau: f64, v: f64, a: f64, w: f64| {
+                (barycentric(0, tau, a), self.shape.twice() * v * w)
+            };
+            radial
+                .iter()
+                .flat_map(|(tau, v)| across.iter().map(move |(a, w)| point(tau, v, a, w)))
+                .collect()
         } else {
             corner_rule(&self.shape, 0, self.polynomials.0 + MORE)?
         };

@@ -82,7 +82,8 @@ fn bounds_on(shape: &TriangleShape, s: f64, n: i64) -> Result<[f64; 2]> {
     let pairs = form(&weights);
     let sides = cells.sides();
     let scale = pairs.trace() / cells.edges as f64;
-    let to_linear = sides.iter().fold(pairs.clone(), |sum, side| sum + side * side.transpose() * scale);
+    let to_linear =
+        sides.iter().fold(pairs.clone(), |sum, side| sum + side * side.transpose() * scale);
     let to_linear = Cholesky::new(&to_linear).ok_or_else(indefinite)?;
     let mut energy = pairs;
     for corner in 0..3 {
@@ -205,7 +206,8 @@ impl Cells {
             Some(&number) => [number; 2],
             None => halves(line).map(|half| lines[&half]),
         };
-        let means = vertices.iter().map(|cell| [0, 1, 2].map(|k| mean(opposite(cell, k)))).collect();
+        let means =
+            vertices.iter().map(|cell| [0, 1, 2].map(|k| mean(opposite(cell, k)))).collect();
         Self { shape: *shape, parts, edges: lines.len(), vertices, means, lines }
     }
 
@@ -225,12 +227,17 @@ impl Cells {
     }
 
     fn areas(&self) -> Vec<f64> {
-        self.vertices.iter().map(|cell| 0.5 * self.shape.twice() * self.size(cell).powi(2)).collect()
+        self.vertices
+            .iter()
+            .map(|cell| 0.5 * self.shape.twice() * self.size(cell).powi(2))
+            .collect()
     }
 
     fn corners(&self, cell: &[Vertex; 3]) -> [[f64; 2]; 3] {
         let [f, t] = self.shape.frame(0);
-        let at = |(i, j): Vertex, c: usize| ((i + j) as f64 * f[c] + j as f64 * t[c]) / self.parts as f64;
+        let at = |(i, j): Vertex, c: usize| {
+            ((i + j) as f64 * f[c] + j as f64 * t[c]) / self.parts as f64
+        };
         cell.map(|vertex| [at(vertex, 0), at(vertex, 1)])
     }
 
@@ -246,7 +253,8 @@ impl Cells {
                 let (least, most) = distances(&corners[k], &corners[l]);
                 let mut weight = factor.at(least).min(factor.at(most)) / power(s);
                 if most <= factor.radius {
-                    let near = factor.top() * factor.radius.powf(-factor.power) / power(OTHER_ORDER);
+                    let near =
+                        factor.top() * factor.radius.powf(-factor.power) / power(OTHER_ORDER);
                     weight = weight.max(near);
                 }
                 weight *= 2.0 * areas[k] * areas[l];
@@ -265,7 +273,8 @@ impl Cells {
             let mut matrix = DMatrix::zeros(self.vertices.len(), self.edges);
             for (row, (cell, means)) in self.vertices.iter().zip(&self.means).enumerate() {
                 for (mean, gradient) in means.iter().zip(shape.gradients()) {
-                    mean.iter().for_each(|&half| matrix[(row, half)] -= gradient[c] / self.size(cell));
+                    mean.iter()
+                        .for_each(|&half| matrix[(row, half)] -= gradient[c] / self.size(cell));
                 }
             }
             matrix
@@ -290,7 +299,9 @@ impl Cells {
         let at = [(0, 0), (self.parts, 0), (0, self.parts)][corner];
         let mut value = DVector::zeros(self.edges);
         let mut size = 1.0;
-        for (cell, means) in self.vertices.iter().zip(&self.means).filter(|(cell, _)| cell[corner] == at) {
+        for (cell, means) in
+            self.vertices.iter().zip(&self.means).filter(|(cell, _)| cell[corner] == at)
+        {
             size = self.size(cell);
             for (k, mean) in means.iter().enumerate() {
                 mean.iter().for_each(|&half| value[half] += if k == corner { -0.5 } else { 0.5 });
@@ -334,14 +345,18 @@ fn cut(cell: &[Vertex; 3], corners: &[Vertex; 3]) -> Vec<[Vertex; 3]> {
 
 /// Means of |x − y|² and |x − y|⁴ over x and y in two triangles, by a rule of degree four (Dunavant 1985).
 fn moments(first: &[[f64; 2]; 3], second: &[[f64; 2]; 3]) -> [f64; 2] {
-    const RULE: [(f64, f64); 2] =
-        [(0.445_948_490_915_965, 0.223_381_589_678_011), (0.091_576_213_509_771, 0.109_951_743_655_322)];
+    const RULE: [(f64, f64); 2] = [
+        (0.445_948_490_915_965, 0.223_381_589_678_011),
+        (0.091_576_213_509_771, 0.109_951_743_655_322),
+    ];
     let points = |corners: &[[f64; 2]; 3]| {
         let corners = *corners;
         RULE.into_iter().flat_map(move |(a, weight)| {
             (0..3).map(move |k| {
                 let at = |c: usize| {
-                    (0..3).map(|i| if i == k { 1.0 - 2.0 * a } else { a } * corners[i][c]).sum::<f64>()
+                    (0..3)
+                        .map(|i| if i == k { 1.0 - 2.0 * a } else { a } * corners[i][c])
+                        .sum::<f64>()
                 };
                 ([at(0), at(1)], weight)
             })
@@ -366,8 +381,8 @@ fn distances(first: &[[f64; 2]; 3], second: &[[f64; 2]; 3]) -> (f64, f64) {
             for k in 0..3 {
                 let (a, b) = (to[k], to[(k + 1) % 3]);
                 let (along, from) = ([b[0] - a[0], b[1] - a[1]], [x[0] - a[0], x[1] - a[1]]);
-                let t =
-                    (along[0] * from[0] + along[1] * from[1]) / (along[0] * along[0] + along[1] * along[1]);
+                let t = (along[0] * from[0] + along[1] * from[1])
+                    / (along[0] * along[0] + along[1] * along[1]);
                 let t = t.clamp(0.0, 1.0);
                 least = least.min((from[0] - t * along[0]).hypot(from[1] - t * along[1]));
                 most = most.max(from[0].hypot(from[1]));
@@ -384,7 +399,8 @@ mod tests {
     /// Halves of the cells change the bounds towards the constants, which the trial functions give.
     #[test]
     fn finer_cells_have_smaller_bounds() {
-        let shape = TriangleShape::new([[0.0, 0.0], [0.5f64.sqrt(), 0.0], [0.0, 0.5f64.sqrt()]]).unwrap();
+        let shape =
+            TriangleShape::new([[0.0, 0.0], [0.5f64.sqrt(), 0.0], [0.0, 0.5f64.sqrt()]]).unwrap();
         for (s, constants) in [
             (0.5, [0.476_509 / 2f64.powf(0.25), 0.171_332 / 2f64.powf(0.75)]),
             (0.98, [0.056_636_1 / 2f64.powf(0.49), 0.019_407_5 / 2f64.powf(0.99)]),
@@ -392,7 +408,10 @@ mod tests {
             let bounds = [4, 8, 16].map(|n| bounds_on(&shape, s, n).unwrap());
             for norm in 0..2 {
                 let [coarse, middle, fine] = bounds.map(|bound| bound[norm] / constants[norm]);
-                assert!(1.0 < fine && fine < middle && middle < coarse, "{s}: {coarse}, {middle}, {fine}");
+                assert!(
+                    1.0 < fine && fine < middle && middle < coarse,
+                    "{s}: {coarse}, {middle}, {fine}"
+                );
             }
         }
     }
@@ -401,11 +420,15 @@ mod tests {
     /// cells decide, 2 (64n)^(−2s) > n^(−2s).
     #[test]
     fn no_part_of_a_corner_cell_is_used_twice() {
-        let shape = TriangleShape::new([[0.0, 0.0], [0.5f64.sqrt(), 0.0], [0.0, 0.5f64.sqrt()]]).unwrap();
+        let shape =
+            TriangleShape::new([[0.0, 0.0], [0.5f64.sqrt(), 0.0], [0.0, 0.5f64.sqrt()]]).unwrap();
         let n = 4;
         let cells = Cells::new(&shape, n);
-        for (s, at_corner) in [(0.01, true), (0.05, true), (0.08, true), (0.09, false), (0.5, false)] {
-            let [equal, corner] = [1.0 / n as f64, 1.0 / (64 * n) as f64].map(|a: f64| a.powf(2.0 * s));
+        for (s, at_corner) in
+            [(0.01, true), (0.05, true), (0.08, true), (0.09, false), (0.5, false)]
+        {
+            let [equal, corner] =
+                [1.0 / n as f64, 1.0 / (64 * n) as f64].map(|a: f64| a.powf(2.0 * s));
             let by_hand = if at_corner { 2.0 * corner } else { equal };
             assert!((cells.most(2.0 * s) / by_hand - 1.0).abs() < 1e-12, "{s}");
         }

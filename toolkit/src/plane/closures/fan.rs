@@ -65,7 +65,9 @@ impl Fan<'_> {
             for (j, y) in second.iter().enumerate() {
                 let found = match begins {
                     Contact::Same if i == j => self.same(x, work)?,
-                    Contact::Same if j == i + 1 => 2.0 * self.adjacent(&x.turned(), y, false, work)?,
+                    Contact::Same if j == i + 1 => {
+                        2.0 * self.adjacent(&x.turned(), y, false, work)?
+                    }
                     Contact::Same if j > i => 2.0 * self.both(x, y, work)?,
                     Contact::Same => 0.0,
                     Contact::Edge if i + j == 0 => self.adjacent(x, y, self.jumps, work)?,
@@ -87,15 +89,18 @@ impl Fan<'_> {
     fn same(&self, side: &Side<'_>, work: &mut u64) -> Result<f64> {
         let power = 2.0 * self.order.complement();
         let reach = length(side.along) / length(side.edge(0.5));
-        let (singular, plain) = (radial::weighted(self.points, power)?, Rule::gauss_legendre(self.points)?);
+        let (singular, plain) =
+            (radial::weighted(self.points, power)?, Rule::gauss_legendre(self.points)?);
         let mut sum = 0.0;
         for &(xi, v) in &singular {
             for (eta, w) in plain.iter() {
                 for (u, gap) in [(reach * xi, xi * eta), (reach * xi * eta, xi)] {
-                    let weight = v * w * xi.powf(2.0 - power) * reach * (-2.0 * u).exp() * (1.0 - gap);
+                    let weight =
+                        v * w * xi.powf(2.0 - power) * reach * (-2.0 * u).exp() * (1.0 - gap);
                     for (sigma, m) in plain.iter() {
                         let t = sigma * (1.0 - gap);
-                        let both = self.at(side, side, u, t, t + gap) + self.at(side, side, u, t + gap, t);
+                        let both =
+                            self.at(side, side, u, t, t + gap) + self.at(side, side, u, t + gap, t);
                         sum += weight * m * both;
                     }
                 }
@@ -110,15 +115,18 @@ impl Fan<'_> {
         let twice = 2.0 * self.order.complement();
         let power = if jumps { self.order.one_minus_twice() } else { 1.0 + twice };
         let reach = length(x.along).max(length(y.along)) / length(x.edge(0.0));
-        let (singular, plain) = (radial::weighted(self.points, power)?, Rule::gauss_legendre(self.points)?);
+        let (singular, plain) =
+            (radial::weighted(self.points, power)?, Rule::gauss_legendre(self.points)?);
         let mut sum = 0.0;
         for &(xi, v) in &singular {
             for (eta, w) in plain.iter() {
                 for (zeta, m) in plain.iter() {
                     let weight = v * w * m * xi.powf(3.0 - power) * reach;
-                    for [p, t, r] in
-                        [[xi, xi * eta, xi * zeta], [xi * eta, xi, xi * zeta], [xi * eta, xi * zeta, xi]]
-                    {
+                    for [p, t, r] in [
+                        [xi, xi * eta, xi * zeta],
+                        [xi * eta, xi, xi * zeta],
+                        [xi * eta, xi * zeta, xi],
+                    ] {
                         let u = reach * p;
                         let both = self.at(x, y, u, t, r) + self.at(y, x, u, r, t);
                         sum += weight * (-2.0 * u).exp() * both;
@@ -208,7 +216,10 @@ impl Fan<'_> {
             plain.iter().map(|(v, w)| (at(v), (w * (to - from)).sqrt() * at(v))).collect()
         } else {
             let near = (-from).exp();
-            radial::weighted(self.points, 2.0)?.iter().map(|(v, w)| (near * v, near * w.sqrt())).collect()
+            radial::weighted(self.points, 2.0)?
+                .iter()
+                .map(|(v, w)| (near * v, near * w.sqrt()))
+                .collect()
         };
         let scaled = |[a, b]: [f64; 2]| -> Points {
             plain.iter().map(|(v, w)| (a + (b - a) * v, (b - a) * w)).collect()

@@ -28,7 +28,8 @@ impl std::fmt::Debug for SingularPlaneFunction<'_> {
 }
 
 /// Barycentric coordinates of the points at which the size of a function is estimated.
-const SAMPLES: [[f64; 3]; 4] = [[0.34, 0.33, 0.33], [0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8]];
+const SAMPLES: [[f64; 3]; 4] =
+    [[0.34, 0.33, 0.33], [0.8, 0.1, 0.1], [0.1, 0.8, 0.1], [0.1, 0.1, 0.8]];
 /// Positions on an edge at which both sides are compared.
 const EDGE_SAMPLES: [f64; 3] = [0.2, 0.5, 0.7];
 /// Values on both sides count as equal if they differ by less than this share of the largest value.
@@ -47,7 +48,8 @@ impl<'a> SingularPlaneFunction<'a> {
         function: impl Fn(&PlanePosition<'_>) -> f64 + Sync + 'a,
     ) -> Result<Self> {
         let corners = Corners::new(&mesh, corners)?;
-        let mut made = Self { mesh, corners, function: Box::new(function), largest: 0.0, jumps: false };
+        let mut made =
+            Self { mesh, corners, function: Box::new(function), largest: 0.0, jumps: false };
         for triangle in 0..made.mesh.triangles().len() {
             for shares in SAMPLES {
                 let value = made.at_shares(triangle, shares);
@@ -79,7 +81,13 @@ impl<'a> SingularPlaneFunction<'a> {
     }
 
     /// The value at base + offset, where `anchor` is the declared corner at the base.
-    pub(super) fn at(&self, triangle: usize, base: Point, offset: Point, anchor: Option<usize>) -> f64 {
+    pub(super) fn at(
+        &self,
+        triangle: usize,
+        base: Point,
+        offset: Point,
+        anchor: Option<usize>,
+    ) -> f64 {
         let x = [base[0] + offset[0], base[1] + offset[1]];
         let anchor = anchor.map(|corner| (corner, offset));
         (self.function)(&PlanePosition::new(&self.corners, triangle, x, anchor))
@@ -90,7 +98,8 @@ impl<'a> SingularPlaneFunction<'a> {
         let (nodes, corners) = (self.mesh.triangles()[triangle], self.mesh.corners(triangle));
         let known = (0..3).find_map(|k| self.corners.at(nodes[k]).map(|corner| (k, corner)));
         let base = corners[known.map_or(0, |(k, _)| k)];
-        let offset = |axis: usize| (0..3).map(|k| shares[k] * minus(corners[k], base)[axis]).sum::<f64>();
+        let offset =
+            |axis: usize| (0..3).map(|k| shares[k] * minus(corners[k], base)[axis]).sum::<f64>();
         self.at(triangle, base, [offset(0), offset(1)], known.map(|(_, corner)| corner))
     }
 
@@ -98,7 +107,8 @@ impl<'a> SingularPlaneFunction<'a> {
         let mut seen: HashMap<[usize; 2], [f64; 3]> = HashMap::new();
         for (triangle, nodes) in self.mesh.triangles().iter().enumerate() {
             for k in 0..3 {
-                let (i, j) = if nodes[k] < nodes[(k + 1) % 3] { (k, (k + 1) % 3) } else { ((k + 1) % 3, k) };
+                let (i, j) =
+                    if nodes[k] < nodes[(k + 1) % 3] { (k, (k + 1) % 3) } else { ((k + 1) % 3, k) };
                 let values = EDGE_SAMPLES.map(|share| {
                     let mut shares = [0.0; 3];
                     (shares[i], shares[j]) = (1.0 - share, share);

@@ -95,8 +95,15 @@ impl SingularPlaneFunction<'_> {
 
     fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let infinite = |why| Err(Error::InfiniteNorm { order: order.value(), why });
-        if self.corners().all.iter().any(|corner| corner.exponent + order.complement() <= f64::EPSILON) {
-            return infinite("r^a times a smooth angular part is in H^s near a corner only for a > s - 1");
+        if self
+            .corners()
+            .all
+            .iter()
+            .any(|corner| corner.exponent + order.complement() <= f64::EPSILON)
+        {
+            return infinite(
+                "r^a times a smooth angular part is in H^s near a corner only for a > s - 1",
+            );
         }
         if self.jumps() && !order.is_below_half() {
             return infinite("a function that jumps across an edge is not in H^s for s >= 1/2");

@@ -104,7 +104,8 @@ impl Piece {
 
     /// The cosine of the angle at a corner.
     pub(super) fn cosine(&self, k: usize) -> f64 {
-        let (a, b) = (minus(self.at[(k + 1) % 3], self.at[k]), minus(self.at[(k + 2) % 3], self.at[k]));
+        let (a, b) =
+            (minus(self.at[(k + 1) % 3], self.at[k]), minus(self.at[(k + 2) % 3], self.at[k]));
         dot(a, b) / (length(a) * length(b))
     }
 

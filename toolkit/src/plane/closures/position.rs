@@ -102,7 +102,12 @@ impl Corners {
     pub(super) fn new(mesh: &Triangles, declared: &[(usize, f64)]) -> Result<Self> {
         let mut all: Vec<Corner> = Vec::with_capacity(declared.len());
         for &(node, exponent) in declared {
-            Error::require("exponent a", exponent, "(-1, 20]", exponent > -1.0 && exponent <= 20.0)?;
+            Error::require(
+                "exponent a",
+                exponent,
+                "(-1, 20]",
+                exponent > -1.0 && exponent <= 20.0,
+            )?;
             if !mesh.triangles().iter().any(|corners| corners.contains(&node)) {
                 return Err(Error::Node { node, reason: "is not a corner of a triangle" });
             }
@@ -115,7 +120,8 @@ impl Corners {
         for (triangle, nodes) in mesh.triangles().iter().enumerate() {
             let count = nodes.iter().filter(|&&node| corners.at(node).is_some()).count();
             if count > 1 {
-                let reason = "must be subdivided (Triangles::cut_at): its number of declared corners is";
+                let reason =
+                    "must be subdivided (Triangles::cut_at): its number of declared corners is";
                 return Err(Error::Triangle { triangle, reason, value: count as f64 });
             }
         }

@@ -75,6 +75,7 @@ impl<'a> Side<'a> {
     #[inline]
     pub(super) fn value(&self, rho: f64, t: f64) -> f64 {
         let (edge, scale) = (self.edge(t), rho * self.unit);
-        self.view.value(self.piece, [self.origin[0] + scale * edge[0], self.origin[1] + scale * edge[1]])
+        self.view
+            .value(self.piece, [self.origin[0] + scale * edge[0], self.origin[1] + scale * edge[1]])
     }
 }

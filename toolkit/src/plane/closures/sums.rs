@@ -85,7 +85,8 @@ impl<'a> ClosureSum<'a> {
     ) -> Result<Self> {
         let kernel = InversePower::new(1.0 + order.value());
         let (accuracy, work) = (tolerance.relative(), tolerance.work());
-        let mut sum = Self { view, order, kernel, accuracy, work, approaches: Vec::new(), radial_error: 0.0 };
+        let mut sum =
+            Self { view, order, kernel, accuracy, work, approaches: Vec::new(), radial_error: 0.0 };
         let pieces = view.pieces();
         for corner in 0..view.function.corners().all.len() {
             let (approach, error) = sum.approach_of(corner, &pieces, quantity)?;
@@ -114,11 +115,13 @@ impl<'a> ClosureSum<'a> {
 
     /// ∫ w² in units.
     pub(super) fn square(&self) -> Result<Estimate> {
-        let Estimate { value, error, work } = self.settled(&self.view.pieces(), |piece, level| {
-            let mut work = 0;
-            let value = self.apart(level).square(piece, self.approach(piece, level), &mut work)?;
-            Ok((value, work))
-        })?;
+        let Estimate { value, error, work } =
+            self.settled(&self.view.pieces(), |piece, level| {
+                let mut work = 0;
+                let value =
+                    self.apart(level).square(piece, self.approach(piece, level), &mut work)?;
+                Ok((value, work))
+            })?;
         Estimate::new(value, error + self.radial_error * value, work)
     }
 
@@ -135,7 +138,11 @@ impl<'a> ClosureSum<'a> {
                 // A part that was seen once is of the size that was seen, no more is known.
                 let reason = || Error::out_of_reach("norm", self.accuracy, f64::INFINITY, SPENT);
                 return before
-                    .map(|found| Found { error: found.error.min(found.value.abs()), level, ..found })
+                    .map(|found| Found {
+                        error: found.error.min(found.value.abs()),
+                        level,
+                        ..found
+                    })
                     .ok_or_else(reason);
             }
             let (value, points) = integral(part, level)?;
@@ -146,15 +153,19 @@ impl<'a> ClosureSum<'a> {
                 change = (value - found.value).abs();
                 // Rules converge faster and faster; a change that is small by accident is not believed.
                 let believed = change.max(LEAST_CHANGE * found.change.min(value.abs()));
-                let falls =
-                    if found.change.is_finite() && believed > 0.0 { believed / found.change } else { 1.0 };
+                let falls = if found.change.is_finite() && believed > 0.0 {
+                    believed / found.change
+                } else {
+                    1.0
+                };
                 error = believed * falls.sqrt().clamp(LEAST, 1.0);
                 work += found.work;
             }
             Ok(Found { value, change, error, level, work })
         };
-        let start =
-            parallel::over(parts, |part| evaluate(part, None)).into_iter().collect::<Result<Vec<_>>>()?;
+        let start = parallel::over(parts, |part| evaluate(part, None))
+            .into_iter()
+            .collect::<Result<Vec<_>>>()?;
         let whole = compensated(start.iter().map(|found| found.value));
         // Nothing is refined where the radial rules do not reach the tolerance.
         let levels = if self.radial_error > self.accuracy { 2 } else { POINTS.len() };
@@ -199,13 +210,21 @@ impl<'a> ClosureSum<'a> {
 
     /// The shortest radial rule at a corner that agrees with the longest one at all probe points, and its
     /// error; if there is none, the longest one and its difference from a shorter one.
-    fn approach_of(&self, corner: usize, pieces: &[Piece], quantity: Quantity) -> Result<(Approach, f64)> {
-        let fan: Vec<&Piece> = pieces.iter().filter(|piece| piece.corner() == Some(corner)).collect();
+    fn approach_of(
+        &self,
+        corner: usize,
+        pieces: &[Piece],
+        quantity: Quantity,
+    ) -> Result<(Approach, f64)> {
+        let fan: Vec<&Piece> =
+            pieces.iter().filter(|piece| piece.corner() == Some(corner)).collect();
         let sides: Vec<Side<'_>> =
             fan.iter().flat_map(|piece| Side::of(&self.view, piece, 0, 1, 1.0)).collect();
         let probes = |approach: Approach| -> Result<Vec<f64>> {
             let rule = match quantity {
-                Quantity::Seminorm => radial::for_differences(self.order, self.exponent(fan[0]), approach)?,
+                Quantity::Seminorm => {
+                    radial::for_differences(self.order, self.exponent(fan[0]), approach)?
+                }
                 Quantity::Square => radial::rule(2.0, 2.0 * self.view.exponent(fan[0]), approach)?,
             };
             let pairs = sides.iter().enumerate().flat_map(|(i, x)| {
@@ -220,7 +239,8 @@ impl<'a> ClosureSum<'a> {
         };
         let short = SHORT.map(|points| Approach { cells: 0, points });
         let cells = |&points: &usize| CELLS.map(|cells| Approach { cells, points });
-        let mut all: Vec<Approach> = short.into_iter().chain(CELL_POINTS.iter().flat_map(cells)).collect();
+        let mut all: Vec<Approach> =
+            short.into_iter().chain(CELL_POINTS.iter().flat_map(cells)).collect();
         all.sort_by_key(|approach| (approach.cells + 1) * approach.points);
         let longest = all[all.len() - 1];
         let deep = probes(longer(longest, 3))?;
@@ -250,7 +270,8 @@ impl<'a> ClosureSum<'a> {
         if shared.is_empty() || is_fan || !(a.is_singular || b.is_singular) {
             let sharp = |&[i, j]: &[usize; 2]| a.cosine(i).min(b.cosine(j));
             let corner = shared.iter().position(|at| is_fan && at[0] == 0);
-            let best = (0..shared.len()).max_by(|i, j| sharp(&shared[*i]).total_cmp(&sharp(&shared[*j])));
+            let best =
+                (0..shared.len()).max_by(|i, j| sharp(&shared[*i]).total_cmp(&sharp(&shared[*j])));
             let meeting = corner.or(best).map(|k| {
                 let other = (shared.len() > 1).then(|| shared[1 - k]);
                 (shared[k], other)
@@ -286,7 +307,8 @@ impl<'a> ClosureSum<'a> {
             None => Contact::Corner,
         };
         let [p, q] = other.unwrap_or([(i + 1) % 3, (j + 1) % 3]);
-        let (first, second) = (Side::of(&self.view, a, i, p, unit), Side::of(&self.view, b, j, q, unit));
+        let (first, second) =
+            (Side::of(&self.view, a, i, p, unit), Side::of(&self.view, b, j, q, unit));
         let value = fan.pair(&first, &second, contact, &mut work)?;
         Ok((task.times * unit.powf(2.0 * self.order.complement()) * value, work))
     }
@@ -294,5 +316,8 @@ impl<'a> ClosureSum<'a> {
 
 /// A radial rule with more cells, if any, and more points.
 fn longer(Approach { cells, points }: Approach, level: usize) -> Approach {
-    Approach { cells: if cells > 0 { cells + level } else { 0 }, points: points + level.div_ceil(2) }
+    Approach {
+        cells: if cells > 0 { cells + level } else { 0 },
+        points: points + level.div_ceil(2),
+    }
 }

@@ -113,7 +113,11 @@ struct Place {
 impl Place {
     /// The constraint that functions vanish on (0, `zone`), with the zone at the left end.
     fn constraint(&self) -> Constraint {
-        Constraint { parts: vec![self.zone, self.length], zones: vec![0], condition: Condition::Vanishing }
+        Constraint {
+            parts: vec![self.zone, self.length],
+            zones: vec![0],
+            condition: Condition::Vanishing,
+        }
     }
 }
 
@@ -181,12 +185,18 @@ fn load(space: &SlopeSpace, moment: Moment, points: usize) -> Result<Vec<f64>> {
         let (first, functions) = (space.first[panel.cell], space.cells[panel.cell].functions);
         for (t, w) in rule.iter().filter(|_| functions > 0) {
             let from_free_end = space.panel_right[index] + panel.right_distance(1.0 - t);
-            let weight = w * panel.stretch(t) * moment.weight(from_free_end, length - from_free_end);
+            let weight =
+                w * panel.stretch(t) * moment.weight(from_free_end, length - from_free_end);
             let values = legendre_primitives(functions, panel.in_cell(t));
-            load[first..first + functions].iter_mut().zip(values).for_each(|(b, v)| *b += weight * v);
+            load[first..first + functions]
+                .iter_mut()
+                .zip(values)
+                .for_each(|(b, v)| *b += weight * v);
         }
     }
-    for (cell, &right) in space.cell_right.iter().enumerate().filter(|(c, _)| space.cells[*c].functions > 0) {
+    for (cell, &right) in
+        space.cell_right.iter().enumerate().filter(|(c, _)| space.cells[*c].functions > 0)
+    {
         load[space.first[cell]] += match moment {
             Moment::Mass => right,
             Moment::FromFreeEnd => 0.5 * right * right,
@@ -205,7 +215,12 @@ mod tests {
         Ok(moment(order, length..1.0, m, tolerance)?.constant)
     }
 
-    fn moment_norm_beside(order: Order, zone: f64, m: Moment, tolerance: Tolerance) -> Result<Estimate> {
+    fn moment_norm_beside(
+        order: Order,
+        zone: f64,
+        m: Moment,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
         Ok(moment(order, 0.0..zone, m, tolerance)?.constant)
     }
 
@@ -253,8 +268,13 @@ mod tests {
             let place = Place { zone: 1.0 - e, length: e, at_right: false };
             let found = MomentConstant { constant: norm, order, place, moment, tolerance };
             let w = found.extremal().unwrap();
-            let right = super::moment(order, e..1.0, moment, tolerance).unwrap().extremal().unwrap();
-            assert!([0.1, 0.5, 0.7].iter().all(|&x| (right.value(&[x]) - w.value(&[1.0 - x])).abs() < 1e-12));
+            let right =
+                super::moment(order, e..1.0, moment, tolerance).unwrap().extremal().unwrap();
+            assert!(
+                [0.1, 0.5, 0.7]
+                    .iter()
+                    .all(|&x| (right.value(&[x]) - w.value(&[1.0 - x])).abs() < 1e-12)
+            );
             let u = w.interpolate(3, 4, &[1.0 - e]).unwrap();
             let seminorm = u.seminorm(order, tolerance).unwrap().value;
             assert!((seminorm - 1.0).abs() < 1e-4, "{moment:?}: {seminorm}");
@@ -275,8 +295,12 @@ mod tests {
         // A supremum: M of x + (e − x) = e is at most the sum.
         let order = Order::HALF;
         let norm = |moment| moment_norm(order, 0.7, moment, Tolerance::balanced()).unwrap().value;
-        let (mass, parts) = (0.7 * norm(Moment::Mass), [norm(Moment::FromFreeEnd), norm(Moment::FromZone)]);
-        assert!(parts[0] < parts[1] && parts[1] < mass && mass < parts[0] + parts[1], "{mass} {parts:?}");
+        let (mass, parts) =
+            (0.7 * norm(Moment::Mass), [norm(Moment::FromFreeEnd), norm(Moment::FromZone)]);
+        assert!(
+            parts[0] < parts[1] && parts[1] < mass && mass < parts[0] + parts[1],
+            "{mass} {parts:?}"
+        );
         for length in [0.0, 1.0, f64::NAN] {
             assert!(moment_norm(order, length, Moment::Mass, Tolerance::fast()).is_err());
             assert!(moment_norm_beside(order, length, Moment::Mass, Tolerance::fast()).is_err());

@@ -52,8 +52,9 @@ pub(super) fn collocate(nu: f64, p: f64) -> Result<Vec<Collocation>> {
     let basis = Basis { nu, p, exponent: free_exponent(nu) };
     let inner = inner_rule(nu)?;
     let outer = Rule::gauss_legendre(OUTER)?;
-    let places: Vec<(f64, f64)> =
-        (-LEFT..RIGHT).flat_map(|k| outer.iter().map(move |(t, w)| (f64::from(k) + t, w))).collect();
+    let places: Vec<(f64, f64)> = (-LEFT..RIGHT)
+        .flat_map(|k| outer.iter().map(move |(t, w)| (f64::from(k) + t, w)))
+        .collect();
     Ok(parallel::over(&places, |&(y, w)| basis.collocate(y, w, &inner)))
 }
 
@@ -83,10 +84,15 @@ impl Basis {
         let logarithm = c.ln();
         for j in 0..POWERS {
             let power = (j + 1) as f64;
-            let back =
-                at_zone * s.powi(4) * (power * logarithm).exp() * exp_quotient(self.p, power * logarithm);
+            let back = at_zone
+                * s.powi(4)
+                * (power * logarithm).exp()
+                * exp_quotient(self.p, power * logarithm);
             let start = 1 + SMOOTH + j * RETURNED;
-            row[start..start + RETURNED].iter_mut().zip(polynomials).for_each(|(r, q)| *r = back * q);
+            row[start..start + RETURNED]
+                .iter_mut()
+                .zip(polynomials)
+                .for_each(|(r, q)| *r = back * q);
         }
         row
     }

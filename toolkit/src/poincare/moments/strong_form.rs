@@ -185,7 +185,10 @@ mod tests {
                         lower <= high && low <= upper,
                         "{nu} {length} {moment:?}: {lower} {upper} {weak}"
                     );
-                    assert!(upper / lower - 1.0 < 1e-8, "{nu} {length} {moment:?}: {lower} {upper}");
+                    assert!(
+                        upper / lower - 1.0 < 1e-8,
+                        "{nu} {length} {moment:?}: {lower} {upper}"
+                    );
                 }
             }
         }
@@ -195,6 +198,9 @@ mod tests {
     fn orders_and_lengths_beyond_the_domain_are_refused() {
         assert!(StrongForm::new(Order::new(1e-4).unwrap()).is_err());
         let strong = StrongForm::new(Order::HALF).unwrap();
-        assert!(strong.moment(0.001, Moment::Mass).is_err() && strong.moment(1.0, Moment::Mass).is_err());
+        assert!(
+            strong.moment(0.001, Moment::Mass).is_err()
+                && strong.moment(1.0, Moment::Mass).is_err()
+        );
     }
 }

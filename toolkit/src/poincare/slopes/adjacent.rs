@@ -71,7 +71,9 @@ impl Adjacent {
         let end = &rules.logarithm[1];
         let integrated = |terms: Vec<Term>| {
             let mut block = EMPTY;
-            terms.iter().for_each(|term| add_product(&mut block, functions, term.weight, &term.s, &term.t));
+            terms
+                .iter()
+                .for_each(|term| add_product(&mut block, functions, term.weight, &term.s, &term.t));
             block
         };
         Ok(Self {
@@ -119,7 +121,8 @@ impl Adjacent {
         nearer: impl Fn(f64) -> f64,
         further: impl Fn(f64) -> f64,
     ) -> Block {
-        let distance = |sample: &Sample| s.right_distance(sample.place.0) + t.left_distance(sample.place.1);
+        let distance =
+            |sample: &Sample| s.right_distance(sample.place.0) + t.left_distance(sample.place.1);
         let mut block = self.singular(&self.touching, s.length + t.length, distance);
         self.add_terms(&mut block, &self.touching.of_nearer, nearer);
         self.add_terms(&mut block, &self.touching.of_further, further);
@@ -237,7 +240,9 @@ fn averaged(functions: usize, rule: &Pairs, place: impl Fn(f64) -> f64) -> Value
 
 fn integrals(functions: usize, samples: &[Sample]) -> Block {
     let mut block = EMPTY;
-    samples.iter().for_each(|sample| add_product(&mut block, functions, sample.weight, &sample.s, &sample.t));
+    samples
+        .iter()
+        .for_each(|sample| add_product(&mut block, functions, sample.weight, &sample.s, &sample.t));
     block
 }
 

@@ -61,7 +61,11 @@ impl Cell {
 
     /// The cell between the distances `inner` and `inner` e^`spread` to the right of a point.
     pub(crate) fn from_left(inner: f64, spread: f64, functions: usize) -> Self {
-        Self { length: inner * spread.exp_m1(), grading: Grading::FromLeft { inner, spread }, functions }
+        Self {
+            length: inner * spread.exp_m1(),
+            grading: Grading::FromLeft { inner, spread },
+            functions,
+        }
     }
 
     /// The reflection of the cell.
@@ -79,7 +83,9 @@ impl Cell {
         match self.grading {
             Grading::Uniform => distance / self.length,
             Grading::FromLeft { inner, spread } => (distance / inner).ln_1p() / spread,
-            Grading::FromRight { inner, spread } => -(-distance / (inner * spread.exp())).ln_1p() / spread,
+            Grading::FromRight { inner, spread } => {
+                -(-distance / (inner * spread.exp())).ln_1p() / spread
+            }
         }
     }
 
@@ -97,12 +103,14 @@ impl Cell {
                 let (grading, length) = match self.grading {
                     Grading::Uniform => (Grading::Uniform, self.length),
                     Grading::FromLeft { inner, spread } => {
-                        let (inner, spread) = (inner * (spread * k as f64 * width).exp(), spread * width);
+                        let (inner, spread) =
+                            (inner * (spread * k as f64 * width).exp(), spread * width);
                         (Grading::FromLeft { inner, spread }, inner * spread.exp_m1())
                     }
                     Grading::FromRight { inner, spread } => {
                         let steps = (pieces - 1 - k) as f64;
-                        let (inner, spread) = (inner * (spread * steps * width).exp(), spread * width);
+                        let (inner, spread) =
+                            (inner * (spread * steps * width).exp(), spread * width);
                         (Grading::FromRight { inner, spread }, inner * spread.exp_m1())
                     }
                 };
@@ -147,7 +155,9 @@ impl Panel {
     pub(crate) fn between(&self, xi: f64, step: f64) -> f64 {
         match self.grading {
             Grading::Uniform => self.length * step,
-            Grading::FromLeft { inner, spread } => inner * (xi * spread).exp() * (step * spread).exp_m1(),
+            Grading::FromLeft { inner, spread } => {
+                inner * (xi * spread).exp() * (step * spread).exp_m1()
+            }
             Grading::FromRight { inner, spread } => {
                 inner * ((1.0 - xi - step) * spread).exp() * (step * spread).exp_m1()
             }

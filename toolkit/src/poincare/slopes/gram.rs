@@ -85,7 +85,12 @@ pub(super) struct Assembly<'a> {
 }
 
 impl<'a> Assembly<'a> {
-    fn new(space: &'a SlopeSpace, local: Option<&'a Local>, order: Order, n: usize) -> Result<Self> {
+    fn new(
+        space: &'a SlopeSpace,
+        local: Option<&'a Local>,
+        order: Order,
+        n: usize,
+    ) -> Result<Self> {
         let p = order.one_minus_twice();
         let functions = space.cells.iter().map(|cell| cell.functions).max().unwrap_or(1);
         let close = |n: usize| CLOSE_POINTS.0 * n / CLOSE_POINTS.1;
@@ -162,7 +167,8 @@ impl<'a> Assembly<'a> {
         let space = self.space;
         let (s, t) = (&space.panels[i], &space.panels[i + 1]);
         let size = s.length + t.length;
-        let rules = if self.is_coarse(i) && self.is_coarse(i + 1) { &self.coarse } else { &self.fine };
+        let rules =
+            if self.is_coarse(i) && self.is_coarse(i + 1) { &self.coarse } else { &self.fine };
         work.points += rules.points().1;
         let nearer = |xi: f64| self.of_nearer(i, i + 1, size, xi);
         let further = |xi: f64| self.of_further(i, i + 1, size, xi);
@@ -208,8 +214,9 @@ impl<'a> Assembly<'a> {
 
     /// For each of two panels, true if its cell belongs to the local group.
     pub(super) fn classes(&self, i: usize, j: usize) -> (bool, bool) {
-        let inside =
-            |panel: usize| self.local.is_some_and(|local| local.is_shifted(self.space.panels[panel].cell));
+        let inside = |panel: usize| {
+            self.local.is_some_and(|local| local.is_shifted(self.space.panels[panel].cell))
+        };
         (inside(i), inside(j))
     }
 

@@ -48,13 +48,19 @@ impl Local {
 
     /// Completes ν times the Gram matrix assembled with the shifted kernel: transformation to hat functions,
     /// negligible entries, and the terms that the last step lacks.
-    pub(crate) fn finish(&self, space: &SlopeSpace, gram: DMatrix<f64>, rule: &[(f64, f64)]) -> DMatrix<f64> {
+    pub(crate) fn finish(
+        &self,
+        space: &SlopeSpace,
+        gram: DMatrix<f64>,
+        rule: &[(f64, f64)],
+    ) -> DMatrix<f64> {
         if !self.has_hats {
             return gram;
         }
         let mut gram = self.transformed(space, gram);
         let steps = self.steps(space);
-        let next = |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
+        let next =
+            |c: usize| steps.iter().position(|&s| s == c).and_then(|k| steps.get(k + 1)).copied();
         for c in self.cells.clone() {
             for d in 0..space.cells.len() {
                 let (first, second) = (c..=next(c).unwrap_or(c), d..=next(d).unwrap_or(d));
@@ -75,7 +81,8 @@ impl Local {
         let kept = space.first[self.last()];
         let (a, b, c) = (self.left, self.right, self.unit);
         gram[(kept, kept)] += power_increment(self.p, c, a - c) - power_increment(self.p, b, a);
-        for (panel, shape) in space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
+        for (panel, shape) in
+            space.panels.iter().enumerate().filter(|(_, shape)| !self.contains(shape.cell))
         {
             for &(xi, w) in rule {
                 let gap = self.position(space, panel, xi);

@@ -25,8 +25,12 @@ impl Links {
             let gap = pair[0].end..pair[1].start;
             match local.filter(|local| local.has_hats) {
                 Some(local) => {
-                    let before = local.steps(space).into_iter().take_while(|&c| c < zones[0].start).last();
-                    Some((step(gap.last()?), before.map(|cell| (step(cell), 1.0)).into_iter().collect()))
+                    let before =
+                        local.steps(space).into_iter().take_while(|&c| c < zones[0].start).last();
+                    Some((
+                        step(gap.last()?),
+                        before.map(|cell| (step(cell), 1.0)).into_iter().collect(),
+                    ))
                 }
                 None => {
                     let length = |cell: &usize| space.cells[*cell].length;

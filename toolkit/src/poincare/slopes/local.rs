@@ -157,7 +157,8 @@ impl Local {
             };
             return kernel(self.p, before, position.abs(), after);
         }
-        let alone = if position > 0.0 { self.of_further(position) } else { self.of_nearer(position) };
+        let alone =
+            if position > 0.0 { self.of_further(position) } else { self.of_nearer(position) };
         alone + self.inside(position.abs())
     }
 
@@ -165,12 +166,17 @@ impl Local {
     /// `Some(false)` in the opposite case, `None` otherwise.
     pub(crate) fn is_nearer(&self, space: &SlopeSpace, i: usize, j: usize) -> Option<bool> {
         let reach = |panel: usize| self.panel_offsets[panel] + space.panels[panel].length;
-        let is_nearer = |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
+        let is_nearer =
+            |near: usize, far: usize| reach(near) < INDISTINCT * self.panel_offsets[far];
         if is_nearer(i, j) { Some(true) } else { is_nearer(j, i).then_some(false) }
     }
 
     /// The largest and the smallest distance from P over cells of G next to `cell`, `width` on either side.
-    pub(super) fn range(&self, space: &SlopeSpace, cells: impl Iterator<Item = usize>) -> (f64, f64) {
+    pub(super) fn range(
+        &self,
+        space: &SlopeSpace,
+        cells: impl Iterator<Item = usize>,
+    ) -> (f64, f64) {
         cells.fold((f64::INFINITY, 0.0), |(low, high), c| {
             let offset = self.cell_offsets[c];
             (offset.min(low), (offset + space.cells[c].length).max(high))
@@ -193,14 +199,16 @@ impl Local {
     /// functions, and so does a function outside G.
     pub(crate) fn is_negligible(&self, space: &SlopeSpace, c: usize, d: usize) -> bool {
         let around = |cell: usize| {
-            let (low, high) = (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
+            let (low, high) =
+                (cell.saturating_sub(2).max(self.cells.start), (cell + 2).min(self.last()));
             if self.contains(cell) { low..=high } else { cell..=cell }
         };
         // Near the end of G the last step itself may be among the neighbours: then nothing is skipped.
         let is_local =
             |cell: usize| self.contains(*around(cell).start()) && *around(cell).end() < self.last();
         let [first, second] = [c, d].map(|cell| self.range(space, around(cell)));
-        (is_local(c) && self.is_apart(first.1, second.0)) || (is_local(d) && self.is_apart(second.1, first.0))
+        (is_local(c) && self.is_apart(first.1, second.0))
+            || (is_local(d) && self.is_apart(second.1, first.0))
     }
 
     /// The cell whose step is kept.

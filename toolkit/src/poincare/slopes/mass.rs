@@ -36,8 +36,10 @@ impl Primitives {
         let length: f64 = inside().map(|cell| space.cells[cell].length).sum();
         for (index, cell) in space.cells.iter().enumerate() {
             let points = cell_points(space, index, &rule);
-            let before = || inside().filter(|&i| i < index).map(|i| space.cells[i].length).sum::<f64>();
-            let after = || inside().filter(|&i| i > index).map(|i| space.cells[i].length).sum::<f64>();
+            let before =
+                || inside().filter(|&i| i < index).map(|i| space.cells[i].length).sum::<f64>();
+            let after =
+                || inside().filter(|&i| i > index).map(|i| space.cells[i].length).sum::<f64>();
             let constants = if zones.iter().all(|zone| index < zone.start) {
                 first_pair(-1.0, 0.0)
             } else if zones.iter().all(|zone| index >= zone.end) {

@@ -55,12 +55,14 @@ impl Nodes {
     /// The rules with up to `most` points; slopes are resolved to `digits` digits.
     pub(crate) fn new(space: &SlopeSpace, most: usize, digits: f64) -> Result<Self> {
         let sizes = SIZES.iter().copied().filter(|&n| n < most).chain([most]);
-        let rules =
-            sizes.map(|n| Ok(Rule::gauss_legendre(n)?.iter().collect())).collect::<Result<Vec<Pairs>>>()?;
+        let rules = sizes
+            .map(|n| Ok(Rule::gauss_legendre(n)?.iter().collect()))
+            .collect::<Result<Vec<Pairs>>>()?;
         let count = space.panels.len();
         let panels = (0..count).map(|_| rules.iter().map(|_| OnceLock::new()).collect()).collect();
-        let degrees =
-            (0..count).map(|i| degree_on_panel(space, i, &rules[rules.len() - 1], digits)).collect();
+        let degrees = (0..count)
+            .map(|i| degree_on_panel(space, i, &rules[rules.len() - 1], digits))
+            .collect();
         let isolation = (0..count)
             .map(|i| {
                 let panel = &space.panels[i];
@@ -78,7 +80,10 @@ impl Nodes {
         let ellipse = beside + (beside * beside - 1.0).sqrt();
         let degree = (digits * LN_10 / ellipse.ln()).max(exponential_degree(digits));
         let points = 0.5 * (self.degrees[i] as f64 + degree) + 1.0;
-        self.rules.iter().position(|rule| rule.len() as f64 >= points).unwrap_or(self.rules.len() - 1)
+        self.rules
+            .iter()
+            .position(|rule| rule.len() as f64 >= points)
+            .unwrap_or(self.rules.len() - 1)
     }
 
     /// The points of panel i.

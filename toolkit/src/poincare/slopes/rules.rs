@@ -27,7 +27,8 @@ pub(crate) struct Rules {
 impl Rules {
     /// The n-point rules for the exponent p = 1 − 2ν > −1.
     pub(crate) fn new(n: usize, p: f64) -> Result<Self> {
-        let power = |k: f64| -> Result<Pairs> { Ok(Rule::gauss_jacobi(n, 0.0, p + k)?.iter().collect()) };
+        let power =
+            |k: f64| -> Result<Pairs> { Ok(Rule::gauss_jacobi(n, 0.0, p + k)?.iter().collect()) };
         Ok(Self {
             plain: Rule::gauss_legendre(n)?.iter().collect(),
             power: [power(0.0)?, power(1.0)?],
@@ -39,8 +40,10 @@ impl Rules {
 fn logarithmic(n: usize, p: f64, k: i32) -> Result<Pairs> {
     let outer = Rule::gauss_jacobi(n + 1, 0.0, p + f64::from(k))?;
     let inner = Rule::gauss_legendre(n + 1)?;
-    let product: Pairs =
-        outer.iter().flat_map(|(t, w)| inner.iter().map(move |(s, v)| (t * s, w * v * s.powi(k)))).collect();
+    let product: Pairs = outer
+        .iter()
+        .flat_map(|(t, w)| inner.iter().map(move |(s, v)| (t * s, w * v * s.powi(k))))
+        .collect();
     gauss_of_discrete(n, &product)
 }
 
@@ -69,8 +72,11 @@ fn gauss_of_discrete(n: usize, measure: &[(f64, f64)]) -> Result<Pairs> {
         below = norm;
         previous = std::mem::replace(&mut current, next);
     }
-    let (points, vectors) =
-        symmetric_eigen(&jacobi).ok_or(Error::NotFinite { name: "Jacobi matrix", index: 0, value: mass })?;
+    let (points, vectors) = symmetric_eigen(&jacobi).ok_or(Error::NotFinite {
+        name: "Jacobi matrix",
+        index: 0,
+        value: mass,
+    })?;
     Ok(points.into_iter().enumerate().map(|(j, t)| (t, mass * vectors[(0, j)].powi(2))).collect())
 }
 
@@ -88,8 +94,10 @@ mod tests {
                 let rules = Rules::new(n, p).unwrap();
                 for k in 0..2 {
                     for degree in 0..2 * n - 1 {
-                        let moment: f64 =
-                            rules.logarithm[k].iter().map(|&(t, w)| w * t.powi(degree as i32)).sum();
+                        let moment: f64 = rules.logarithm[k]
+                            .iter()
+                            .map(|&(t, w)| w * t.powi(degree as i32))
+                            .sum();
                         let j = (degree + k + 1) as f64;
                         let exact = 1.0 / (j * (j + p));
                         assert!(

@@ -45,7 +45,8 @@ impl Assembly<'_> {
                     SPARE_DIGITS + excess.log10().max(0.0)
                 }
                 _ => {
-                    let (alpha, beta) = (space.panel_left[i] + s.length, space.panel_right[j] + t.length);
+                    let (alpha, beta) =
+                        (space.panel_left[i] + s.length, space.panel_right[j] + t.length);
                     let scale = self.scale[i].sqrt() * self.scale[j].sqrt();
                     let share = kernel(self.p, alpha, gap, beta) / scale;
                     if share < NEGLIGIBLE {
@@ -109,7 +110,11 @@ impl Assembly<'_> {
             return kernel(self.p, s.x, d, t.y);
         }
         let increment = exp_quotient(-self.p, logarithm);
-        if is_left { t.x_power * increment - s.beyond_y } else { s.y_power * increment - t.beyond_x }
+        if is_left {
+            t.x_power * increment - s.beyond_y
+        } else {
+            s.y_power * increment - t.beyond_x
+        }
     }
 
     /// The block of two panels of the local group, one of which is so much nearer to P that the kernel is that

@@ -46,8 +46,11 @@ fn distances(lengths: &[f64]) -> (Vec<f64>, Vec<f64>) {
 impl SlopeSpace {
     /// The space on these cells; `largest_spread` bounds ln(r₁/r₀) over a panel.
     pub(crate) fn new(cells: Vec<Cell>, largest_spread: f64) -> Self {
-        let panels: Vec<Panel> =
-            cells.iter().enumerate().flat_map(|(index, cell)| cell.panels(index, largest_spread)).collect();
+        let panels: Vec<Panel> = cells
+            .iter()
+            .enumerate()
+            .flat_map(|(index, cell)| cell.panels(index, largest_spread))
+            .collect();
         let mut first = vec![0];
         for cell in &cells {
             first.push(first[first.len() - 1] + cell.functions);
