@@ -35,8 +35,12 @@ fn l_body(mesh: Triangulation) -> Body<'static> {
     Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - x)
 }
 
+/// Largest bound over (distance² + bound²)^(1/2), the bound that of the fine mesh: the error is between the two. With a
+/// reaction term the divergence of the flux is constant on a triangle, the load is not; hence the 3.
+const MOST: f64 = 3.0;
+
 /// The bound against the distance to a mesh of 16 times as many triangles, for both cones where both are defined.
-fn check(scene: &Scene, most: f64) -> Vec<Beside> {
+fn check(scene: &Scene) -> Vec<Beside> {
     let mut all = Vec::new();
     for cone in Cone::ALL {
         let beside = match scene.beside(cone, 2) {
@@ -61,7 +65,8 @@ fn check(scene: &Scene, most: f64) -> Vec<Beside> {
         );
         let wrong = beside.violations(&scene.name);
         assert!(wrong.is_empty(), "{cone}: {wrong:#?}");
-        assert!(beside.effectivity() < most, "{} {cone}: {}", scene.name, beside.effectivity());
+        let ratio = found.error / distance.hypot(fine.error);
+        assert!(ratio < MOST, "{} {cone}: {ratio}", scene.name);
         all.push(beside);
     }
     all
@@ -75,10 +80,10 @@ fn energies_of_the_block_are_those_of_the_table() {
         (16, -0.0172496119, -0.0177014497, 1e-9),
         (32, -0.0175239764, -0.017655775, 1e-8),
     ];
-    // J(u) to 1e-6: the tenth of a percent of |||u|||² = −2 J(u) for the error 3 %.
+    // J(u) to 2e-6: half of the square of 1 % of |||u|||, |||u|||² = −2 J(u).
     let body = block(unit_square(8, SideParts::HANGING).unwrap());
     let exact =
-        Refinement { tolerance: 0.03, ..Refinement::default() }.solve(&body).unwrap().energy;
+        Refinement { tolerance: 0.01, ..Refinement::default() }.solve(&body).unwrap().energy;
     println!("J(u) in {exact:?}");
     for (n, above, below, accuracy) in table {
         let found =
@@ -97,9 +102,7 @@ fn energies_of_the_block_are_those_of_the_table() {
         );
         assert!(found.error / distance <= 1.12 && found.energy.contains(exact.upper));
         let sum: f64 = found.shares.iter().sum();
-        assert!(
-            (sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12 * sum.max(1e-3)
-        );
+        assert!((sum - 2.0 * (found.solution.energy - found.dual_energy)).abs() < 1e-12);
     }
 }
 
@@ -137,16 +140,14 @@ fn history(body: &Body<'_>, share: f64, unknowns: usize) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
     let refinement = Refinement { tolerance: 1e-9, unknowns, share, ..Refinement::default() };
     refinement
-        .run(body, |found| {
-            points.push((found.problem.free_unknowns() as f64, found.relative_error()))
-        })
+        .run(body, |found| points.push((found.problem.free_unknowns() as f64, found.error)))
         .unwrap();
     points
 }
 
 /// The exponents on adaptive and on uniform meshes, the latter at most `uniform`.
 fn orders(name: &str, body: &Body<'_>, unknowns: usize, uniform: [f64; 2]) {
-    let adaptive = history(body, 0.5, unknowns);
+    let adaptive = history(body, 0.3, unknowns);
     let whole = history(body, 1.0, unknowns);
     let late = |points: &[(f64, f64)], from: f64| {
         let last = points[points.len() - 1].0;
@@ -154,18 +155,20 @@ fn orders(name: &str, body: &Body<'_>, unknowns: usize, uniform: [f64; 2]) {
     };
     let (own, other) = (exponent(&late(&adaptive, 16.0)), exponent(&late(&whole, 17.0)));
     println!("{name}: adaptive {own:.3}, uniform {other:.3}, {adaptive:.4?} {whole:.4?}");
-    assert!((own + 0.5).abs() <= 0.03, "{name}: {own}");
+    // Strong singularities at N < 10⁵: the meshes are still gaining, the order is above the limit −½.
+    let most = if uniform[1] < -0.3 { -0.53 } else { -0.58 };
+    assert!(most <= own && own <= -0.47, "{name}: {own}");
     assert!(uniform[0] <= other && other <= uniform[1], "{name}: uniform {other}");
 }
 
 #[test]
 fn adaptive_meshes_have_the_best_order_on_the_block() {
-    orders("block", &block(unit_square(4, SideParts::HANGING).unwrap()), 20_000, [-0.5, -0.4]);
+    orders("block", &block(unit_square(4, SideParts::HANGING).unwrap()), 120_000, [-0.5, -0.4]);
 }
 
 #[test]
 fn adaptive_meshes_have_the_best_order_on_the_l() {
-    orders("L", &l_body(l_domain()), 10_000, [-0.42, -0.3]);
+    orders("L", &l_body(l_domain()), 60_000, [-0.42, -0.3]);
 }
 
 /// Dirichlet and Neumann sides at an angle of 10/11 π: r^0.55, u in H^τ for τ < 1.55.
@@ -175,7 +178,7 @@ fn adaptive_meshes_have_the_best_order_at_a_weak_corner() {
     let map = |[x, y]: Point| [x * (1.0 - y) + x * y * place, y * (1.0 - x) + x * y * place];
     let mesh = mapped_grid(4, 4, SideParts::HANGING, map).unwrap();
     let body = Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - 3.0 * x);
-    orders("corner", &body, 10_000, [-0.45, -0.25]);
+    orders("corner", &body, 60_000, [-0.35, -0.25]);
 }
 
 /// The square (−1, 1)² with a slit from the left to the middle.
@@ -229,7 +232,7 @@ fn slit(n: usize) -> Triangulation {
 fn adaptive_meshes_have_the_best_order_at_a_slit() {
     let body =
         Body::new(slit(2), elastic(1.0, 1.0)).load(|[x, y]: Point| [0.2 * y, -0.5 - 0.3 * x]);
-    orders("slit", &body, 20_000, [-0.4, -0.2]);
+    orders("slit", &body, 120_000, [-0.35, -0.22]);
 }
 
 /// A square of 4 × 4 cells without the four in the middle; contact below, clamped above.
@@ -268,11 +271,11 @@ fn a_hole() {
     let scene = Scene::new("hole", with_hole(), |mesh| {
         Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.0, -0.2 + 0.15 * x])
     });
-    check(&scene, 1.25);
+    check(&scene);
     let scene = Scene::new("hole, scalar", with_hole(), |mesh| {
         Body::new(mesh, Form::LAPLACE).load(|[x, y]: Point| x - 1.5 - 0.1 * x * y)
     });
-    check(&scene, 1.25);
+    check(&scene);
 }
 
 /// A hole with pieces of its own of all three kinds: the resultants on its rim are unknown.
@@ -290,7 +293,7 @@ fn a_hole_with_a_floor_and_a_clamped_side() {
     let scene = Scene::new("hole, floor and clamp inside", mesh, |mesh| {
         Body::new(mesh, elastic(2.0, 1.0)).load(|[x, y]: Point| [0.1 * y, -0.3 * x])
     });
-    check(&scene, 1.3);
+    check(&scene);
 }
 
 #[test]
@@ -306,7 +309,7 @@ fn two_floors() {
     let scene = Scene::new("two floors", labelled(8, part), |mesh| {
         Body::new(mesh, elastic(1.0, 1.0)).load(|[x, y]: Point| [0.4 - y, -(PI * x).cos()])
     });
-    let found = check(&scene, 1.2);
+    let found = check(&scene);
     assert!(found[0].forces.iter().all(|[coarse, _]| coarse.lower > 0.0));
 }
 
@@ -318,7 +321,7 @@ fn a_gap() {
             .load(|[_, _]: Point| [0.0, -1.0])
             .gap(|[x, _]| 0.1 + 0.4 * x)
     });
-    check(&scene, 1.2);
+    check(&scene);
     // A convex gap is penetrated between the nodes, at a clamped end as well.
     let clamped = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
     for sides in [SideParts::HANGING, clamped] {
@@ -327,14 +330,14 @@ fn a_gap() {
                 .load(|[_, _]: Point| [0.0, -1.0])
                 .gap(|[x, _]| 0.3 * x * x)
         });
-        check(&scene, 1.3);
+        check(&scene);
     }
     let scene = Scene::new("gap, scalar", mesh(), |mesh| {
         Body::new(mesh, Form::LAPLACE)
             .load(|[x, _]: Point| 1.0 + x)
             .gap(|[x, _]| 0.2 + 0.1 * (4.0 * x).sin())
     });
-    check(&scene, 1.3);
+    check(&scene);
 }
 
 #[test]
@@ -342,18 +345,18 @@ fn a_traction() {
     let scene = Scene::new("traction", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
         Body::new(mesh, elastic(1.0, 1.0)).traction(|[x, y]: Point| [-0.5 * y, 0.2 - x])
     });
-    check(&scene, 1.25);
+    check(&scene);
     let scene =
         Scene::new("traction, curved", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
             Body::new(mesh, elastic(1.0, 1.0))
                 .traction(|[x, y]: Point| [(5.0 * y).sin(), 0.2 - x])
                 .load(|[x, y]: Point| [x * y, -x * x])
         });
-    check(&scene, 1.6);
+    check(&scene);
     let scene = Scene::new("flux, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
         Body::new(mesh, Form::LAPLACE).traction(|[x, y]: Point| 0.5 - x * y)
     });
-    check(&scene, 1.25);
+    check(&scene);
 }
 
 #[test]
@@ -370,7 +373,7 @@ fn a_jump_of_the_material() {
             Body::new(mesh, Form::Elastic { materials })
                 .load(|[x, _]: Point| [0.0, -(PI * x).cos()])
         });
-        check(&scene, 1.35);
+        check(&scene);
     }
 }
 
@@ -384,7 +387,7 @@ fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
             unit_square(8, sides).unwrap(),
             |mesh| Body::new(mesh, elastic(1.0, 1.0)).load(|[x, _]: Point| [0.3, 1.0 - 3.0 * x]),
         );
-        check(&scene, 1.25);
+        check(&scene);
     }
     for (end, beyond) in [(0.5, Part::Neumann), (0.5, Part::Dirichlet)] {
         let part = move |[x, y]: Point| match y {
@@ -397,7 +400,7 @@ fn a_contact_edge_from_corner_to_corner_and_one_that_ends_inside_a_side() {
             Scene::new(format!("ends inside, then {beyond:?}"), labelled(8, part), |mesh| {
                 Body::new(mesh, elastic(1.0, 1.0)).load(|_: Point| [0.1, -1.0])
             });
-        check(&scene, 1.25);
+        check(&scene);
     }
 }
 
@@ -407,7 +410,7 @@ fn nothing_touches_and_everything_touches() {
         let scene = Scene::new(name, unit_square(8, SideParts::HANGING).unwrap(), move |mesh| {
             Body::new(mesh, elastic(1.0, 1.0)).load(move |_: Point| [0.0, push])
         });
-        for beside in check(&scene, 1.25) {
+        for beside in check(&scene) {
             let touching = beside.found.pressure.iter().flatten().filter(|p| **p > 0.0).count();
             assert_eq!(touching, if push > 0.0 { 0 } else { 16 }, "{name}");
         }
@@ -434,7 +437,7 @@ fn remark_1_with_its_reaction_term() {
                 Body::new(mesh, Form::Scalar { reaction })
                     .load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y)
             });
-            check(&scene, 1.4);
+            check(&scene);
         }
     }
 }
@@ -446,12 +449,12 @@ fn a_curved_prescribed_displacement() {
             .displacement(|[x, _]: Point| [0.1 * x * x, -0.2 * (PI * x).sin()])
             .load(|_: Point| [0.0, -0.2])
     });
-    check(&scene, 1.5);
+    check(&scene);
     let scene =
         Scene::new("curved u_D, scalar", unit_square(8, SideParts::HANGING).unwrap(), |mesh| {
             Body::new(mesh, Form::LAPLACE).displacement(|[x, _]: Point| (2.0 * PI * x).cos())
         });
-    check(&scene, 1.5);
+    check(&scene);
 }
 
 #[test]
@@ -464,20 +467,20 @@ fn a_load_on_one_region() {
     let scene = Scene::new("regional load", mesh.clone(), |mesh| {
         Body::new(mesh, elastic(1.0, 1.0)).load_on("1", |_: Point| [0.3, -1.0])
     });
-    check(&scene, 1.25);
+    check(&scene);
     let scene = Scene::new("regional load, sine", mesh, |mesh| {
         Body::new(mesh, elastic(1.0, 1.0))
             .load(|[x, _]: Point| [0.0, 0.5 - x])
             .load_on("1", |[x, y]: Point| [(3.0 * x).sin(), (2.0 * y).cos()])
     });
-    check(&scene, 1.6);
+    check(&scene);
 }
 
 /// What of the load no stress of the mesh carries is in the bound, with constants: it falls faster than the bound.
 #[test]
 fn a_load_with_a_kink_has_oscillation() {
-    let kink = |form: Form, name: &str, most: f64| {
-        let mut shares = Vec::new();
+    let kink = |form: Form, name: &str| {
+        let mut sizes = Vec::new();
         for n in [8, 16] {
             let mesh = unit_square(n, SideParts::HANGING).unwrap();
             let is_elastic = form.components() == 2;
@@ -491,16 +494,15 @@ fn a_load_with_a_kink_has_oscillation() {
                     body.load(load)
                 }
             });
-            let found = check(&scene, most);
-            let share = found[0].found.oscillation / found[0].found.error;
-            assert!(share > 0.0);
-            shares.push(share);
+            let found = check(&scene);
+            sizes.push(found[0].found.oscillation);
         }
-        println!("{name}: {shares:?}");
-        assert!(shares[1] < 0.6 * shares[0], "{shares:?}");
+        // h ‖f − f_T‖ is of order h², the bound of order h.
+        println!("{name}: {sizes:?}");
+        assert!(sizes[1] > 0.0 && sizes[1] < 0.35 * sizes[0], "{sizes:?}");
     };
-    kink(Form::LAPLACE, "kink, scalar", 1.6);
-    kink(elastic(1.0, 1.0), "kink", 2.5);
+    kink(Form::LAPLACE, "kink, scalar");
+    kink(elastic(1.0, 1.0), "kink");
 }
 
 /// P1 locks near ν = ½, and the bound, whose stress does not, grows with the error.
@@ -516,7 +518,7 @@ fn the_bound_sees_locking() {
                 Body::new(mesh, form).load(|[x, _]: Point| [0.0, -(PI * x).cos()])
             },
         );
-        let found = check(&scene, 5.0);
+        let found = check(&scene);
         errors.push(found[0].found.relative_error());
     }
     assert!(errors[2] > 1.5 * errors[0], "{errors:?}");
