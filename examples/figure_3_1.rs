@@ -21,10 +21,10 @@
 //! cells ≤ 0).
 //!
 //! Problems, on the edge y = 0 of the unit square: g ≤ 0, λ ≥ 0, g λ = 0; u harmonic, g on the
-//! edge, 0 at y = 1, ∂u/∂n = 0 at the sides, u_N = u, σ_N = −λ. In a gap (a, b), where there is no
-//! contact, g = −δ^q, δ = (x − a)(b − x)/(b − a); else λ = r^(τ−2), r the distance to the next gap.
-//! N = 32·2^finest cells: g at the nodes; ∫ λ over a cell half to each node (if a lies in a cell,
-//! all to the node left of a).
+//! edge, 0 at y = 1, ∂u/∂n = 0 at the sides, u_N = u. An edge load ∂u/∂n + λ is applied, so that
+//! σ_N = ∂u/∂n − load = −λ. In a gap (a, b), where there is no contact, g = −δ^q, δ = (x − a)(b −
+//! x)/(b − a); else λ = r^(τ−2), r the distance to the next gap. N = 32·2^finest cells: g at the
+//! nodes; ∫ λ over a cell half to each node (if a lies in a cell, all to the node left of a).
 //!
 //! ```text
 //! transition      one gap, b = 2 − a (a mirror at x = 1), q = τ − 1: in H^s for s < τ only;

@@ -23,9 +23,10 @@
 //! them.
 //!
 //! Refuted if left over right exceeds 1 by more than its ± in any of these lines, or if a quotient
-//! of (5.5) is off 1 by 1e-6. Not sharp if at ν = 1/2 the last step loses the factor √2, to 0.02:
-//! there γ² grows like ln(1/θ) (example `lemma_5_2_exact_law`), hence γ by √2 in a step, while the
-//! factor in (5.8) is 2. That is why (5.2) has ln(1/θ) and not its root.
+//! of (5.5) is off 1 by 1e-6. Not sharp if at ν = 1/2 the right side of (5.8) over the left, 2
+//! γ(θ)/γ(θ²), is √2 to 0.02 in the last step: there γ² grows like ln(1/θ) (example
+//! `lemma_5_2_exact_law`), hence γ by √2 in a step, while the factor in (5.8) is 2. That is why
+//! (5.2) has ln(1/θ) and not its root.
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 

@@ -22,7 +22,7 @@
 //! grows like 3/(2π²) L, as γ² does.
 //!
 //! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation); if q exceeds γ, or is
-//! off `by_definition` by 0.3 %; if for one α q does not grow between the last two L; if γ grows
+//! off `by_definition` by 0.3 %; if q falls between the last two L for any α; if γ grows
 //! there like another power of L than 1/2 ± 0.02; or if the slope of q² over L for α = 1 is off
 //! 3/(2π²) by more than 0.001.
 //!

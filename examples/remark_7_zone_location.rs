@@ -33,8 +33,9 @@
 //! the lemma on random sequences and random functions.
 //!
 //! Refuted if γ(E) exceeds γ((0, θ)) for an interval or a union, or √(γ₁² + N²) for an interval, by
-//! more than the tolerances 1e-7 and 1e-3 requested; if a random sequence, sorted, has a larger
-//! sum; or if a random function, sorted, has a larger seminorm.
+//! more than the tolerances requested (1e-7 for intervals; 2e-3 for unions, two γ to 1e-3 each); if
+//! a random sequence, sorted, has a larger sum; or if a random function, sorted, has a larger
+//! seminorm.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 

@@ -53,9 +53,10 @@ example! { seconds "Section 1, the plane",
 
 const AT_CORNERS: f64 = 1e-6;
 
-/// |r^a sin(πφ/ω)|_s from the values of the function alone, on triangles with a node at the corner,
-/// or (`cut`) on these cut near the corner. Rings of triangles that halve towards the corner, in ln
-/// r, until the sum over rings is below the tolerance.
+/// |r^a sin(πφ/ω)|_s from the values of the function and the exponent a declared at the corner, on
+/// triangles with a node at the corner, or (`cut`) on these cut near the corner. Rings of triangles
+/// that halve towards the corner, in ln r, until the remaining sum over rings is below the
+/// tolerance.
 fn on_polygon(
     s: Order,
     points: &[[f64; 2]],

@@ -36,6 +36,11 @@
 //! The first term carries the load: ∂_y (y cos πx) = −f_y. By itself it satisfies all conditions,
 //! q_N = 0 on y = 0, and gives by hand J*(q) = −½ · 3/8 · ∫ y² cos² πx = −1/32.
 //!
+//! Both energies have the load ∫ f·v by a rule of 4 × 4 points a triangle, exact to ten digits. On
+//! the free sides q n = 0 (φ affine there), on Γ_C q_T = 0 and both ends of every segment have q_N
+//! ≤ 0; the best q is found by multipliers on the edges that make tractions of neighbours equal,
+//! the equations of which are again a contact problem.
+//!
 //! The error is measured as the distance |||u' − u^h||| to the solution u' on squares 8 times finer
 //! than the finest row; it uses no stress q. The claim is refuted if a bound is below that
 //! distance, if an energy J* is above an energy J, if the sum over triangles and segments differs
