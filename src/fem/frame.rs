@@ -41,7 +41,7 @@ impl Frame {
     }
 
     /// The components (u_T, u_N) in double-double.
-    fn to_frame_precisely(&self, [x, y]: [Quad; 2]) -> [Quad; 2] {
+    fn to_frame_precisely(self, [x, y]: [Quad; 2]) -> [Quad; 2] {
         let Some(normal) = self.normal else { return [x, y] };
         let [nx, ny] = normal.map(Quad::from);
         [nx * y - ny * x, nx * x + ny * y]
