@@ -1,8 +1,8 @@
 //! Numbers of the Rust libraries, bit by bit, for `tests/test_rust.py`: one name and the bits of value and error a line.
 
 use fractional_sobolev::{
-    Constraint, Curve, Domain, DualOf, ErrorNorm, Estimate, Function, Gram, Mesh, Result, Triangles, gamma,
-    interpolation_constant,
+    Constraint, Curve, Domain, DualOf, ErrorNorm, Estimate, Function, Gram, Mesh, Result,
+    Triangles, gamma, interpolation_constant,
 };
 use signorini::cone::Cone;
 use signorini::contact::{ContactProblem, Solver};

@@ -64,7 +64,10 @@ impl Callback {
                 let parts: Vec<f64> =
                     value.try_iter()?.map(|part| part?.extract()).collect::<PyResult<_>>()?;
                 parts.try_into().map_err(|parts: Vec<f64>| {
-                    PyValueError::new_err(format!("the load has {} components, expected 2", parts.len()))
+                    PyValueError::new_err(format!(
+                        "the load has {} components, expected 2",
+                        parts.len()
+                    ))
                 })
             },
         );
@@ -84,7 +87,8 @@ impl Callback {
             return None;
         }
         Python::attach(|py| {
-            let found = arguments(py).and_then(|arguments| read(self.function.bind(py).call1(arguments)?));
+            let found =
+                arguments(py).and_then(|arguments| read(self.function.bind(py).call1(arguments)?));
             found.map_err(|error| self.shared.fail(error)).ok()
         })
     }

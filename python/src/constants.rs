@@ -69,7 +69,8 @@ pub(crate) fn poincare(
         Ok((found, bounds))
     })?;
     // proved bounds carry no error of their own
-    let bound = |value: f64| estimate(py, Estimate { value, error: 0.0, work: found.constant.work });
+    let bound =
+        |value: f64| estimate(py, Estimate { value, error: 0.0, work: found.constant.work });
     let [lower, upper] = match bounds {
         Some([lower, upper]) => [Some(bound(lower)?), Some(bound(upper)?)],
         None => [None, None],

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use signorini::bounds::{Enclosure, Refinement};
 use signorini::cone::Cone;
 use signorini::contact::{Body, ContactProblem, ContactSolution, Solver, Support};
-use signorini::fem::{Form, Lame, consistent_load};
+use signorini::fem::{Form, Lame};
 use signorini::mesh::{Part, Triangulation};
 
 use crate::callback::{Callback, Shared};
@@ -47,7 +47,9 @@ impl Solved {
     /// J(u) of the exact solution in an interval.
     #[getter]
     fn energy_bounds(&self) -> Option<(f64, f64)> {
-        self.bounds.as_ref().map(|found| (found.enclosure.energy.lower, found.enclosure.energy.upper))
+        self.bounds
+            .as_ref()
+            .map(|found| (found.enclosure.energy.lower, found.enclosure.energy.upper))
     }
 
     /// The force of every contact edge in an interval.
@@ -147,7 +149,10 @@ pub(crate) fn states_a_part(name: &str) -> bool {
 }
 
 /// The form with these constants of the regions: one without a name for all, or one for each by name.
-fn form(mesh: &Triangulation, lame: Option<&[(String, f64, f64)]>) -> Result<Form, signorini::Error> {
+fn form(
+    mesh: &Triangulation,
+    lame: Option<&[(String, f64, f64)]>,
+) -> Result<Form, signorini::Error> {
     let Some(lame) = lame else { return Ok(Form::LAPLACE) };
     if let [(name, lambda, mu)] = lame
         && name.is_empty()
@@ -157,7 +162,11 @@ fn form(mesh: &Triangulation, lame: Option<&[(String, f64, f64)]>) -> Result<For
     let names = mesh.region_names();
     let known = || names.join(", ");
     if let Some((other, ..)) = lame.iter().find(|(name, ..)| !names.contains(name)) {
-        return Err(signorini::Error::NoGroup { what: "region", given: other.clone(), known: known() });
+        return Err(signorini::Error::NoGroup {
+            what: "region",
+            given: other.clone(),
+            known: known(),
+        });
     }
     let of = |name: &String| {
         let found = lame.iter().find(|(other, ..)| other == name);
@@ -210,13 +219,15 @@ fn with_datum(
 
 /// The parts of groups on which something acts and whose names do not state it.
 fn parts(given: &[Given]) -> Vec<(&str, Part)> {
-    let of = |(kind, place, ..): &'_ Given| match kind.as_str() {
-        "traction" => Some(Part::Neumann),
-        "displacement" => Some(Part::Dirichlet),
-        "gap" => Some(Part::Contact),
-        _ => None,
-    }
-    .filter(|_| !place.is_empty() && Part::named(place).is_none());
+    let of = |(kind, place, ..): &'_ Given| {
+        match kind.as_str() {
+            "traction" => Some(Part::Neumann),
+            "displacement" => Some(Part::Dirichlet),
+            "gap" => Some(Part::Contact),
+            _ => None,
+        }
+        .filter(|_| !place.is_empty() && Part::named(place).is_none())
+    };
     given.iter().filter_map(|one| of(one).map(|part| (one.1.as_str(), part))).collect()
 }
 
@@ -246,13 +257,18 @@ pub(crate) fn contact(
             "midpoint" => Cone::Midpoint,
             _ => {
                 let expected = "nodal or midpoint";
-                return Err(Failure::from(Error::UnknownName { what: "cone", given: cone, expected }));
+                return Err(Failure::from(Error::UnknownName {
+                    what: "cone",
+                    given: cone,
+                    expected,
+                }));
             }
         };
         let edges: Vec<([usize; 2], &str)> =
             edges.iter().zip(&names).map(|(&edge, name)| (edge, name.as_str())).collect();
         let regions: Vec<&str> = regions.iter().map(String::as_str).collect();
-        let mesh = Triangulation::from_groups(&nodes, &triangles, &regions, &edges, &parts(&given))?;
+        let mesh =
+            Triangulation::from_groups(&nodes, &triangles, &regions, &edges, &parts(&given))?;
         let form = form(&mesh, lame.as_deref())?;
         let body = Body::new(mesh, form);
         let body = given.into_iter().fold(body, |body, one| with_datum(body, one, &of_callbacks));
@@ -265,17 +281,16 @@ pub(crate) fn contact(
                 .collect::<Result<_, signorini::Error>>()?;
             let (problem, solution) = (enclosure.problem.clone(), enclosure.solution.clone());
             let supports = problem.supports(&solution)?;
-            return Ok(Solved { problem, solution, supports, bounds: Some(Bounds { enclosure, forces }) });
+            return Ok(Solved {
+                problem,
+                solution,
+                supports,
+                bounds: Some(Bounds { enclosure, forces }),
+            });
         }
         let mut problem = body.problem()?;
         if !values.is_empty() {
-            let (mesh, components) = (problem.mesh(), problem.form().components());
-            if values.len() != components * mesh.nodes().len() {
-                let (given, expected) = (values.len(), components * mesh.nodes().len());
-                return Err(Failure::from(Error::LengthMismatch { name: "load", given, expected }));
-            }
-            let load = consistent_load(mesh, components, &values);
-            problem.add_load(&load)?;
+            problem.add_nodal_load(&values)?;
         }
         let solution = problem.solve(cone, Solver::ActiveSet)?;
         let supports = problem.supports(&solution)?;

@@ -44,7 +44,8 @@ pub(crate) fn norm(
 ) -> PyResult<Py<PyAny>> {
     let shared = Arc::new(Shared::default());
     let source = Source::of(u, distances, false, &shared)?;
-    let slope = derivative.map(|slope| Source::of(&slope, distances, false, &shared)).transpose()?;
+    let slope =
+        derivative.map(|slope| Source::of(&slope, distances, false, &shared)).transpose()?;
     let which = if seminorm { Which::Seminorm } else { Which::Norm };
     let found = wait(py, &shared, move || {
         let mut u = source.on(&on)?;
@@ -136,7 +137,12 @@ pub(crate) fn boundary_norm(
         let curve = Curve::algebraic(&vertices, elements, exponent)?;
         let values = match callback {
             Some(f) if s >= 0.0 => {
-                return of(which, &Function::on_polygon(&vertices, |point| f.at_point(point))?, s, tol);
+                return of(
+                    which,
+                    &Function::on_polygon(&vertices, |point| f.at_point(point))?,
+                    s,
+                    tol,
+                );
             }
             Some(f) => curve.nodes().into_iter().map(|point| f.at_point(point)).collect(),
             None => values,

@@ -24,17 +24,31 @@ fn product<'py>(
 #[pymethods]
 impl GramMatrix {
     #[new]
-    fn new(py: Python<'_>, nodes: Vec<f64>, s: f64, tol: f64, zero_outside: bool) -> PyResult<Self> {
+    fn new(
+        py: Python<'_>,
+        nodes: Vec<f64>,
+        s: f64,
+        tol: f64,
+        zero_outside: bool,
+    ) -> PyResult<Self> {
         let shared = Arc::new(Shared::default());
         let found = wait(py, &shared, move || {
             let mesh = Mesh::from_nodes(&nodes)?;
-            Ok(if zero_outside { Gram::zero_outside(&mesh, s, tol)? } else { Gram::new(&mesh, s, tol)? })
+            Ok(if zero_outside {
+                Gram::zero_outside(&mesh, s, tol)?
+            } else {
+                Gram::new(&mesh, s, tol)?
+            })
         })?;
         Ok(Self(Arc::new(found)))
     }
 
     /// The solution of A x = b and the energy xᵀA x.
-    fn solve<'py>(&self, py: Python<'py>, b: Vec<f64>) -> PyResult<(Bound<'py, PyArray1<f64>>, Py<PyAny>)> {
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        b: Vec<f64>,
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Py<PyAny>)> {
         let (shared, gram) = (Arc::new(Shared::default()), self.0.clone());
         let (x, energy) = wait(py, &shared, move || Ok(gram.solve(&b)?))?;
         Ok((PyArray1::from_vec(py, x), estimate(py, energy)?))
@@ -79,8 +93,10 @@ impl GramMatrix {
     }
 
     fn dense<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let found = py.detach(|| self.0.to_dense()).map_err(|error| Failure::from(error).raise(py))?;
-        let rows: Vec<Vec<f64>> = found.row_iter().map(|row| row.iter().copied().collect()).collect();
+        let found =
+            py.detach(|| self.0.to_dense()).map_err(|error| Failure::from(error).raise(py))?;
+        let rows: Vec<Vec<f64>> =
+            found.row_iter().map(|row| row.iter().copied().collect()).collect();
         Ok(PyArray2::from_vec2(py, &rows)?)
     }
 }

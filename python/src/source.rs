@@ -50,9 +50,11 @@ impl Source {
                 match values.len() {
                     n if n == places.len() => Function::linears(&mesh, values),
                     n if n + 1 == places.len() => Function::piecewise(&mesh, 0, values),
-                    given => {
-                        Err(Error::LengthMismatch { name: "array of nodal values (or of element values, one fewer)", given, expected: places.len() })
-                    }
+                    given => Err(Error::LengthMismatch {
+                        name: "array of nodal values (or of element values, one fewer)",
+                        given,
+                        expected: places.len(),
+                    }),
                 }
             }
         }

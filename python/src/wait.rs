@@ -62,7 +62,10 @@ fn types(py: Python<'_>) -> PyResult<Bound<'_, PyModule>> {
 
 /// The number with its error, as a Python `Estimate`.
 pub(crate) fn estimate(py: Python<'_>, found: Estimate) -> PyResult<Py<PyAny>> {
-    Ok(types(py)?.getattr("Estimate")?.call1((found.value, found.error, found.work.total()))?.unbind())
+    Ok(types(py)?
+        .getattr("Estimate")?
+        .call1((found.value, found.error, found.work.total()))?
+        .unbind())
 }
 
 /// What the computation returns. It runs on a thread of its own without the interpreter; Ctrl-C is answered at once,
@@ -77,7 +80,9 @@ pub(crate) fn wait<T: Send + 'static>(
     std::thread::spawn(move || Python::attach(|py| py.detach(|| send.send(job()).ok())));
     let receive = Mutex::new(receive); // shared with the closure that waits
     loop {
-        match py.detach(|| receive.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE)) {
+        match py.detach(|| {
+            receive.lock().unwrap_or_else(PoisonError::into_inner).recv_timeout(PATIENCE)
+        }) {
             Ok(found) => {
                 if let Some(error) = shared.take_failure() {
                     return Err(error);

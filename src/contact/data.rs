@@ -2,7 +2,7 @@
 
 use super::problem::ContactProblem;
 use crate::error::Result;
-use crate::fem::{Cubature, Field, load_by_edges, volume_load};
+use crate::fem::{Cubature, Field, consistent_load, load_by_edges, volume_load};
 use crate::mesh::{Part, Point};
 use crate::numeric::check::require_values;
 use fractional_sobolev::gauss_legendre;
@@ -89,6 +89,27 @@ impl ContactProblem {
     ) -> Result<()> {
         let rule = gauss_legendre(EDGE_POINTS)?;
         let load = load_by_edges(&self.mesh, part, self.form.components(), density, &rule)?;
+        self.add_load(&load)
+    }
+
+    /// Adds the volume load ∫ f·v of the P1 function f with the given nodal values (node-major, one number per node for
+    /// a scalar form, two for elasticity).
+    ///
+    /// ```
+    /// use signorini::{contact::Body, fem::Form, mesh::{SideParts, unit_square}};
+    /// let mut problem = Body::new(unit_square(4, SideParts::HANGING)?, Form::LAPLACE).problem()?;
+    /// problem.add_nodal_load(&[1.0; 25])?;
+    /// assert!(problem.add_nodal_load(&[1.0; 24]).is_err());
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`ToolkitError::LengthMismatch`](crate::ToolkitError::LengthMismatch),
+    /// [`ToolkitError::NotFinite`](crate::ToolkitError::NotFinite).
+    pub fn add_nodal_load(&mut self, values: &[f64]) -> Result<()> {
+        let components = self.form.components();
+        require_values("volume load", values, components * self.mesh.nodes().len())?;
+        let load = consistent_load(&self.mesh, components, values);
         self.add_load(&load)
     }
 
