@@ -153,7 +153,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for k in 1..count {
             let rise = near_differences(&sorted, k) - near_differences(&f, k);
             let claim = out.check("sequences: Σ (f_i − f_j)², sorted − given");
-            claim.at_most(rise, 0.0, "rearrangement lemma");
+            claim.at_most(rise, 0.0, "sorting lemma");
         }
         // Functions that are linear between random values on a random mesh; their seminorms are
         // closed forms on pairs of elements.

@@ -142,6 +142,8 @@ fn in_intervals(numbers: impl Iterator<Item = usize>) -> String {
 /// with neither is that of the solution.
 fn show_steps(out: &mut Report, n: usize, u: &ContactSolution) {
     let mut before = vec![false; u.contact_set.constraints()];
+    let mut words =
+        format!("steps of the active set, block, nodal, n = {n}; nodes from the left, from 0:");
     let mut rows: Vec<Vec<(f64, f64)>> = Vec::new();
     for (k, step) in u.steps.iter().enumerate() {
         let now = step.set.as_slice();
@@ -150,8 +152,14 @@ fn show_steps(out: &mut Report, n: usize, u: &ContactSolution) {
         // (B u)₊ over the largest |u|, (−p)₊ over the largest entry of |K||u| + |F|, as in the
         // checks.
         let residual = (step.penetration / u.displacement_scale).max(step.tension / u.force_scale);
-        out.row(cells! { body: "block", cone: "nodal", n, step: k + 1 =>
-        touching: step.set.count(), enters, leaves, J: step.energy, residual });
+        let enter = if enters.is_empty() { String::new() } else { format!(", {enters} enter") };
+        let leave = if leaves.is_empty() { String::new() } else { format!(", {leaves} leave") };
+        words += &format!(
+            "\n{}: {} nodes{enter}{leave}; J = {:.6}, residual {residual:.1e}",
+            k + 1,
+            step.set.count(),
+            step.energy
+        );
         let points = (0..now.len()).filter(|&i| now[i]).map(|i| (i as f64 / n as f64, -(k as f64)));
         rows.push(points.collect());
         before = now.to_vec();
@@ -161,6 +169,7 @@ fn show_steps(out: &mut Report, n: usize, u: &ContactSolution) {
     let plot = out.plot("section_2_active_sets", "Nodes in contact, step by step", axes);
     plot.ranges((0.0, 1.0), (0.0, 1.0)).named_rows(names);
     plot.given_points("in contact", rows.concat());
+    out.remark(words);
 }
 
 /// A discrete solution.
@@ -230,12 +239,6 @@ fn solve(
 
 pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Solved>> {
     out.column("touching", "touching", "active constraints: nodes, or segments (midpoint cone)");
-    out.column("enters", "enters", "nodes that the step adds to the set, from the left, from 0");
-    out.column(
-        "residual",
-        "residual",
-        "largest violation of B u ≤ 0 and p ≥ 0 in the step, scaled",
-    );
     out.column("force", "force", "−∫ σ_N");
     out.column("definition", "J, here", "J by the loop in this file");
     let mut solved: Vec<Solved> = Vec::new();

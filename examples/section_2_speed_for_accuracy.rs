@@ -162,8 +162,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     out.remark(
         "h/100 asks for a hundredth of the mesh's error, 1e-10 for ten digits: both solve all \
-         coarser meshes first, which is most of the time up to n = 64 or so; beyond, the looser \
-         one is the faster one.",
+         coarser meshes first, most of the time up to n = 64; beyond, the looser one is faster.",
     );
     let name = format!("section_2_seconds_{}", options.cone);
     out.plot(&name, "True error against seconds", Axes::LogLog("milliseconds", "|u − v|_a"))

@@ -261,10 +261,10 @@ mod tests {
         let outcome = solve_on_edge(&problem, ContactSet::empty(2)).unwrap();
         assert_eq!(outcome.status, Status::Cycled { period: 2 });
         assert!(outcome.steps.len() < 10);
-        // The last set is that of the solution; its step violates nothing.
+        // The last set is that of the outcome; its step still violates a constraint.
         let last = outcome.steps.last().unwrap();
         assert_eq!(last.set, outcome.set);
-        assert!(last.penetration < 1e-14 && last.tension < 1e-14, "{last:?}");
+        assert!(last.penetration.max(last.tension) > 0.0, "{last:?}");
     }
 
     /// Two segments of different gaps between fixed ends: both cannot close, and it shows.

@@ -402,7 +402,7 @@ fn largest_free(problem: &ContactProblem, sizes: &[f64]) -> f64 {
 /// prevents all displacement.
 ///
 /// Positive also where contact keeps u = 0, so that rounding of the gap has a scale.
-fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
+pub(super) fn displacement_scale(problem: &ContactProblem, u: &[f64]) -> f64 {
     let alone = (0..u.len())
         .into_par_iter()
         .with_min_len(1 << 14)

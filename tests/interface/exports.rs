@@ -8,9 +8,9 @@ use std::path::{Path, PathBuf};
 
 /// Exports with one reader that is too long to hold them: the room and the name, and who that is.
 const ONE_READER: [(&str, &str, &str); 14] = [
-    ("bounds", "Refinement", "none yet"),
-    ("mesh", "parse_msh_with", "none yet"),
-    ("mesh", "read_msh_with", "none yet"),
+    ("mesh", "parse_msh_with", "the twin of read_msh_with for a text"),
+    ("mesh", "read_msh", "src/with_contact.md"),
+    ("mesh", "read_msh_with", "examples/section_2_own_body.rs"),
     ("mesh", "unit_squares", "examples/guaranteed_error_against_seconds.rs"),
     ("contact", "npy", "examples/section_2_own_body.rs"),
     ("edge", "ContactPair", "examples/theorem_3_1_proof_profile.rs"),
