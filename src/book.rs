@@ -45,6 +45,7 @@ chapters! {
     lemma_5_2_exact_law: "lemma_5_2_exact_law.md",
     theorem_3_1_without_c: "theorem_3_1_without_c.md",
     contact_costs_nothing: "contact_costs_nothing.md",
+    rate_of_the_bound: "rate_of_the_bound.md",
     finite_contact_set: "finite_contact_set.md",
     bound_from_the_data: "bound_from_the_data.md",
     section_1_trace_constants: "section_1_trace_constants.md",

@@ -114,7 +114,7 @@ pub fn mapped_grid(
     rectangles(nx, ny, sides)?.mapped(map)
 }
 
-/// The triangulation of a union of unit squares, each with n × n squares cut as in [`rectangles`]; `places`
+/// The triangulation of a union of unit squares, each with n × n squares cut from bottom left to top right; `places`
 /// are their bottom left corners, `part` is evaluated at the midpoint of every boundary edge.
 ///
 /// # Errors
