@@ -36,7 +36,7 @@
 //! The first term carries the load: ∂_y (y cos πx) = −f_y. By itself it satisfies all conditions,
 //! q_N = 0 on y = 0, and gives by hand J*(q) = −½ · 3/8 · ∫ y² cos² πx = −1/32.
 //!
-//! Both energies have the load ∫ f·v by a rule of 4 × 4 points a triangle, exact to ten digits. On
+//! J has the load ∫ f·v by a rule of 4 × 4 points a triangle; J* has it in the first term of q. On
 //! the free sides q n = 0 (φ affine there), on Γ_C q_T = 0 and both ends of every segment have q_N
 //! ≤ 0; the best q is found by multipliers on the edges that make tractions of neighbours equal,
 //! the equations of which are again a contact problem.
