@@ -43,7 +43,7 @@ fn slope(found: &BestConstant, h: f64) -> Function<'static> {
     let nodes = partition.from_left();
     let slope = |x: f64| {
         let k = nodes.partition_point(|&node| node <= x).clamp(1, partition.len()) - 1;
-        pieces.value(k, ((x - nodes[k]) / partition.lengths()[k]).min(1.0)).unwrap()
+        pieces.value_on(k, ((x - nodes[k]) / partition.lengths()[k]).min(1.0)).unwrap()
     };
     Function::interpolate(&partition, 8, slope).unwrap()
 }

@@ -2,8 +2,7 @@
 
 use super::boundary::{BoundaryFunction, Curve, CurveFormula};
 use super::dual::{DualOf, MeshFunctional};
-use super::fields::FieldError;
-use super::functions::{Position, SingularFunction};
+use super::functions::{Position, SingularFunction, whole};
 use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
 use super::order::{Order, SobolevOrder};
@@ -13,8 +12,11 @@ use super::plane::{
 };
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::resolved::Resolved;
 use crate::root::root_of_squares;
-use std::ops::Range;
+use std::sync::OnceLock;
+
+mod verbs;
 
 /// A real function on an interval, a polygonal curve or a triangulation, given by a formula or by values.
 ///
@@ -77,6 +79,10 @@ pub struct Function<'a> {
     kind: Kind<'a>,
     /// the partial derivatives, if they were given
     gradient: Vec<Function<'a>>,
+    /// the polynomials of a function on an interval, made once
+    resolved: OnceLock<Result<Resolved>>,
+    /// true if few of them are enough
+    is_short: OnceLock<bool>,
 }
 
 #[derive(Debug)]
@@ -86,7 +92,10 @@ enum Kind<'a> {
     NearlyOne(NearlyOne, SingularFunction<'a>),
     Piecewise(PiecewisePolynomial),
     Load(MeshFunctional),
-    Difference(FieldError<'a>),
+    /// A formula minus a piecewise polynomial.
+    Difference(Box<SingularFunction<'a>>, Box<PiecewisePolynomial>),
+    /// Polynomials with their errors, of sums, products and derivatives.
+    Resolved(Resolved),
     Plane(PlaneFunction),
     PlaneFormula(SingularPlaneFunction<'a>),
     Sector(SectorPower),
@@ -97,7 +106,7 @@ enum Kind<'a> {
 
 impl<'a> Function<'a> {
     fn of(kind: Kind<'a>) -> Self {
-        Self { kind, gradient: Vec::new() }
+        Self { kind, gradient: Vec::new(), resolved: OnceLock::new(), is_short: OnceLock::new() }
     }
 
     /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
@@ -109,7 +118,7 @@ impl<'a> Function<'a> {
     /// [`Error::CountOutOfRange`] for fewer than two breakpoints; [`Error::NotFinite`];
     /// [`Error::EntryOutOfRange`] unless the breakpoints increase by at least 1e-290 and by at least 1e-290
     /// times the length of the interval.
-    pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Send + Sync + 'a) -> Result<Self> {
         SingularFunction::new(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
@@ -139,7 +148,10 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// As [`Function::from_fn`].
-    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn from_positions(
+        breaks: &[f64],
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
+    ) -> Result<Self> {
         SingularFunction::from_positions(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
@@ -161,7 +173,7 @@ impl<'a> Function<'a> {
     /// As [`Function::from_fn`].
     pub fn from_log_distances(
         breaks: &[f64],
-        f: impl Fn(Position) -> f64 + Sync + 'a,
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
     ) -> Result<Self> {
         SingularFunction::from_log_distances(breaks, f).map(Kind::Formula).map(Self::of)
     }
@@ -230,7 +242,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
     /// let square = Function::interpolate(&Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
-    /// assert!((square.value(1, 0.5)? - 0.75f64.powi(2)).abs() < 1e-15);
+    /// assert!((square.value_on(1, 0.5)? - 0.75f64.powi(2)).abs() < 1e-15);
     /// assert!((square.lp(3.0, 1e-8)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -467,10 +479,18 @@ impl<'a> Function<'a> {
             SobolevOrder::Dual(order) => self.dual_norm(DualOf::Slobodeckij, order, tolerance),
             SobolevOrder::Zero => self.lp(2.0, tolerance),
             SobolevOrder::Fractional(order) => match &self.kind {
-                Kind::Formula(u) => u.norm(order, tolerance),
+                Kind::Formula(u) => self.of_formula(
+                    tolerance,
+                    || u.norm(order, tolerance),
+                    |u| u.norm(order, tolerance),
+                ),
                 Kind::NearlyOne(u, _) => u.norm(order, tolerance),
                 Kind::Piecewise(u) => u.norm(order, tolerance),
-                Kind::Difference(u) => u.norm(order, tolerance),
+                Kind::Difference(u, v) => {
+                    let found = u.minus(v).norm(order, tolerance);
+                    self.or_resolved(found, |u| u.norm(order, tolerance))
+                }
+                Kind::Resolved(u) => u.norm(order, tolerance),
                 Kind::Plane(u) => u.norm(order, tolerance),
                 Kind::PlaneFormula(u) => u.norm(order, tolerance),
                 Kind::Curve(u) => u.norm(order, tolerance),
@@ -525,10 +545,18 @@ impl<'a> Function<'a> {
             SobolevOrder::Dual(order) => return Err(order_outside(-order.value())),
         };
         match &self.kind {
-            Kind::Formula(u) => u.seminorm(order, tolerance),
+            Kind::Formula(u) => self.of_formula(
+                tolerance,
+                || u.seminorm(order, tolerance),
+                |u| u.seminorm(order, tolerance),
+            ),
             Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
             Kind::Piecewise(u) => u.seminorm(order, tolerance),
-            Kind::Difference(u) => u.seminorm(order, tolerance),
+            Kind::Difference(u, v) => {
+                let found = u.minus(v).seminorm(order, tolerance);
+                self.or_resolved(found, |u| u.seminorm(order, tolerance))
+            }
+            Kind::Resolved(u) => u.seminorm(order, tolerance),
             Kind::Plane(u) => u.seminorm(order, tolerance),
             Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
             Kind::Sector(u) => u.seminorm(order, tolerance),
@@ -552,12 +580,19 @@ impl<'a> Function<'a> {
         let tolerance = tolerance.given()?;
         let square = q == 2.0;
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) if square => u.l2_norm(tolerance),
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.lq_norm(q, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
+                tolerance,
+                || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) },
+                |u| u.lq_norm(q, tolerance),
+            ),
             Kind::Piecewise(u) if square => u.l2_norm(),
             Kind::Piecewise(u) => u.lq_norm(q, tolerance),
-            Kind::Difference(u) if square => u.l2_norm(tolerance),
-            Kind::Difference(u) => u.lq_norm(q, tolerance),
+            Kind::Difference(u, v) => {
+                let u = u.minus(v);
+                let found = if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
+                self.or_resolved(found, |u| u.lq_norm(q, tolerance))
+            }
+            Kind::Resolved(u) => u.lq_norm(q, tolerance),
             Kind::Curve(u) if square => u.l2_norm(),
             Kind::Curve(u) => u.lq_norm(q, tolerance),
             Kind::CurveFormula(u) if square => u.l2_norm(tolerance),
@@ -576,8 +611,12 @@ impl<'a> Function<'a> {
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.mean(tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => {
+                self.of_formula(tolerance, || u.mean(tolerance), |u| u.mean(tolerance))
+            }
             Kind::Piecewise(u) => u.mean(),
+            Kind::Difference(..) => self.resolved()?.mean(tolerance),
+            Kind::Resolved(u) => u.mean(tolerance),
             _ => Err(self.refused("mean")),
         }
     }
@@ -612,72 +651,21 @@ impl<'a> Function<'a> {
     ) -> Result<Estimate> {
         let (order, tolerance) = (s.given()?, tolerance.given()?);
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm(of, order, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
+                tolerance,
+                || u.dual_norm(of, order, tolerance),
+                |u| u.dual_norm(of, order, tolerance),
+            ),
             Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
-            Kind::Difference(u) => u.dual_norm(of, order, tolerance),
+            Kind::Difference(u, v) => {
+                let found = u.minus(v).dual_norm(of, order, tolerance);
+                self.or_resolved(found, |u| u.dual_norm(of, order, tolerance))
+            }
+            Kind::Resolved(u) => u.dual_norm(of, order, tolerance),
             Kind::Curve(u) => u.dual_norm(of, order, tolerance),
             Kind::Load(u) if of == DualOf::Slobodeckij => u.dual_norm(order, tolerance),
             _ => Err(self.refused("dual norm")),
         }
-    }
-
-    /// The difference u − v of a formula and a piecewise polynomial on the same interval, or of two piecewise
-    /// polynomials on one mesh.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// // u = x − 1/2, v = 0: ‖u − v‖²_{1/2} = 1/12 + 1
-    /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = Function::piecewise(&Mesh::uniform(10, 1.0)?, 0, &[0.0; 10])?;
-    /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
-    /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
-    /// assert!(u.minus(&u).is_err());
-    /// // x² and its interpolants: the error in |·|_{1/2} decreases like h^{3/2}
-    /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x)?;
-    /// let error = |n: usize| {
-    ///     let field = Function::interpolate(&Mesh::uniform(n, 1.0)?, 1, |x| x * x)?;
-    ///     u.minus(&field)?.seminorm(0.5, 1e-6)
-    /// };
-    /// assert!(((error(100)?.value / error(200)?.value).log2() - 1.5).abs() < 0.01);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for other pairs of functions. If the intervals of u and v differ, the norms of
-    /// the difference return [`Error::OutOfRange`].
-    pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
-        let kind = match (&self.kind, &other.kind) {
-            (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => {
-                Kind::Difference(u.minus(v))
-            }
-            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.mesh() == v.mesh() => {
-                Kind::Piecewise(u.minus(v)?)
-            }
-            _ => {
-                return Err(Error::Incompatible {
-                    what: "difference with",
-                    given: other.describe().to_owned(),
-                    with: self.describe(),
-                    expected: "a formula minus a piecewise polynomial, or two piecewise polynomials on one mesh",
-                });
-            }
-        };
-        Ok(Function::of(kind))
-    }
-
-    /// The derivative of a piecewise polynomial, element by element.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// let hat = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
-    /// assert_eq!(hat.derivative()?.value(1, 0.5)?, -2.0);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for a function of another kind, [`Error::NotFinite`] if a slope overflows.
-    pub fn derivative(&self) -> Result<Self> {
-        self.polynomials("derivative")?.derivative().map(Self::from)
     }
 
     /// The largest declared degree of a piecewise polynomial on an element.
@@ -700,7 +688,7 @@ impl<'a> Function<'a> {
     /// # Errors
     /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
     /// element outside the mesh; [`Error::OutOfRange`] for t outside \[0, 1\].
-    pub fn value(&self, element: usize, t: f64) -> Result<f64> {
+    pub fn value_on(&self, element: usize, t: f64) -> Result<f64> {
         self.polynomials("value on an element")?.value(element, t)
     }
 
@@ -710,7 +698,7 @@ impl<'a> Function<'a> {
     /// use fractional_sobolev::{Function, Mesh};
     /// let u = Function::linears(&Mesh::uniform(4, 1.0)?, &[0.0, 1.0, 2.0, 0.0, 0.0])?;
     /// let part = u.restrict(1..3)?;
-    /// assert!(part.mesh()?.total() == 0.5 && part.value(0, 0.5)? == 1.5);
+    /// assert!(part.mesh()?.total() == 0.5 && part.value_on(0, 0.5)? == 1.5);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -718,15 +706,6 @@ impl<'a> Function<'a> {
     /// [`Error::Incompatible`] if the function is not a piecewise polynomial.
     pub fn mesh(&self) -> Result<&Mesh> {
         self.polynomials("mesh").map(PiecewisePolynomial::mesh)
-    }
-
-    /// The restriction of a piecewise polynomial to the given elements, on a mesh whose left end is at 0.
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
-    /// empty range or one that is not contained in the mesh.
-    pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
-        self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
     }
 
     /// The underlying piecewise polynomial.
@@ -751,6 +730,10 @@ impl<'a> Function<'a> {
             _ if !self.gradient.is_empty() => {
                 self.gradient.iter().map(|part| part.lp(2.0, tolerance)).collect()
             }
+            Kind::Curve(u) => Ok(vec![u.derivative()?.l2_norm()?]),
+            _ if self.is_on_interval() => {
+                Ok(vec![self.slope(1.0, tolerance)?.lp(2.0, tolerance).map_err(one_more)?])
+            }
             _ => Err(self.refused("norm of order 1")),
         }
     }
@@ -760,6 +743,10 @@ impl<'a> Function<'a> {
         match (&self.kind, &self.gradient[..]) {
             (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
             (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),
+            (Kind::Curve(u), _) => {
+                let slope = u.derivative()?.norm(order, tolerance).map_err(one_more);
+                whole([u.l2_norm(), slope], tolerance)
+            }
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),
                 [Function { kind: Kind::Formula(slope), .. }],
@@ -771,6 +758,12 @@ impl<'a> Function<'a> {
                     Function { kind: Kind::PlaneFormula(y), .. },
                 ],
             ) => u.norm_with_gradient([x, y], order, tolerance),
+            _ if self.is_on_interval() => {
+                let slope = self.slope(1.0 + order.value(), tolerance)?;
+                let parts =
+                    [self.lp(2.0, tolerance), slope.norm(order, tolerance).map_err(one_more)];
+                whole(parts, tolerance)
+            }
             _ => Err(self.refused("norm of order above 1")),
         }
     }
@@ -787,6 +780,7 @@ impl<'a> Function<'a> {
                 let [x, y] = u.gradient()?.map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&[x?, y?])
             }
+            Kind::Curve(u) => u.derivative()?.seminorm(order, tolerance).map_err(one_more),
             Kind::Elastic(u) => u.gradient_seminorm(order, tolerance),
             Kind::Sector(u) => {
                 u.gradient_seminorm(order, tolerance)?.ok_or_else(|| self.refused("gradient"))
@@ -795,8 +789,28 @@ impl<'a> Function<'a> {
                 let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
             }
+            _ if self.is_on_interval() => self
+                .slope(1.0 + order.value(), tolerance)?
+                .seminorm(order, tolerance)
+                .map_err(one_more),
             _ => Err(self.refused("seminorm of order above 1")),
         }
+    }
+
+    fn is_on_interval(&self) -> bool {
+        let is_formula = matches!(self.kind, Kind::Formula(_) | Kind::NearlyOne(..));
+        is_formula || matches!(self.kind, Kind::Difference(..) | Kind::Resolved(_))
+    }
+
+    /// The derivative of a function on an interval, for a norm of the given order.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] if the function jumps.
+    fn slope(&self, order: f64, tolerance: Tolerance) -> Result<Self> {
+        if self.gradient.is_empty() {
+            self.resolved()?.require_derivative(order, tolerance)?;
+        }
+        self.derivative()
     }
 
     fn describe(&self) -> &'static str {
@@ -804,7 +818,8 @@ impl<'a> Function<'a> {
             Kind::Formula(_) | Kind::NearlyOne(..) => "a formula on an interval",
             Kind::Piecewise(_) => "a piecewise polynomial",
             Kind::Load(_) => "a functional on hat functions",
-            Kind::Difference(_) => "a formula minus a piecewise polynomial",
+            Kind::Difference(..) => "a formula minus a piecewise polynomial",
+            Kind::Resolved(_) => "a sum, a product or a derivative on an interval",
             Kind::Plane(_) => "values on a triangulation",
             Kind::PlaneFormula(_) => "a formula on a triangulation",
             Kind::Sector(_) => "a power on a sector",
@@ -818,13 +833,15 @@ impl<'a> Function<'a> {
     fn refused(&self, quantity: &str) -> Error {
         let expected = match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => {
-                "norms of order below 1; of order below 2 with Function::with_gradient"
+                "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
             }
             Kind::Piecewise(_) => {
                 "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
             }
             Kind::Load(_) => "norms of order in (-1, 0)",
-            Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::Difference(..) | Kind::Resolved(_) => {
+                "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
+            }
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
             Kind::PlaneFormula(_) => {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
@@ -833,7 +850,7 @@ impl<'a> Function<'a> {
                 "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic"
             }
             Kind::Elastic(_) => "seminorms of order in (1, 2)",
-            Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::Curve(_) => "norms of order in (-1, 2), L^q norms",
             Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
         };
         Error::Incompatible {
@@ -848,6 +865,14 @@ impl<'a> Function<'a> {
 impl From<PiecewisePolynomial> for Function<'_> {
     fn from(u: PiecewisePolynomial) -> Self {
         Self::of(Kind::Piecewise(u))
+    }
+}
+
+/// The error of a norm of the derivative as that of a norm of the function.
+fn one_more(error: Error) -> Error {
+    match error {
+        Error::InfiniteNorm { order, why } => Error::InfiniteNorm { order: 1.0 + order, why },
+        other => other,
     }
 }
 

@@ -8,6 +8,7 @@
 mod arm;
 mod arm_integral;
 mod by_scales;
+mod combined;
 mod deep_tail;
 mod function;
 mod graded;
@@ -29,3 +30,5 @@ pub(crate) use arm::Arm;
 pub use function::Position;
 pub(crate) use function::{Normalized, SingularFunction};
 pub(crate) use look::Look;
+pub(crate) use norms::whole;
+pub(crate) use resolution::of_residual;
