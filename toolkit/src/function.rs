@@ -487,8 +487,8 @@ impl<'a> Function<'a> {
                 Kind::NearlyOne(u, _) => u.norm(order, tolerance),
                 Kind::Piecewise(u) => u.norm(order, tolerance),
                 Kind::Difference(u, v) => {
-                    let found = u.minus(v).norm(order, tolerance);
-                    self.or_resolved(found, |u| u.norm(order, tolerance))
+                    let rules = || u.minus(v).norm(order, tolerance);
+                    self.of_formula(tolerance, rules, |u| u.norm(order, tolerance))
                 }
                 Kind::Resolved(u) => u.norm(order, tolerance),
                 Kind::Plane(u) => u.norm(order, tolerance),
@@ -553,8 +553,8 @@ impl<'a> Function<'a> {
             Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
             Kind::Piecewise(u) => u.seminorm(order, tolerance),
             Kind::Difference(u, v) => {
-                let found = u.minus(v).seminorm(order, tolerance);
-                self.or_resolved(found, |u| u.seminorm(order, tolerance))
+                let rules = || u.minus(v).seminorm(order, tolerance);
+                self.of_formula(tolerance, rules, |u| u.seminorm(order, tolerance))
             }
             Kind::Resolved(u) => u.seminorm(order, tolerance),
             Kind::Plane(u) => u.seminorm(order, tolerance),
@@ -589,8 +589,9 @@ impl<'a> Function<'a> {
             Kind::Piecewise(u) => u.lq_norm(q, tolerance),
             Kind::Difference(u, v) => {
                 let u = u.minus(v);
-                let found = if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
-                self.or_resolved(found, |u| u.lq_norm(q, tolerance))
+                let rules =
+                    || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
+                self.of_formula(tolerance, rules, |u| u.lq_norm(q, tolerance))
             }
             Kind::Resolved(u) => u.lq_norm(q, tolerance),
             Kind::Curve(u) if square => u.l2_norm(),
@@ -658,8 +659,8 @@ impl<'a> Function<'a> {
             ),
             Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
             Kind::Difference(u, v) => {
-                let found = u.minus(v).dual_norm(of, order, tolerance);
-                self.or_resolved(found, |u| u.dual_norm(of, order, tolerance))
+                let rules = || u.minus(v).dual_norm(of, order, tolerance);
+                self.of_formula(tolerance, rules, |u| u.dual_norm(of, order, tolerance))
             }
             Kind::Resolved(u) => u.dual_norm(of, order, tolerance),
             Kind::Curve(u) => u.dual_norm(of, order, tolerance),

@@ -14,6 +14,8 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Number of halvings towards a breakpoint up to which polynomials are used first, and the least work limit for it.
 const HALVINGS: usize = 24;
 const WORK: u64 = 1 << 20;
+/// Largest number of elements of a mesh for which a difference is resolved first.
+const ELEMENTS: usize = 2000;
 /// Message: what limits the accuracy of an inner product.
 const LIMIT: &str = "the norms of u + cv and u - cv, of which an inner product is the difference, are not accurate enough";
 
@@ -367,18 +369,33 @@ impl<'a> Function<'a> {
     /// The polynomials if they exist, or if few of them are enough: if the function is smooth up to its breakpoints. Powers
     /// and logarithms of the distance to a breakpoint need hundreds, and their norms are integrals in the logarithm of the
     /// distance; so are norms with a small work limit.
+    ///
+    /// Those of a difference are used first where the formula has structure between its breakpoints; otherwise its values
+    /// are subtracted before they are approximated, which keeps more digits of a small difference.
     fn at_hand(&self, tolerance: Tolerance) -> Option<&Resolved> {
-        let (Kind::Formula(u) | Kind::NearlyOne(_, u)) = &self.kind else { return None };
         if tolerance.work() < WORK {
             return None;
         }
         if self.resolved.get().is_none() {
             self.is_short.get_or_init(|| {
-                let found = Resolved::within(u, HALVINGS);
-                found.is_ok_and(|found| self.resolved.set(Ok(found)).is_ok())
+                let found = match &self.kind {
+                    Kind::Formula(u) | Kind::NearlyOne(_, u) => Resolved::within(u, HALVINGS).ok(),
+                    Kind::Difference(u, v) if v.mesh().len() <= ELEMENTS => {
+                        let formula = Resolved::within(u, HALVINGS).ok();
+                        let formula = formula.filter(Resolved::has_structure);
+                        formula.and_then(|formula| {
+                            formula.combined(1.0, &Resolved::of_polynomials(v), -1.0).ok()
+                        })
+                    }
+                    _ => None,
+                };
+                found.is_some_and(|found| self.resolved.set(Ok(found)).is_ok())
             });
         }
-        self.resolved.get()?.as_ref().ok()
+        match &self.kind {
+            Kind::Difference(..) if self.is_short.get() != Some(&true) => None,
+            _ => self.resolved.get()?.as_ref().ok(),
+        }
     }
 
     /// A norm of a formula: of its polynomials if they are at hand and meet the tolerance; otherwise by `rules` along the

@@ -11,7 +11,6 @@ mod by_scales;
 mod combined;
 mod deep_tail;
 mod function;
-mod graded;
 mod interpolant;
 mod level;
 mod log_energy;

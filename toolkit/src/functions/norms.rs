@@ -3,7 +3,6 @@
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
 use super::function::{Normalized, SingularFunction};
-use super::graded::UNDECLARED;
 use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::look::Look;
@@ -17,6 +16,9 @@ use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::root::{accept, root_of_squares};
 
+/// Message: the function is not smooth between its breakpoints.
+const UNDECLARED: &str =
+    "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
 /// Message: the function has structure that rules along its sides do not resolve; polynomials do ([`crate::resolved`]).
 const SCALES: &str =
     "the function has structure on many scales or is not smooth between its breakpoints";

@@ -91,6 +91,11 @@ impl Resolved {
         }
     }
 
+    /// True if some side of a breakpoint is divided: the function is not one polynomial between its breakpoints.
+    pub(crate) fn has_structure(&self) -> bool {
+        self.cells.len() > 2 * (self.breaks.len() - 1)
+    }
+
     pub(super) fn first(&self) -> Place {
         self.cells[0].start
     }

@@ -91,6 +91,8 @@ impl Fit {
         }
         let allowed = (FLOOR * size + moved).max(floor);
         let is_resolved = residual <= allowed;
-        Ok(Fitted { piece, off: UNSEEN * residual + noise, is_resolved, allowed })
+        // The values of a constant have no rounding of their own.
+        let off = if low == high { 0.0 } else { UNSEEN * residual + noise };
+        Ok(Fitted { piece, off, is_resolved, allowed })
     }
 }

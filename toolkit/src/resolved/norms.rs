@@ -44,6 +44,8 @@ const LEAST: usize = 8;
 /// Ratios from one cell to the next above which contributions grow, and below which they fall.
 const GROW: f64 = 1.02;
 const FALLS: f64 = 0.995;
+/// Share of the maximum from which a value at a breakpoint is the maximum.
+const LARGEST: f64 = 1.0 - 1e-9;
 /// Share of the tolerance for the cells that are joined at a breakpoint.
 const SHARE: f64 = 0.03;
 /// The same for a dual norm, relative to the L² norm.
@@ -81,7 +83,7 @@ impl Resolved {
         let u = self.polynomials()?;
         if q == f64::INFINITY {
             let found = Estimate::or_best(u.lq_norm(q, tolerance))?;
-            let at_open = self.at_open().any(|cell| cell.piece.size() >= 0.5 * found.value);
+            let at_open = self.at_open().any(|cell| cell.piece.size() >= LARGEST * found.value);
             if at_open && found.value > 0.0 {
                 return Err(Error::out_of_reach(
                     "L^inf norm",
@@ -94,7 +96,8 @@ impl Resolved {
             let found = Estimate { error: found.error + off, ..found };
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
-        let rest = self.beyond(0.0, tolerance, |cell| cell.length * cell.piece.size().powf(q))?;
+        let rest =
+            self.beyond(Some(0.0), tolerance, |cell| cell.length * cell.piece.size().powf(q))?;
         let found =
             if q == 2.0 { u.l2_norm()? } else { Estimate::or_best(u.lq_norm(q, tolerance))? };
         // In units of the largest error and value: powers of them over- or underflow.
@@ -112,8 +115,15 @@ impl Resolved {
         } else {
             f64::INFINITY
         };
-        let error =
-            found.error + alone.min(together) + rest.powf(1.0 / q).min(rest / value.powf(q - 1.0));
+        // Jumps are displaced by the rounding of their places.
+        let moved: f64 = self
+            .displacements()
+            .map(|(by, [left, right])| by * (left.abs().max(right.abs()) / value).powf(q))
+            .sum();
+        let error = found.error
+            + if value > 0.0 { value * moved } else { 0.0 }
+            + alone.min(together)
+            + rest.powf(1.0 / q).min(rest / value.powf(q - 1.0));
         accept("L^q norm", Estimate::new(value, error, found.work)?, tolerance, LIMIT)
     }
 
@@ -123,11 +133,13 @@ impl Resolved {
     /// [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
         let u = self.polynomials()?;
-        let rest = self.beyond(0.0, tolerance, |cell| cell.length * cell.piece.size())?;
+        let rest = self.beyond(Some(0.0), tolerance, |cell| cell.length * cell.piece.size())?;
         let found = u.mean()?;
         let sum = |of: &dyn Fn(&Cell) -> f64| self.cells.iter().map(of).sum::<f64>();
         let total = u.mesh().total();
-        let error = found.error + (sum(&|cell| cell.length * cell.off) + rest) / total;
+        let moved: f64 =
+            self.displacements().map(|(by, [left, right])| by * (left - right).abs()).sum();
+        let error = found.error + (sum(&|cell| cell.length * cell.off) + rest + moved) / total;
         let size =
             sum(&|cell| cell.length * 0.5 * (cell.piece.left.abs() + cell.piece.right.abs()))
                 / total;
@@ -149,7 +161,7 @@ impl Resolved {
         tolerance: Tolerance,
     ) -> Result<Estimate> {
         let square = |cell: &Cell| cell.length * cell.piece.size().powi(2);
-        let rest = self.beyond(0.0, tolerance, square)?;
+        let rest = self.beyond(Some(0.0), tolerance, square)?;
         let inner =
             Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let mut goal =
@@ -168,6 +180,10 @@ impl Resolved {
                 first += cell.length * cell.off;
                 second += cell.length * cell.off * cell.off;
                 size = size.max(cell.piece.size());
+            }
+            for (by, [left, right]) in self.displacements() {
+                first += by * (left - right).abs();
+                second += by * (left - right).powi(2);
             }
             let together = if found.value > 0.0 {
                 (2.0 * size * first + second) / found.value
@@ -198,7 +214,7 @@ impl Resolved {
                 return Err(Error::InfiniteNorm { order: order.value(), why });
             }
         }
-        let beyond = self.beyond(order.value(), tolerance, |cell| {
+        let beyond = self.beyond(None, tolerance, |cell| {
             kernel.scaling(cell.length) * variation(cell).powi(2)
         })?;
         let mut size = self.crude(kernel);
@@ -253,6 +269,12 @@ impl Resolved {
         }
     }
 
+    /// The jumps at places that are not declared: the rounding of the place, and the values on both sides.
+    fn displacements(&self) -> impl Iterator<Item = (f64, [f64; 2])> {
+        let jumps = self.cells.windows(2).filter(|pair| pair[0].piece.right != pair[1].piece.left);
+        jumps.map(|pair| (pair[1].blur(), [pair[0].piece.right, pair[1].piece.left]))
+    }
+
     /// Checks that u′ is in L².
     ///
     /// # Errors
@@ -262,8 +284,10 @@ impl Resolved {
             let why = "a function that jumps has no derivative in L^2";
             return Err(Error::InfiniteNorm { order, why });
         }
-        self.beyond(order, tolerance, |cell| variation(cell) * (variation(cell) / cell.length))
-            .map(|_| ())
+        self.beyond(Some(order), tolerance, |cell| {
+            variation(cell) * (variation(cell) / cell.length)
+        })
+        .map(|_| ())
     }
 
     /// The cells next to the breakpoints at which the variation has not ended.
@@ -279,10 +303,11 @@ impl Resolved {
     /// What lies beyond the smallest distances of contributions that fall like a geometric series.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] of this order if they grow, [`Error::ToleranceNotMet`] if they do not fall.
+    /// [`Error::InfiniteNorm`] of this order, if there is one, where they grow; [`Error::ToleranceNotMet`] if they do not
+    /// fall.
     fn beyond(
         &self,
-        order: f64,
+        order: Option<f64>,
         asked: Tolerance,
         contribution: impl Fn(&Cell) -> f64,
     ) -> Result<f64> {
@@ -305,7 +330,10 @@ impl Resolved {
                     continue;
                 }
                 let ratio = (last / before).powf(1.0 / count.max(1) as f64);
-                if count >= LEAST && ratio > GROW {
+                if let Some(order) = order
+                    && count >= LEAST
+                    && ratio > GROW
+                {
                     let why = "the contributions near a breakpoint do not decay";
                     return Err(Error::InfiniteNorm { order, why });
                 }
