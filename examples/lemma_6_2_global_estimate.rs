@@ -105,8 +105,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.stronger("first line: max C₀ over ν").at_most(c0, 0.16, "supremum 0.1587 as ν → 0");
         for &elements in &options.elements {
             let mesh = of_mesh(nu, elements, 2.0 / c0.value)?;
-            let share = (mesh.l2 / c0.value).max(mesh.slope / c1.value);
-            smallest_share = smallest_share.min(mesh.slope / c1.value);
+            let shares = [c0.recip() * mesh.l2, c1.recip() * mesh.slope];
+            smallest_share = smallest_share.min(shares[1].value);
+            let share = largest(shares);
             let claim = out.check("best constants, mesh/single element");
             claim.at_most(share, 1.0 + 1e-9, "sum over elements");
             let claim = out.as_printed("second line, full norm: constant, h = 2/C₀");

@@ -113,16 +113,17 @@ impl Segment {
         let force: f64 = self.pressure.iter().sum::<f64>() * cell;
         let depth = self.u[0].abs().max(self.u[k].abs());
         let printed = h.powf(2.0 * tau - 3.0);
+        let above = |constant: Estimate| constant.value + constant.error;
         let c_i =
-            interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+            above(interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant);
         let first = |theta: f64| -> Result<f64> {
             Ok(embedding_bound(nu, q)? * h * theta.powf(1.0 - 1.0 / q) * full)
         };
         let second = |theta: f64| -> Result<f64> {
-            let gamma = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant.value;
+            let gamma = above(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant);
             Ok(c_i * gamma * h.powf(2.0 * tau - 2.0) * both)
         };
-        let kappa = consistency_constant(nu, 1e-9)?.value.value;
+        let kappa = above(consistency_constant(nu, 1e-9)?.value);
         Ok(vec![
             ("depth × force", depth * force),
             ("error × pressure", interpolation * norm(&self.pressure)),

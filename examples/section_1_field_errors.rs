@@ -80,7 +80,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // throughout; ±: the change of rules, relatively 1e-6 at most.
             let error = u.minus(&interpolant)?.seminorm(options.nu, 1e-6)?;
             if others_decide {
-                let scaled = error.value * (elements as f64).powf(smooth);
+                let scaled = Measured::from(error) * (elements as f64).powf(smooth);
                 over_limit = Some(scaled / limit(alpha, nu, beta));
             }
             out.row(cells! { beta, n: elements => error, p, over_limit });

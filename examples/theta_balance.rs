@@ -82,8 +82,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
     let half = gammas[0];
     let c_q = embedding_bound(nu, q)?;
-    let c_i =
-        interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+    let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant;
+    let c_i = c_i.value + c_i.error;
     // κ, and W(a): both functionals are moments, found to 1e-9 by polynomials.
     let kappa = consistency_constant(nu, 1e-9)?;
     let (truth, worst) = (Measured::from(kappa.value), 1.0 - kappa.contact); // κ = W(worst)
