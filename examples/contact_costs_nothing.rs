@@ -22,10 +22,10 @@
 //!
 //! Squares: for u in H², not affine, even the best approximation G without constraint, G = I^h u on
 //! Γ_D, is reached: |u − u^h|_a/|u − G|_a → 1 in both cones, on any quasi-uniform mesh. For natural
-//! ends of contact the quotient less one is O(h^(2/3) |ln h|) by proof. u in closed form,
-//! prescribed off the contact edge y = 0: 2 u_x = −½ Im F − y Re F', 2 u_y = (3/2) Re F + y Im F',
-//! λ = μ = 1, z = x + iy, F = (z − 3/10)^(3/2), 1 end, or ((z − 3/10)(7/10 − z))^(3/2), 2 ends; −Re
-//! (z − 2/5)^(3/2), scalar, its ∂u/∂n on the sides.
+//! ends of contact the quotient less one is O(h^(2/3) |ln h|) by proof, nodal cone. u in closed
+//! form, prescribed off the contact edge y = 0: 2 u_x = −½ Im F − y Re F', 2 u_y = (3/2) Re F + y
+//! Im F', λ = μ = 1, z = x + iy, F = (z − 3/10)^(3/2), 1 end, or ((z − 3/10)(7/10 − z))^(3/2), 2
+//! ends; −Re (z − 2/5)^(3/2), scalar, its ∂u/∂n on the sides.
 //!
 //! Refuted if a squared error is above Falk's bound, if the quotient by interpolation for τ = 5/2
 //! is above 1.001 or that by the best one at n = 64 above 1.01, if the excess there falls slower
