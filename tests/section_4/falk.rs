@@ -47,6 +47,7 @@ fn terms(data: &EdgeData, problem: &StripProblem, n: usize, u: &[f64]) -> Terms 
         second,
         part_one: second - means[0] + means[1],
         part_two: -means[1],
+        rounding: 0.0,
     }
 }
 
