@@ -167,7 +167,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
             let library = exact.error(&u_h)?.value.powi(2);
             let ratio = by_definition(edge.values(), &u_h.values) / library;
             let claim = out.check("‖u−u^h‖², n = 8: by_definition/library");
-            claim.near(ratio, 1.0, 1e-9, "`by_definition`");
+            claim.differ_by_at_most(ratio, 1.0, 1e-9, "`by_definition`");
         }
         for n in (3..=finest).map(|level| 1 << level) {
             // Means over the places of the transition.
@@ -202,10 +202,10 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
             // of the sum at most.
             let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs());
             let claim = out.check(format!("C, {cone} cone"));
-            claim.at_most(rounded(constant), 2.0, "F(u^h) ≤ F(I^h u)");
+            claim.whole_error_bars_at_most(rounded(constant), 2.0, "F(u^h) ≤ F(I^h u)");
             let ratio = (error - 2.0 * second) / (interpolation + 2.0 * consistency);
             let claim = out.check("‖u−v‖²+2∫σ(v−u): value at u^h/at I^h u");
-            claim.at_most(rounded(ratio), 1.0, "u^h minimises it");
+            claim.whole_error_bars_at_most(rounded(ratio), 1.0, "u^h minimises it");
             let scale = error + interpolation;
             let excess = (second - part_one - part_two) / scale;
             let claim = out.check("(4.8): left − right side, relative");

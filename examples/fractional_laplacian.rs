@@ -127,7 +127,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 if n <= ELIMINATED {
                     let ratio = by_definition(&mesh, s, &load)? / energy.value;
                     let claim = out.check("energy: by_definition/library");
-                    claim.near(ratio, 1.0, 1e-9, "elimination");
+                    claim.differ_by_at_most(ratio, 1.0, 1e-9, "elimination");
                 }
             }
             if let [.., before, last] = points.as_slice() {
@@ -138,7 +138,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (order, within) = if is_graded { (2.0 - s, 0.08) } else { (0.5, 0.03) };
             let found = -out.exponent("n", "error");
             let claim = out.check(format!("s = {s}, {mesh_name}: order"));
-            claim.near(found, order, within, "regularity of u");
+            claim.differ_by_at_most(found, order, within, "regularity of u");
             curves.push((format!("s = {s}, {mesh_name}"), points));
         }
     }

@@ -123,7 +123,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let off = oscillates as f64 + options.smallest.ln() * epsilon / PI;
         let claim = out.check("without contact: sign changes − phase/π");
-        claim.near(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
+        claim.differ_by_at_most(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
         let claim = out.check("elastic body: transitions");
         claim.at_most(parts.len() - 1, 2.0, "contact, gap, contact");
         // A gap at the end is no answer where it is shorter than two periods.
@@ -133,7 +133,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             (false, true) => Measured::NONE,
             (false, false) => Measured::from(periods),
         };
-        out.check("gap at the end, in periods π/ε of ln r").at_most(open, 0.0, "contact on (0, ℓ)");
+        out.check("gap at the end, in periods π/ε of ln r").whole_error_bars_at_most(
+            open,
+            0.0,
+            "contact on (0, ℓ)",
+        );
         if let [zone, _, ..] = parts.as_slice()
             && zone.in_contact
         {
@@ -147,7 +151,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let mean = quotients.iter().sum::<f64>() / quotients.len() as f64;
             if let Some(off) = largest(quotients.iter().map(|q| (q - mean).abs())) {
                 let claim = out.check("|ln(pressure/formula)|/ring width in ln r");
-                claim.at_most(off / step, 1.0, "mesh size at ℓ");
+                claim.whole_error_bars_at_most(off / step, 1.0, "mesh size at ℓ");
             }
         }
     }

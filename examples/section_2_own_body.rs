@@ -342,7 +342,7 @@ fn on_refinements(
             let size = before.energy.abs().max(f64::MIN_POSITIVE);
             let rise = Measured::new(rise, (missed + missed_before) / size);
             let claim = out.check("mesh refinement: relative increase of J");
-            claim.at_most(rise, allowed, "nested cones");
+            claim.whole_error_bars_at_most(rise, allowed, "nested cones");
         }
         missed_before = missed;
         last = Some((problem, u));
@@ -353,7 +353,7 @@ fn on_refinements(
         out.note("order", order);
         out.note("order.error", order.error);
         let claim = out.observe("order of the error in the energy norm");
-        claim.near(order, 0.5, 0.5, "corner singularities");
+        claim.whole_error_bars_differ_by_at_most(order, 0.5, 0.5, "corner singularities");
     } else {
         remarks.push("too few meshes for an order: --levels 5 or more".to_owned());
     }

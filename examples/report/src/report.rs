@@ -104,23 +104,17 @@ impl Report {
     }
 
     /// Slope of ln y against ln x between the last two rows of [`Report::series`];
-    /// [`Measured::NONE`] for fewer than two rows.
-    pub fn exponent(&self, x: &str, y: &str) -> Measured {
+    /// without an error; NaN for fewer than two rows.
+    pub fn exponent(&self, x: &str, y: &str) -> f64 {
         self.slope(x, y, f64::ln, f64::ln)
     }
 
     /// Slope of g(y) against f(x) between the last two rows of [`Report::series`];
-    /// [`Measured::NONE`] for fewer than two rows.
-    pub fn slope(
-        &self,
-        x: &str,
-        y: &str,
-        f: impl Fn(f64) -> f64,
-        g: impl Fn(f64) -> f64,
-    ) -> Measured {
+    /// without an error; NaN for fewer than two rows.
+    pub fn slope(&self, x: &str, y: &str, f: impl Fn(f64) -> f64, g: impl Fn(f64) -> f64) -> f64 {
         match self.series(x, y).as_slice() {
-            [.., a, b] => ((g(b.1) - g(a.1)) / (f(b.0) - f(a.0))).into(),
-            _ => Measured::NONE,
+            [.., a, b] => (g(b.1) - g(a.1)) / (f(b.0) - f(a.0)),
+            _ => f64::NAN,
         }
     }
 
