@@ -44,8 +44,8 @@
 //! **On the unit square with known u.** For u in H², not affine, more is true: even the error of
 //! the best approximation G without constraint is reached, |u − u^h|_a/|u − G|_a → 1 in both cones,
 //! on any quasi-uniform mesh, where G = u^h = I^h u on Γ_D. At natural ends of contact the quotient
-//! less one is O(h^(2/3) |ln h|) (proof on the page `contact_costs_nothing`). With z = x + iy and λ
-//! = μ = 1
+//! less one is O(h^(2/3) |ln h|) in the nodal cone (proof on the page `contact_costs_nothing`).
+//! With z = x + iy and λ = μ = 1
 //!
 //! ```text
 //! elastic    2 u_x = −½ Im F − y Re F',   2 u_y = (3/2) Re F + y Im F',
