@@ -189,15 +189,16 @@ fn on_triangles(out: &mut Report) -> Result<()> {
                 best.push(error / least);
                 excess.push(0.5 * superclose.powi(2)); // of error/best over one
             }
-            let order = exponent_between((1.0 / 32.0, excess[2]), (1.0 / 64.0, excess[3])).value;
+            let order = exponent_between((1.0 / 32.0, excess[2]), (1.0 / 64.0, excess[3]));
             let problem =
                 if cone == Cone::Nodal { name.to_owned() } else { format!("{name}, midpoint") };
             let quotient = limit(best);
             let over_interpolation = limit(interpolated);
             out.row(cells! { problem, tau: 2.5 => over_interpolation, over_best: quotient, order });
-            out.check("n = 64: error/best possible error").at_most(quotient.value, 1.01, "limit 1");
+            out.check("n = 64: error/best possible error")
+                .whole_error_bars_at_most(quotient, 1.01, "limit 1");
             let claim = out.check("order in h of (error/best possible error − 1)");
-            claim.at_least(order, 2.0 / 3.0, "h^(2/3)");
+            claim.whole_error_bars_at_least(order, 2.0 / 3.0, "h^(2/3)");
         }
     }
     Ok(())

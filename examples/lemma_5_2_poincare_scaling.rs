@@ -132,8 +132,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
                 out.slope("theta", "gamma", |theta| (1.0 / theta).ln(), |gamma| gamma * gamma);
             let law = 1.5 / PI.powi(2);
             let claim = out.not_sharp("slope of γ² against ln(1/θ)").must_rule_out(0.0);
-            claim.differ_by_at_most(slope, law, 0.01, "3/(2π²)");
-            of_nu.growth = slope;
+            claim.whole_error_bars_differ_by_at_most(slope, law, 0.01, "3/(2π²)");
+            of_nu.growth = slope.value;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
             out.as_printed("(5.2): limit γ₁ of γ as θ → 1").whole_error_bars_at_most(
                 limit,
@@ -148,8 +148,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             // −|ν − 1/2| for ν > 1/2.
             let other = -nu.offset().abs() - power;
             let claim = out.check(format!("ν = {nu}: exponent of θ")).must_rule_out(other);
-            claim.differ_by_at_most(exponent, power, next.max(0.01), "Lemma 5.2");
-            of_nu.growth = exponent;
+            claim.whole_error_bars_differ_by_at_most(exponent, power, next.max(0.01), "Lemma 5.2");
+            of_nu.growth = exponent.value;
         }
         growths.push(of_nu);
     }

@@ -141,16 +141,18 @@ impl Segment {
         // slopes are polynomials in ln r, r the distance to 0, θ and 1; C_q by Beckner's
         // inequality; κ the maximum over one length of a product of two linear functionals (example
         // `theta_balance`).
+        // Their errors are added.
+        let above = |constant: Estimate| constant.value + constant.error;
         let c_i =
-            interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant.value;
+            above(interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant);
         let first = |theta: f64| -> Result<f64> {
             Ok(embedding_bound(nu, q)? * h * theta.powf(1.0 - 1.0 / q) * full)
         };
         let second = |theta: f64| -> Result<f64> {
-            let gamma = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant.value;
+            let gamma = above(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant);
             Ok(c_i * gamma * h.powf(2.0 * tau - 2.0) * both)
         };
-        let kappa = consistency_constant(nu, 1e-9)?.value.value;
+        let kappa = above(consistency_constant(nu, 1e-9)?.value);
         let bound = |key, name, value| Bound { key, name, value };
         let seminorms = h.powf(2.0 * tau - 2.0) * both;
         Ok(vec![

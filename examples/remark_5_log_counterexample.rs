@@ -138,11 +138,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // shown.
             let growth = out.exponent("log", "quotient");
             let claim = out.check("exponent of L in q, minimum over α");
-            claim.at_least(growth, 0.0, "0 if q were bounded");
+            claim.whole_error_bars_at_least(growth, 0.0, "0 if q were bounded");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
                 let claim = out.check("α = 1: slope of q² against L");
-                claim.differ_by_at_most(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
+                claim.whole_error_bars_differ_by_at_most(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };
