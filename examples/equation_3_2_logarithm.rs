@@ -119,19 +119,13 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
         let growth = (last - middle) / (middle - before).abs();
         let claim = format!("{cone} cone: ratio of successive increments of e/(h √|ln h|)");
         out.check(claim).whole_error_bars_at_most(growth, 0.5, "(3.2), (4.3)");
-        out.stronger(format!("{cone} cone, H²: exponent q")).whole_error_bars_at_most(
-            q,
-            0.0,
-            "no logarithm",
-        );
+        let claim = out.stronger(format!("{cone} cone, H²: exponent q"));
+        claim.whole_error_bars_at_most(q, 0.0, "no logarithm");
         let claim = out.observe("u in H²: e/h, finest mesh/middle mesh");
         claim.whole_error_bars_at_least(optimal, 1.0, "order 1 is optimal");
     } else if alpha == 0.0 {
-        out.observe("α = 0, u not in H²: exponent q").whole_error_bars_at_least(
-            q,
-            0.0,
-            "|ln h|^(q/2)",
-        );
+        let claim = out.observe("α = 0, u not in H²: exponent q");
+        claim.whole_error_bars_at_least(q, 0.0, "|ln h|^(q/2)");
     }
     if problem.moves() {
         let claim = out.observe("transition: q − (1 − 2α)");

@@ -98,30 +98,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
 
         let share = kappa.recip() * tried;
         let over = kappa.recip() * best_constant(x);
-        out.check("κ(x): formula/library").whole_error_bars_differ_by_at_most(
-            over,
-            1.0,
-            1e-14,
-            "(x³+(1−x)³)/3",
-        );
+        let claim = out.check("κ(x): formula/library");
+        claim.whole_error_bars_differ_by_at_most(over, 1.0, 1e-14, "(x³+(1−x)³)/3");
         out.check("best constant κ(x)").whole_error_bars_at_most(kappa, 1.0, "(6.2)");
-        out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v").whole_error_bars_at_most(
-            share,
-            1.0,
-            "best constant",
-        );
+        let claim = out.check("|v(x) − v̄|/(κ(x) ‖v'‖₀), random v");
+        claim.whole_error_bars_at_most(share, 1.0, "best constant");
         let source = "κ² − κ_N² = 1/(12 N²)";
         out.check("12 N² (κ² − κ_N²), v linear on N cells")
             .whole_error_bars_differ_by_at_most(missed, 1.0, 1e-3, source);
         out.stronger("max κ(x)").whole_error_bars_at_most(kappa, 0.5774, "1/√3");
     }
     let halved = kappa(0.5)? / kappa(0.0)?;
-    out.observe("κ(1/2)/κ(0)").whole_error_bars_differ_by_at_most(
-        halved,
-        0.5,
-        1e-12,
-        "(x³+(1−x)³)/3",
-    );
+    let claim = out.observe("κ(1/2)/κ(0)");
+    claim.whole_error_bars_differ_by_at_most(halved, 0.5, 1e-12, "(x³+(1−x)³)/3");
     out.column("kappa", "κ", "best constant at x");
     out.column("of_steps", "N slopes", "largest quotient of functions with N constant slopes");
     out.column("tried", "random", "largest quotient of random ones");

@@ -227,11 +227,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
     }
     let order = -out.exponent("n", "consistency"); // between the last two meshes
     let printed = if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 };
-    out.observe("order of ∫σ(I^h u−u) in h").whole_error_bars_at_least(
-        order,
-        printed,
-        "2τ² − 5τ + 4",
-    );
+    let claim = out.observe("order of ∫σ(I^h u−u) in h");
+    claim.whole_error_bars_at_least(order, printed, "2τ² − 5τ + 4");
     let last = |column: &str| out.series("n", column).last().map(|&(_, value)| value);
     if let (Some(error), Some(consistency)) = (last("error"), last("consistency")) {
         out.note("share", consistency / error);

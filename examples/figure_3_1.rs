@@ -147,11 +147,8 @@ fn study(problem: &str, tau: f64, finest: u32, out: &mut Report) -> Result<()> {
             claim.at_least(order.value + order.error - exponent, 0.0, "printed exponent");
             if label == "(N1)" && problem == "transition" {
                 let claim = format!("{cone} cone: order − (N1)");
-                out.stronger(claim).whole_error_bars_at_least(
-                    order - exponent,
-                    0.0,
-                    "(3.1), (4.2)",
-                );
+                let claim = out.stronger(claim);
+                claim.whole_error_bars_at_least(order - exponent, 0.0, "(3.1), (4.2)");
             }
         }
         let above = order.value - optimal - order.error;
@@ -179,18 +176,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         if let [("(E2)", earlier), (_, printed), (_, optimal)] = bounds(tau)[..] {
             let [square, product] = [(tau - 1.5).powi(2), (tau - 1.5) * (2.0 - tau)];
-            out.check("(N1) − (E2)").differ_by_at_most(
-                printed - earlier,
-                square,
-                1e-15,
-                "(τ − 3/2)²",
-            );
-            out.check("(τ − 1) − (N1)").differ_by_at_most(
-                optimal - printed,
-                product,
-                1e-15,
-                "(τ − 3/2)(2 − τ)",
-            );
+            let claim = out.check("(N1) − (E2)");
+            claim.differ_by_at_most(printed - earlier, square, 1e-15, "(τ − 3/2)²");
+            let claim = out.check("(τ − 1) − (N1)");
+            claim.differ_by_at_most(optimal - printed, product, 1e-15, "(τ − 3/2)(2 − τ)");
         }
     }
     out.column("earlier", "before", "(E1)-(E4) for any contact set");

@@ -97,11 +97,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 others: others.value
             });
             let over = alpha / positive;
-            out.check("α (1 + γ₁² + N²)^(1/2)").whole_error_bars_at_least(
-                over,
-                1.0 - 1e-9,
-                "explicit lower bound",
-            );
+            let claim = out.check("α (1 + γ₁² + N²)^(1/2)");
+            claim.whole_error_bars_at_least(over, 1.0 - 1e-9, "explicit lower bound");
             let hats = alpha.recip() * definition;
             let claim = out.check("α: by_definition/library");
             claim.whole_error_bars_differ_by_at_most(hats, 1.0, 5e-3, "infimum over hat functions");

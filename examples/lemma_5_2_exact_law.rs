@@ -108,16 +108,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         off: square.map(|g| (g.value / scale - 1.0).abs()), above: upper / scale - 1.0,
         rest: rest.map(|r| r.value), explained: explained.map(|r| r.value) });
         if let Some(square) = square {
-            out.check("γ²/lower bound from the ramp").whole_error_bars_at_least(
-                square / lower,
-                1.0,
-                "proved",
-            );
-            out.check("γ²/upper bound from chains").whole_error_bars_at_most(
-                square / upper,
-                1.0,
-                "proved",
-            );
+            let claim = out.check("γ²/lower bound from the ramp");
+            claim.whole_error_bars_at_least(square / lower, 1.0, "proved");
+            let claim = out.check("γ²/upper bound from chains");
+            claim.whole_error_bars_at_most(square / upper, 1.0, "proved");
         }
         if theta == options.theta.last().copied() && theta.is_some() {
             let [.., before, last] = rests[..] else { continue };

@@ -125,11 +125,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("last_lines", "end", "γ over γ(t) and its bound in the last lines");
     for &nu in &options.nu {
         let off_1 = scaling(nu, options.theta)?;
-        out.check("(5.5): max |ratio of norms − 1|").whole_error_bars_at_most(
-            off_1,
-            1e-6,
-            "u(x) = ũ(θx)",
-        );
+        let claim = out.check("(5.5): max |ratio of norms − 1|");
+        claim.whole_error_bars_at_most(off_1, 1e-6, "u(x) = ũ(θx)");
 
         let first = solved(nu, options.theta)?.0;
         let mut theta = options.theta;
@@ -149,26 +146,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             poincare_57: poincare.value, kept: kept.value, stretched_56: stretched.value,
             product_59: product_59.value, last_lines: last_lines.value });
 
-            out.check("(5.6): left/right side").whole_error_bars_at_most(
-                stretched,
-                1.0,
-                "inequality (5.6)",
-            );
-            out.check("(5.7): ‖u‖₀/(γ(θ) |u|_ν)").whole_error_bars_at_most(
-                poincare,
-                1.0,
-                "second inequality",
-            );
-            out.check("(5.8): left/right side").whole_error_bars_at_most(
-                step_58,
-                1.0,
-                "inequality (5.8)",
-            );
-            out.check("(5.9): left/right side").whole_error_bars_at_most(
-                product_59,
-                1.0,
-                "inequality (5.9)",
-            );
+            let claim = out.check("(5.6): left/right side");
+            claim.whole_error_bars_at_most(stretched, 1.0, "inequality (5.6)");
+            let claim = out.check("(5.7): ‖u‖₀/(γ(θ) |u|_ν)");
+            claim.whole_error_bars_at_most(poincare, 1.0, "second inequality");
+            let claim = out.check("(5.8): left/right side");
+            claim.whole_error_bars_at_most(step_58, 1.0, "inequality (5.8)");
+            let claim = out.check("(5.9): left/right side");
+            claim.whole_error_bars_at_most(product_59, 1.0, "inequality (5.9)");
             let claim = out.check("γ/final bound of the proof");
             claim.whole_error_bars_at_most(last_lines, 1.0, "bound of the product");
             lost.push(step_58.recip());

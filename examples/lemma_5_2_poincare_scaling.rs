@@ -101,23 +101,16 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             out.row(cells! { nu, theta => gamma, definition, over_printed: gamma.value / printed });
 
             let quotient = gamma.recip() * definition;
-            out.check("γ: by_definition/library").whole_error_bars_differ_by_at_most(
-                quotient,
-                1.0,
-                5e-3,
-                "P1 elements",
-            );
+            let claim = out.check("γ: by_definition/library");
+            claim.whole_error_bars_differ_by_at_most(quotient, 1.0, 5e-3, "P1 elements");
             // With m the mean of u on (0, 1), ‖u‖₀² = ‖u − m‖₀² + m², and |m| ≤ N |u|_ν: N, the
             // norm of u ↦ m for mean zero on the zone, takes one linear solve.
             let bounds = found.bounds()?;
             let whole = Measured::from(bounds.whole).squared(); // γ₁²
             let square = whole + Measured::from(bounds.dual_norm).squared();
             let quotient = gamma / square.sqrt();
-            out.check("γ/√(γ₁² + N²)").whole_error_bars_at_most(
-                quotient,
-                1.0 + 1e-9,
-                "explicit bound",
-            );
+            let claim = out.check("γ/√(γ₁² + N²)");
+            claim.whole_error_bars_at_most(quotient, 1.0 + 1e-9, "explicit bound");
 
             let plot = format!("lemma_5_2_extremal_{theta:e}");
             out.plot(&plot, "Worst functions", Axes::LogLinear("x", "u"))
@@ -135,11 +128,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             claim.whole_error_bars_differ_by_at_most(slope, law, 0.01, "3/(2π²)");
             of_nu.growth = slope.value;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
-            out.as_printed("(5.2): limit γ₁ of γ as θ → 1").whole_error_bars_at_most(
-                limit,
-                0.0,
-                "limit of C ln(1/θ)",
-            );
+            let claim = out.as_printed("(5.2): limit γ₁ of γ as θ → 1");
+            claim.whole_error_bars_at_most(limit, 0.0, "limit of C ln(1/θ)");
         } else if zones > 1 {
             // The law's next term is smaller than the first by a factor of this order.
             let next = options.theta[zones - 2].powf(2.0 * nu.value().min(nu.offset().abs()));

@@ -194,11 +194,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (times, with_half) = (bound.value / fine.term, half.value / coarse.term);
         let times = Measured::new(times, (times - with_half).abs());
         out.row(cells! { bound: bound.name => times });
-        out.check("term/bound").whole_error_bars_at_most(
-            times.recip(),
-            1.0,
-            "the proofs of Sections 3 and 4",
-        );
+        let claim = out.check("term/bound");
+        claim.whole_error_bars_at_most(times.recip(), 1.0, "the proofs of Sections 3 and 4");
         out.note(format!("times.{}", bound.key), times.value);
         bars.push(Bar { name: bound.name, times: times.value });
     }

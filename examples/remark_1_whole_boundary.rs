@@ -163,11 +163,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             [problem.solve(cone, Solver::ActiveSet)?, problem.solve(cone, Solver::InteriorPoint)?];
         let rounding = (one.energy_rounding + other.energy_rounding) / one.energy.abs();
         let change = ((other.energy / one.energy - 1.0).abs(), rounding);
-        out.check("two solvers: relative difference of J").whole_error_bars_at_most(
-            change,
-            1e-8,
-            "eight digits",
-        );
+        let claim = out.check("two solvers: relative difference of J");
+        claim.whole_error_bars_at_most(change, 1e-8, "eight digits");
     }
     let plot = out.plot(
         "remark_1_whole_boundary",

@@ -114,23 +114,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let claim = out.check("q/γ, γ best constant for (0, θ)");
             claim.whole_error_bars_at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
-            out.check("q: by_definition/library").whole_error_bars_differ_by_at_most(
-                ratio,
-                1.0,
-                3e-3,
-                "midpoint rule",
-            );
+            let claim = out.check("q: by_definition/library");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
-                out.check("seminorms: n|w|/|u|").whole_error_bars_at_most(
-                    repaired,
-                    1.001,
-                    "|w| ≤ |u|/n",
-                );
-                out.as_printed("full norms: n‖w‖/‖u‖").whole_error_bars_at_most(
-                    printed,
-                    1.0,
-                    "with seminorms",
-                );
+                let claim = out.check("seminorms: n|w|/|u|");
+                claim.whole_error_bars_at_most(repaired, 1.001, "|w| ≤ |u|/n");
+                let claim = out.as_printed("full norms: n‖w‖/‖u‖");
+                claim.whole_error_bars_at_most(printed, 1.0, "with seminorms");
             }
         }
         if let [.., long, short] = logs.as_slice() {
@@ -147,12 +137,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };
                 let power = (*b / *a).ln() / (short / long).ln();
-                out.check("exponent of L in γ").whole_error_bars_differ_by_at_most(
-                    power,
-                    0.5,
-                    0.02,
-                    "γ² ~ 3L/(2π²)",
-                );
+                let claim = out.check("exponent of L in γ");
+                claim.whole_error_bars_differ_by_at_most(power, 0.5, 0.02, "γ² ~ 3L/(2π²)");
             }
         }
     }

@@ -126,18 +126,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let claim = out.check("γ((a, a + θ))/γ((0, θ)), a > 0");
                 claim.whole_error_bars_at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
             }
-            out.check("γ/√(γ₁² + N²)").whole_error_bars_at_most(
-                gamma / repair,
-                1.0 + 1e-7,
-                "proof without a cut",
-            );
+            let claim = out.check("γ/√(γ₁² + N²)");
+            claim.whole_error_bars_at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
             let hats = gamma.recip() * definition;
-            out.check("γ: by_definition/library").whole_error_bars_differ_by_at_most(
-                hats,
-                1.0,
-                5e-3,
-                "hat functions",
-            );
+            let claim = out.check("γ: by_definition/library");
+            claim.whole_error_bars_differ_by_at_most(hats, 1.0, 5e-3, "hat functions");
         }
         // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on
         // one half.
@@ -201,11 +194,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // An error where rounding forbids three digits; at most a tenth of the unions.
         let Ok(of_union) = constant(Zones::from_lengths(&lengths)?) else { continue };
         let over = of_union / constant(Zones::from_start_and_length(0.0, theta)?)?;
-        out.check("unions: γ(E)/γ((0, θ))").whole_error_bars_at_most(
-            over,
-            1.0 + 2e-3,
-            "γ(E) ≤ γ((0, θ))",
-        );
+        let claim = out.check("unions: γ(E)/γ((0, θ))");
+        claim.whole_error_bars_at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64 / options.unions as f64;

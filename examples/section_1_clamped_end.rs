@@ -145,11 +145,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             (false, true) => Measured::NONE,
             (false, false) => Measured::from(periods),
         };
-        out.check("gap at the end, in periods π/ε of ln r").whole_error_bars_at_most(
-            open,
-            0.0,
-            "contact on (0, ℓ)",
-        );
+        let claim = out.check("gap at the end, in periods π/ε of ln r");
+        claim.whole_error_bars_at_most(open, 0.0, "contact on (0, ℓ)");
         if let [zone, _, ..] = parts.as_slice()
             && zone.in_contact
         {

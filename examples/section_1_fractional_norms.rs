@@ -152,11 +152,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let claim = out.check("relative difference from the closed form");
                 claim.whole_error_bars_at_most(error, asked, "the tolerance");
                 let share = (Measured::from(seminorm.value) - exact).abs() / seminorm.error;
-                out.check("true error/stated error").whole_error_bars_at_most(
-                    share,
-                    1.0,
-                    "error estimate",
-                );
+                let claim = out.check("true error/stated error");
+                claim.whole_error_bars_at_most(share, 1.0, "error estimate");
             }
             // Nearer to the last finite order what the definition leaves out decays too slowly.
             if nu.value() <= last - 0.1 {

@@ -117,20 +117,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
         let (error, asked) =
             ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
-        out.check("relative error of |x₁|_s").whole_error_bars_at_most(
-            error,
-            asked,
-            "requested tolerance",
-        );
+        let claim = out.check("relative error of |x₁|_s");
+        claim.whole_error_bars_at_most(error, asked, "requested tolerance");
         let room = 1.0 - s.value();
         let over = Measured::from(norm).squared() * room / FRAC_PI_2;
         if room < 1e-7 {
-            out.check("s → 1: (1 − s) |x₁|²_s/(π/2)").whole_error_bars_differ_by_at_most(
-                over,
-                1.0,
-                1e-6,
-                "∫ |∇x₁|² = 1",
-            );
+            let claim = out.check("s → 1: (1 − s) |x₁|²_s/(π/2)");
+            claim.whole_error_bars_differ_by_at_most(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
         }
         lines[0].push((s.value(), over.value));
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
@@ -183,16 +176,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 Ok(Function::sector_power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
             };
             let (over, outer) = (on_sector(radii[0])? / norm, norm / on_sector(radii[1])?);
-            out.check("|w|_s: inner sector/polygon").whole_error_bars_at_most(
-                over,
-                1.0,
-                "monotone in the domain",
-            );
-            out.check("|w|_s: polygon/outer sector").whole_error_bars_at_most(
-                outer,
-                1.0,
-                "monotone in the domain",
-            );
+            let claim = out.check("|w|_s: inner sector/polygon");
+            claim.whole_error_bars_at_most(over, 1.0, "monotone in the domain");
+            let claim = out.check("|w|_s: polygon/outer sector");
+            claim.whole_error_bars_at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
             let claim = out.check("(1 − inner sector/polygon)/(a + 1 − s)");
             claim.whole_error_bars_at_most(share, 1.0, "norm ~ R^(a+1−s)");

@@ -180,12 +180,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     }
     if let [.., coarse, fine] = errors[..] {
         let order = exponent_between(coarse, fine);
-        out.check("order of |u − u^h|_a").whole_error_bars_differ_by_at_most(
-            order,
-            1.0,
-            0.1,
-            "linear elements",
-        );
+        let claim = out.check("order of |u − u^h|_a");
+        claim.whole_error_bars_differ_by_at_most(order, 1.0, 0.1, "linear elements");
     }
     out.remark(
         "h/100 asks for a hundredth of the mesh's error, 1e-10 for ten digits: both solve all \

@@ -169,11 +169,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 "exponents of (4.6), (4.7)",
             );
             let scaled = constant.recip() * (fine[3] * 64f64.powf(theory));
-            out.check(format!("{label}: S(64)/upper bound")).whole_error_bars_at_most(
-                scaled,
-                1.0,
-                "C(r), C*(r)",
-            );
+            let claim = out.check(format!("{label}: S(64)/upper bound"));
+            claim.whole_error_bars_at_most(scaled, 1.0, "C(r), C*(r)");
             let ratio = constant.recip() * on_one;
             let claim = out.check(format!("{label}: finite elements/library"));
             claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-3, "64 cells");
@@ -183,11 +180,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order_dual =
             compare("(4.7)", "r+1/2", r + 0.5, c_dual, one.element, |found| found.dual);
         let chain = c * half;
-        out.check("C*(r)/(C(r) C(1/2))").whole_error_bars_at_most(
-            c_dual / chain,
-            1.0 + 1e-7,
-            "proof of (4.7)",
-        );
+        let claim = out.check("C*(r)/(C(r) C(1/2))");
+        claim.whole_error_bars_at_most(c_dual / chain, 1.0 + 1e-7, "proof of (4.7)");
         let claim = out.observe("min C*(r)/(C(r) C(1/2)) over r");
         claim.whole_error_bars_at_least(c_dual / chain, 0.99, "equality at r = 1/2");
         out.row(cells! { r => c, one: one.l2, order, c_dual, order_dual });
@@ -202,12 +196,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order = Measured::new(last, 3.5 * (last - before).abs());
         let limit = e[2] * 65536.0 * (12.0 * (2.0 * a - 1.0)).sqrt() / a; // ‖φ'‖₀ = a / √(2a − 1)
         let next = 4096f64.powf(1.0 - 2.0 * a);
-        out.check("r > 1: order − 1").must_rule_out(r - 1.0).whole_error_bars_differ_by_at_most(
-            order - 1.0,
-            0.0,
-            0.02 + next,
-            "Remark 4",
-        );
+        let claim = out.check("r > 1: order − 1").must_rule_out(r - 1.0);
+        claim.whole_error_bars_differ_by_at_most(order - 1.0, 0.0, 0.02 + next, "Remark 4");
         let part = 65536f64.powf(-(2.0 * a - 1.0).min(1.0));
         let claim = out.check("r > 1: √12 ‖φ − π^h φ‖₀/(h ‖φ'‖₀)").must_rule_out(0.0);
         claim.differ_by_at_most(limit, 1.0, part, "Remark 4, finest mesh");

@@ -138,20 +138,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         out.check("κ/κ̄").whole_error_bars_at_most(kappa / kappa_bar, 1.0, "special case: one gap");
         out.check("κ̄/K").whole_error_bars_at_most(kappa_bar / k, 1.0, "product of L¹ norms");
         out.check("K/c").whole_error_bars_at_most(k / c, 1.0, "bound by potentials");
-        out.check("κ̄/c₂").whole_error_bars_at_most(
-            kappa_bar / c_2,
-            1.0,
-            "bound by pairs of points",
-        );
+        let claim = out.check("κ̄/c₂");
+        claim.whole_error_bars_at_most(kappa_bar / c_2, 1.0, "bound by pairs of points");
         out.stronger("max κ over ν").whole_error_bars_at_most(kappa, 0.125, "c₂ ≤ 1/8");
         // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (k * (24.0 / left) - 1.0) / left;
-        out.observe("(24 K/(1−ν) − 1)/(1−ν)").whole_error_bars_at_most(
-            quotient,
-            4.0,
-            "K/(1−ν) → 1/24",
-        );
+        let claim = out.observe("(24 K/(1−ν) − 1)/(1−ν)");
+        claim.whole_error_bars_at_most(quotient, 4.0, "K/(1−ν) → 1/24");
         out.row(cells! { nu => c, pairs: c_2, product: k, by_definition: scanned.k,
         kappa, midpoint: kappa_bar.value });
     }

@@ -156,11 +156,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
         let claim = out.observe("order − min(τ − 1, 1)");
         claim.whole_error_bars_differ_by_at_most(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         if tau < 2.0 {
-            out.stronger("τ < 2: order − printed exponent").whole_error_bars_at_least(
-                order - printed,
-                0.0,
-                "(4.2)",
-            );
+            let claim = out.stronger("τ < 2: order − printed exponent");
+            claim.whole_error_bars_at_least(order - printed, 0.0, "(4.2)");
         }
         rates.push(Rate { printed, optimal, order });
 

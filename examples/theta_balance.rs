@@ -192,11 +192,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let compared = quotient / reference;
         let claim = out.check("printed θ: ratio of bounds/value at h = 1/8");
         claim.differ_by_at_most(compared, 1.0, 1e-9, "independent of h");
-        out.check("supremum/bound at equal bounds").whole_error_bars_at_most(
-            best / second(at),
-            1.0,
-            "upper bound",
-        );
+        let claim = out.check("supremum/bound at equal bounds");
+        claim.whole_error_bars_at_most(best / second(at), 1.0, "upper bound");
         let claim = out.check("supremum/sharpened bound at equal bounds");
         claim.whole_error_bars_at_most(best / second(at_sharp), 1.0, "upper bound");
     }
@@ -219,26 +216,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             "(τ − 3/2)(2 − τ)",
         );
     } else {
-        out.observe("θ at equal bounds: exponent of h").whole_error_bars_differ_by_at_most(
-            cross,
-            2.0,
-            0.5,
-            "h², up to ln² h",
-        );
-        out.observe("exponent of h in the bound, printed θ").whole_error_bars_differ_by_at_most(
-            printed,
-            2.0,
-            0.5,
-            "h² ln(1/h)",
-        );
+        let claim = out.observe("θ at equal bounds: exponent of h");
+        claim.whole_error_bars_differ_by_at_most(cross, 2.0, 0.5, "h², up to ln² h");
+        let claim = out.observe("exponent of h in the bound, printed θ");
+        claim.whole_error_bars_differ_by_at_most(printed, 2.0, 0.5, "h² ln(1/h)");
     }
     for &theta in &zones[..10] {
         let ratio = Measured::from(one_gap_ratio(Cone::Nodal, nu, theta, 1e-6)?); // W(θ)
-        out.check("W(θ)/κ, θ = 2^(−1), .. 2^(−10)").whole_error_bars_at_most(
-            ratio / kappa,
-            1.0 + 1e-6,
-            "κ = max W",
-        );
+        let claim = out.check("W(θ)/κ, θ = 2^(−1), .. 2^(−10)");
+        claim.whole_error_bars_at_most(ratio / kappa, 1.0 + 1e-6, "κ = max W");
     }
     out.note("exponent.printed", printed);
     out.note("exponent.sharp", sharp);
