@@ -109,7 +109,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 data.values().iter().step_by(data.cells() / n).copied().collect();
             let error = Measured::from(problem.error(u)?);
             let interpolation = Measured::from(problem.distance(n, &interpolant)?);
-            let term = terms.iter().find(|term| term.0 == n).map_or(0.0, |term| term.1);
+            let term = terms.iter().find(|(cells, _)| *cells == n).map_or(0.0, |(_, term)| *term);
             let ratio = error.squared() / (interpolation.squared() + 2.0 * term);
             let claim = out.check("|u−u^h|²/(|u−I^h u|² + 2∫σ_N I^h u_N)");
             claim.whole_error_bars_at_most(ratio, 1.0 + 2e-6, "Falk's lemma");

@@ -102,8 +102,11 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
     };
     let points = errors(&edges, cone, finest)?;
     let square = |(h, e): (f64, Measured)| (e / h).squared();
-    // over ℓ(h)
-    let increment = |p: &[(f64, Measured)]| (2.0 - p[1].0.ln(), square(p[2]) - square(p[0]));
+    // (ℓ(h), D) from the points of the meshes 2h, h, h/2
+    let increment = |p: &[(f64, Measured)]| {
+        let (h, _) = p[1];
+        (2.0 - h.ln(), square(p[2]) - square(p[0]))
+    };
     let increments: Vec<(f64, Measured)> = points.windows(3).map(increment).collect();
     let q = exponent_of(&increments[increments.len() / 2..]) + 1.0; // the finer half of the meshes
     let (middle, last) = (points[points.len() / 2], points[points.len() - 1]);
@@ -132,7 +135,7 @@ fn study(problem: &StripData, alpha: f64, cone: Cone, finest: u32, out: &mut Rep
         claim.whole_error_bars_differ_by_at_most(q - expected, 0.0, 0.2, "asymptotics of (e/h)²");
         if cone == Cone::Nodal {
             let relative =
-                |&p: &(f64, Measured)| (p.0, (over(0.0, p) / over(0.0, points[0])).value);
+                |&(h, e): &(f64, Measured)| (h, (over(0.0, (h, e)) / over(0.0, points[0])).value);
             chart(out).line(&format!("α = {alpha}"), points.iter().map(relative).collect());
         }
     }

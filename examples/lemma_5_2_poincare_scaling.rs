@@ -37,6 +37,11 @@
 //!
 //! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term
 //! where that is larger; if γ exceeds an explicit bound; or if the two values of γ differ by 0.5 %.
+//!
+//! Another order with its law is an option. Near ν = 1/2 the next term falls slowly, and only
+//! shorter zones distinguish the laws of both sides (else the check of the exponent is undecided):
+//!
+//! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.4 --theta 1e-9,1e-10`
 use example_report::prelude::*;
 use fractional_sobolev::{Constraint, Gram, Mesh, gamma};
 use std::f64::consts::PI;
@@ -129,7 +134,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             of_nu.growth = slope.value;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
             let claim = out.as_printed("(5.2): limit γ₁ of γ as θ → 1");
-            claim.whole_error_bars_at_most(limit, 0.0, "limit of C ln(1/θ)");
+            claim.whole_error_bars_at_most(limit, 0.0, "for θ ≤ 1/2");
         } else if zones > 1 {
             // The law's next term is smaller than the first by a factor of this order.
             let next = options.theta[zones - 2].powf(2.0 * nu.value().min(nu.offset().abs()));

@@ -56,7 +56,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let mut corners = Vec::new();
         for &n in &options.n {
-            let on_side = |k: usize| Mesh::uniform(n * side(k).0.round() as usize, 1.0);
+            let on_side = |k: usize| {
+                let (length, _) = side(k);
+                Mesh::uniform(n * length.round() as usize, 1.0)
+            };
             let meshes = (0..sides).map(on_side).collect::<fractional_sobolev::Result<Vec<_>>>()?;
             let curve = Curve::closed(&vertices, &meshes)?;
             // Continuous, linear on each element. All pairs of elements: closed forms for

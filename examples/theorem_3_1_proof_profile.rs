@@ -397,7 +397,11 @@ impl Sums {
 /// The sums on the finest mesh, their exponents of h, and what is lost from one to the next.
 fn table(cone: Cone, tau: f64, rows: &[Sums], out: &mut Report) {
     let Some(finest) = rows.last() else { return };
-    let points = |k: usize| rows.iter().map(|row| (row.h, row.steps()[k].1)).collect::<Vec<_>>();
+    let point = |row: &Sums, k: usize| {
+        let (_, sum) = row.steps()[k];
+        (row.h, sum)
+    };
+    let points = |k: usize| rows.iter().map(|row| point(row, k)).collect::<Vec<_>>();
     let finer = rows.len() / 2; // the finer half of the meshes
     let exponent = |k: usize| exponent_of(&points(k)[finer..]);
     let mut before = Measured::NONE;

@@ -57,8 +57,8 @@ fn constraints(n: usize) -> DMatrix<f64> {
     }
 }
 
-/// The contact set: contact on (0, a), a gap on (a, 1), given by g and λ on N cells. For another set
-/// give other values g ≤ 0 at the nodes, and forces ≥ 0 only at nodes with g = 0.
+/// The contact set: contact on (0, a), a gap on (a, 1), given by g and λ on N cells. For another
+/// set give other values g ≤ 0 at the nodes, and forces ≥ 0 only at nodes with g = 0.
 fn transition(a: f64, tau: f64, cells: usize) -> Result<EdgeData> {
     let x = |i: usize| i as f64 / cells as f64;
     // g at the nodes: −δ^(τ−1), δ = d in the gap, bent so that its slope is 0 at x = 1.

@@ -173,7 +173,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
 
     let mut notes = String::new();
     for (letter, range) in ('a'..='z').zip(&lines.corrections) {
-        notes += &format!("[{letter}] false as printed, true {range}    ");
+        notes += &format!("[{letter}] false as printed; it is true {range}    ");
     }
     out.column("says", "the paper says", "");
     out.column("computed", "computed here", "");
