@@ -84,15 +84,24 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 twice: twice.value, hat: hat.value, dual: dual.value, duality: duality.value
             });
             if nu == Order::HALF {
-                out.check("2|x₁|²/L²").near(twice, 1.0, 1e-6, "|x₁|² + |x₂|² = L²");
+                out.check("2|x₁|²/L²").whole_error_bars_differ_by_at_most(
+                    twice,
+                    1.0,
+                    1e-6,
+                    "|x₁|² + |x₂|² = L²",
+                );
             }
-            out.check("area/(‖n₁‖ ‖x₁‖)").at_most(duality, 1.0, "∫ n₁ x₁ ds = area");
+            out.check("area/(‖n₁‖ ‖x₁‖)").whole_error_bars_at_most(
+                duality,
+                1.0,
+                "∫ n₁ x₁ ds = area",
+            );
         }
         if nu == Order::HALF {
             let exact = 4.0 + 2.0 * LN_2 + 4.0 * CATALAN - PI;
             let ratio = limit(&corners, 1) / exact;
             let claim = out.check("extrapolated |φ|²/exact limit");
-            claim.near(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 2e-3, "4 + 2 ln 2 + 4G − π");
         }
     }
     out.column("n", "n", "elements on the length 1");

@@ -33,11 +33,11 @@
 //!
 //! Expected: what is computed on the edge is the finite element solution on the square; about 10
 //! inner iterations whatever n and the contact set; ‖u − u^h‖ ≤ C h^p, p = τ² − 5τ/2 + 2 (3.1).
-//! Order: slope of ln error over ln h on the finer half of the meshes; ±: the difference of the
-//! slopes of its two quarters, as the transition moves in its cell. Refuted if edge and square
-//! differ by more than 1e-7, if a condition of contact is violated by 1e-10, if a step takes more
-//! than 30 iterations, or if the order of `transition` with its ± is below p. Cantor sets repeat
-//! themselves after a factor s in h, too few times here to decide.
+//! Order: slope of ln error over ln h from the first to the last mesh; ±: the difference of the
+//! slopes of both halves, as the transition moves in its cell. Refuted if edge and square differ by
+//! more than 1e-7, if a condition of contact is violated by 1e-10, if a step takes more than 30
+//! iterations, or if the order of `transition` with its ± is below p. Cantor sets repeat themselves
+//! after a factor s in h, too few times here to decide.
 //!
 //! ```text
 //! cargo run --release --example section_2_strip -- \
@@ -108,6 +108,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let name = strip.name();
         let data = strip.data(tau, 32 << finest, kind.sides())?;
         let problem = StripProblem::new(kind, &data, Reference::Nested, 8)?;
+        let mut errors: Vec<(f64, Measured)> = Vec::new();
         // Primal-dual active set on the edge, from the contact set of the mesh before (first:
         // none); each linear problem by conjugate gradients to 1e-13, preconditioned by the inverse
         // of |d²/dx²|^(1/2) on each gap (sine transforms). kkt: equations, signs, g λ, over the
@@ -131,21 +132,25 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("max inner CG iterations per step").at_most(inner, 30.0, "uniform in n");
             out.row(cells! { problem: name, n => unknowns, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });
+            errors.push((1.0 / n as f64, Measured::from(error)));
         }
-        let errors: Vec<(f64, f64)> =
-            out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();
-        let finer = errors.len() / 2 - 1; // the finer half of the meshes
-        let order = exponent_of(&errors[finer..]);
+        let order = exponent_of(&errors);
         let meshes = || errors.iter().map(|&(h, _)| h);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
-        let bound = Bound::Paper.through(errors[0], meshes(), tau)?;
-        let printed = exponent_of(&bound[finer..]).value; // at τ = 2 the logarithm counts
+        let first = (errors[0].0, errors[0].1.value);
+        let bound = Bound::Paper.through(first, meshes(), tau)?;
+        let printed = exponent_of(&bound).value; // at τ = 2 the logarithm counts
         out.note(format!("order.{name}"), order);
         out.note(format!("order.{name}.error"), order.error);
         let (claim, above) =
             (format!("{name}: order + error − p"), order.value + order.error - printed);
         match name {
-            "transition" => out.check(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),
+            // Undecided where an order 0.1 below would pass as well.
+            "transition" => out.check(claim).must_rule_out(order.error - 0.1).at_least(
+                above,
+                0.0,
+                "p = τ² − 5τ/2 + 2, (3.1)",
+            ),
             _ => out.observe(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),
         }
         let axes = Axes::LogLog("h", "‖u − u^h‖");
@@ -154,9 +159,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             &format!("{name}, {cone} cone, τ = {tau}"),
             axes,
         )
-        .line("error", errors.clone())
+        .line("error", errors.iter().map(|&(h, e)| (h, e.value)).collect())
         .dashed_line("Theorem 3.1", bound)
-        .dashed_line("h^(τ − 1)", Bound::Optimal.through(errors[0], meshes(), tau)?);
+        .dashed_line("h^(τ − 1)", Bound::Optimal.through(first, meshes(), tau)?);
     }
     Ok(())
 }

@@ -262,8 +262,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let those = compared.iter().filter(|line: &&Compared| line.name.starts_with(&label));
         for &Compared { name, value, is_equality } in those {
             match is_equality {
-                true => out.check(name).near(value, 0.0, 1e-10, "equality"),
-                false => out.check(name).at_most(value, 1.0 + 1e-8, "left/right ≤ 1"),
+                true => out
+                    .check(name)
+                    .whole_error_bars_differ_by_at_most(value, 0.0, 1e-10, "equality"),
+                false => {
+                    out.check(name).whole_error_bars_at_most(value, 1.0 + 1e-8, "left/right ≤ 1")
+                }
             }
         }
     }
@@ -319,8 +323,18 @@ fn table(cone: Cone, tau: f64, rows: &[Sums], out: &mut Report) {
     }
     let (integral, whole) = (exponent(0), exponent(4));
     let printed = 2.0 * tau * tau - 5.0 * tau + 4.0;
-    out.stronger("exponent of h in the integral").near(integral, 2.0 * tau - 2.0, 0.05, "2τ − 2");
-    out.check("exponent of h in the bound, whole edge").near(whole, printed, 1e-8, "2τ² − 5τ + 4");
+    out.stronger("exponent of h in the integral").whole_error_bars_differ_by_at_most(
+        integral,
+        2.0 * tau - 2.0,
+        0.05,
+        "2τ − 2",
+    );
+    out.check("exponent of h in the bound, whole edge").whole_error_bars_differ_by_at_most(
+        whole,
+        printed,
+        1e-8,
+        "2τ² − 5τ + 4",
+    );
     out.column("exponent", "exponent", "of h, on the finer half of the meshes");
     out.column("loss", "loss", "what the step takes of it");
 }

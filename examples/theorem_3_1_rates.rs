@@ -118,7 +118,12 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
         let definition = by_definition(&coarse, 32)?;
         let library = squared_errors(&coarse, 5)?[2].sqrt();
         let claim = out.check("error, h = 1/32: by_definition/library");
-        claim.near(library.recip() * definition, 1.0, 1e-6, "N = 256");
+        claim.whole_error_bars_differ_by_at_most(
+            library.recip() * definition,
+            1.0,
+            1e-6,
+            "N = 256",
+        );
 
         // e² on all meshes: the mean over two places of the transition.
         let meshes: Vec<f64> = (3..=options.finest).map(|k| 0.5f64.powi(k as i32)).collect(); // h
@@ -142,9 +147,18 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
         over_bound: over_bound[k].value, increments: increments.value, order, printed, optimal });
 
         let claim = out.check("ratio of successive increments of error/bound");
-        claim.at_most(increments, 0.95, "bounded");
-        out.observe("order − (τ − 1)").near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
-        out.stronger("order − printed exponent").at_least(order - printed, 0.0, "(3.1)");
+        claim.whole_error_bars_at_most(increments, 0.95, "bounded");
+        out.observe("order − (τ − 1)").whole_error_bars_differ_by_at_most(
+            order - optimal,
+            0.0,
+            0.02,
+            "Drouet, Hild 2015",
+        );
+        out.stronger("order − printed exponent").whole_error_bars_at_least(
+            order - printed,
+            0.0,
+            "(3.1)",
+        );
         rates.push(Rate { printed, optimal, order });
 
         let points: Vec<_> =
