@@ -51,6 +51,10 @@
 //! because by Pythagoras all squares lack the same number, the square of the error of u_N. A pass
 //! is one instance of the theorem; as the error is below A h ‖f‖ already, it says nothing of the
 //! third step.
+//!
+//! Finer meshes:
+//!
+//! `cargo run --release --example bound_from_the_data -- --meshes 7`
 
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, interpolation_constant};

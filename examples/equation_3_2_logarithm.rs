@@ -47,6 +47,11 @@
 //! N = 16 · 2^finest cells carry these data. g is taken at the nodes. A cell in contact has the
 //! force λ at its middle times 1/N, half to each node; of the cell in which a lies, λ at its middle
 //! times the length in contact goes to the node left of a.
+//!
+//! Another contact set, other powers of the logarithm:
+//!
+//! `cargo run --release --example equation_3_2_logarithm -- --problem transitions:5 --alpha 0.75,2`
+
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::problems::{StripData, TransitionPowers};

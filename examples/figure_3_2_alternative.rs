@@ -47,6 +47,11 @@
 //! `theta_balance`), the other two are roots of largest eigenvalues (Lemmas 5.2, 6.1), their errors
 //! added. The largest term over its bound is the share of the bound that is used; refuted if it is
 //! above 1. There is none at τ = 2, where σ_N, constant on cells, has no |σ_N|_ν.
+//!
+//! Another contact set (for the other cone see example `figure_4_1_alternative`):
+//!
+//! `cargo run --release --example figure_3_2_alternative -- --problem transitions:3`
+
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
 use signorini::cone::Cone;

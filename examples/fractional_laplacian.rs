@@ -32,6 +32,10 @@
 //! `by_definition` gives another energy by 1e-9, or if between the two finest meshes the number of
 //! iterations grows by more than 2: without a preconditioner it grows by the factor 4^s or more.
 //! Undecided where the order of the other kind of mesh, or growth by 4^s, would pass as well.
+//!
+//! Other orders:
+//!
+//! `cargo run --release --example fractional_laplacian -- --s 0.4,0.6`
 
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};

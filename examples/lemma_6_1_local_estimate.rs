@@ -24,6 +24,11 @@
 //!
 //! Refuted if C₀ or C₁ is above 1, if the constant of the full norm is above 1 at h = 0.99 h₁, or
 //! if the two computations of C₀ or of C₁ differ by 0.3 %. Loose if C₀ ≤ 0.16 and C₁ ≤ 0.51.
+//!
+//! Other orders:
+//!
+//! `cargo run --release --example lemma_6_1_local_estimate -- --nu 0.3,0.6`
+
 use example_report::prelude::*;
 use fractional_sobolev::{Domain::Interval, ErrorNorm, Gram, Mesh, interpolation_constant};
 use nalgebra::{DMatrix, DVector};

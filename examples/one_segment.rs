@@ -38,6 +38,11 @@
 //! Refuted if a bound is below the term: if term/bound, less its ±, is above 1. Refuted too if more
 //! segments carry a term, above 1e-12 of the largest one, than the contact set has ends inside the
 //! edge, which is one.
+//!
+//! Longer segments, another regularity:
+//!
+//! `cargo run --release --example one_segment -- --n 8 --tau 1.6`
+
 use example_report::prelude::*;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Gram, Mesh, embedding_bound, gamma, interpolation_constant,

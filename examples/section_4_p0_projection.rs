@@ -33,6 +33,10 @@
 //! Refuted if S(N) h^(−r) or S(N) h^(−r−1/2) is above its constant, C* is above C(r) C(1/2), an
 //! order of S(N) with its ± is off r or r + 1/2 by 0.05, that of x^a off 1 by 0.02 + 4096^(−q), or
 //! its error off h ‖φ'‖₀/√12 by the part h^min(q, 1).
+//!
+//! Other orders, up to 1 and above:
+//!
+//! `cargo run --release --example section_4_p0_projection -- --r 0.25 --beyond 1.75`
 
 use example_report::prelude::*;
 use fractional_sobolev::{Domain, ErrorNorm, Gram, Mesh, gauss_legendre, projection_constant};

@@ -26,6 +26,10 @@
 //!
 //! Expected is min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
 //! below the printed exponent.
+//!
+//! The other cone:
+//!
+//! `cargo run --release --example theorem_3_1_bodies -- --tau 1.7 --cone midpoint`
 
 use example_report::prelude::*;
 use signorini::cone::Cone;

@@ -72,6 +72,11 @@
 //! of the last row, 2τ² − 5τ + 4, and its h² ln(1/h) at τ = 2 follow from the choice of θ: these
 //! two checks test this file and not the paper. Without the mesh the pair is in H^s for s < ν only,
 //! so that ‖σ_N‖_ν on the whole edge has no limit as `finest` grows.
+//!
+//! Another regularity:
+//!
+//! `cargo run --release --example theorem_3_1_proof_profile -- --tau 1.6`
+
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::edge::{ContactPair, SegmentNorms, Traces};

@@ -30,6 +30,12 @@
 //! ```
 //!
 //! its ± is the largest change of q since three meshes before, and the effect of the ± of e.
+//!
+//! Another regularity is an option; for the other cone change `CONE`, for another contact set
+//! `transition`:
+//!
+//! `cargo run --release --example theorem_3_1_rates -- --tau 1.7`
+
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;

@@ -31,6 +31,12 @@
 //! ```
 //!
 //! its ± is the largest change of q since three meshes before, and the effect of the ± of e.
+//!
+//! Another regularity is an option; for another contact set change `transition`, and the other cone
+//! is in example `theorem_3_1_rates`:
+//!
+//! `cargo run --release --example theorem_4_1_rates -- --tau 1.7`
+
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;

@@ -56,6 +56,10 @@
 //!
 //! and the exponent where the two bounds are equal (`sharp`) rises by (τ − 3/2)(2 − τ), half of
 //! what it is below the truth.
+//!
+//! Another regularity:
+//!
+//! `cargo run --release --example theta_balance -- --tau 1.6`
 
 use example_report::prelude::*;
 use fractional_sobolev::{
