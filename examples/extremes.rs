@@ -159,7 +159,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         let answer = format!("{:.9e}", found.value);
         out.row(cells! { planted, beside => answer, error: error.value });
         let claim = out.check("relative difference from the reference value");
-        claim.at_most(error, 1e-9, "accuracy required");
+        claim.whole_error_bars_at_most(error, 1e-9, "accuracy required");
     }
     let mut messages = "The messages:".to_owned();
     for (planted, kind, ask) in BAD {
@@ -190,7 +190,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         dashed.push((theta, law.value));
         let ratio = found / law;
         let claim = out.check("ν = 1/2: γ/asymptotic law, θ = 1e-20 .. 1e-290");
-        claim.near(ratio, 1.0, 2e-3, "1e-3 for each");
+        claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 2e-3, "1e-3 for each");
     }
     let axes = Axes::LogLinear("θ, length of the zone", "γ");
     out.plot("extremes_zone", "Poincaré constant of order 1/2", axes)

@@ -172,7 +172,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
             let library = Measured::from(exact.error(&u_h)?).squared();
             let ratio = library.recip() * by_definition(edge.values(), &u_h.values);
             let claim = out.check("‖u−u^h‖², n = 8: by_definition/library");
-            claim.near(ratio, 1.0, 1e-9, "`by_definition`");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-9, "`by_definition`");
         }
         for n in (3..=finest).map(|level| 1 << level) {
             // Means over the places of the transition.
@@ -207,11 +207,11 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
 
             let [square, bracket] = [error, bracket].map(|value| Measured::new(value, rounding));
             let claim = out.check(format!("C, {cone} cone"));
-            claim.at_most(square / bracket, 2.0, "F(u^h) ≤ F(I^h u)");
+            claim.whole_error_bars_at_most(square / bracket, 2.0, "F(u^h) ≤ F(I^h u)");
             let of_interpolant = Measured::new(interpolation, rounding) + 2.0 * consistency;
             let ratio = (square - 2.0 * second) / of_interpolant;
             let claim = out.check("‖u−v‖²+2∫σ(v−u): value at u^h/at I^h u");
-            claim.at_most(ratio, 1.0, "u^h minimises it");
+            claim.whole_error_bars_at_most(ratio, 1.0, "u^h minimises it");
             let scale = error + interpolation;
             let excess = (second - part_one - part_two) / scale;
             let claim = out.check("(4.8): left − right side, relative");
@@ -227,7 +227,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
     }
     let order = -out.exponent("n", "consistency"); // between the last two meshes
     let printed = if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 };
-    out.observe("order of ∫σ(I^h u−u) in h").at_least(order, printed, "2τ² − 5τ + 4");
+    let claim = out.observe("order of ∫σ(I^h u−u) in h");
+    claim.whole_error_bars_at_least(order, printed, "2τ² − 5τ + 4");
     let last = |column: &str| out.series("n", column).last().map(|&(_, value)| value);
     if let (Some(error), Some(consistency)) = (last("error"), last("consistency")) {
         out.note("share", consistency / error);

@@ -12,25 +12,46 @@
 //! linear with the values of u_N at both ends of t. The proof takes θ = h^(2τ−3), and h² at τ = 2.
 //!
 //! This file computes u on a fine mesh, puts each of n equal segments of the edge in its case or
-//! cases, and adds up the term. `block` is the unit square in plane strain, Lamé constants 1 and 1,
-//! held at y = 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the nodes, under the load (0,
-//! −cos πx), linear between nodes. u is the P1 solution on 8n × 8n squares, n the largest of the
-//! list, each cut from bottom left to top right. At each node of the edge there is a force
-//! λ = l(φ) − a(u, φ) ≥ 0; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets of intervals
-//! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
+//! cases, and adds up the term. Two kinds of problems:
+//!
+//! ```text
+//! block, ..        the unit square in plane strain, λ = μ = 1, held at y = 1, contact edge y = 0,
+//!                  load (0, −cos πx), linear between nodes; u_N = −u₂ ≤ 0 at the nodes. u is the
+//!                  P1 solution on 8n × 8n squares, n the largest of the list, each cut from
+//!                  bottom left to top right; at each node of the edge there is a force
+//!                  l(φ) − a(u, φ) ≥ 0
+//! transition:a, .. a prescribed pair on 64n cells, at least 2^16: u_N = −δ^p in a gap (a, b), with
+//!                  δ = (x − a)(b − x)/(b − a), or x − a if b = 1; in contact the density of the
+//!                  force is r^(τ−2), r the distance to the next gap, half of the integral over a
+//!                  cell at each of its nodes; p = τ − 1. (Cantor sets: see `worst_contact_set`.)
+//! ```
+//!
+//! So σ_N is minus a force at each node, and both u_N = 0 and σ_N < 0 are sets of intervals between
+//! neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero. The column
+//! d/h is for the first segment with a term: d is the larger one of the distances of its two ends
+//! to the nearest zero of u_N. As a zero is known up to one cell, its ± is a cell over h.
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
 //! than the contact set has ends inside the edge. Both follow from σ_N u_N = 0, so that only a
-//! fault of the computation can refute them. Not trivial is what the cases are for: the bounds of
-//! the term of a segment,
+//! fault of the computation can refute them. Not trivial is what the cases are for, the bounds of
+//! the term of a segment. With ν = τ − 3/2, q = 1/(2 − τ), |v|²_ν = ∬ (v(x) − v(y))² / |x −
+//! y|^(1+2ν) dx dy over t × t, ‖v‖²_ν = ‖v‖₀² + |v|²_ν they are
 //!
 //! ```text
-//! first case:    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,            ν = τ − 3/2, q = 1/(2−τ)    (3.9)
-//! second case:   C_I γ_θ h^(2τ−2) |σ_N|_ν |u_N'|_ν                                        (3.14)
+//! first case:    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,        C_q in ‖v‖_(L^q) ≤ C_q ‖v‖_ν     (3.9)
+//! second case:   C_I γ_θ h^(2τ−2) |σ_N|_ν |u_N'|_ν,       C_I in ‖v − I v‖₀ ≤ C_I |v'|_ν,
+//!                γ_θ in ‖v‖₀ ≤ γ_θ |v|_ν for mean zero on (0, θ)                          (3.14)
 //! ```
 //!
-//! (C_q, C_I, γ_θ of Sections 3, 5, 6). The largest term over its bound is the share of the bound
-//! that is used: refuted above 1. None is shown at τ = 2, where σ_N, constant on cells, has no |σ_N|_ν.
+//! with constants on (0, 1): C_q is 1 for τ ≤ 7/4 and else Beckner's bound (example
+//! `theta_balance`), the other two are roots of largest eigenvalues (Lemmas 5.2, 6.1), their errors
+//! added. The largest term over its bound is the share of the bound that is used; refuted if it is
+//! above 1. There is none at τ = 2, where σ_N, constant on cells, has no |σ_N|_ν.
+//!
+//! Another contact set (for the other cone see example `figure_4_1_alternative`):
+//!
+//! `cargo run --release --example figure_3_2_alternative -- --problem transitions:3`
+
 use example_report::prelude::*;
 use fractional_sobolev::{Gram, Mesh};
 use signorini::cone::Cone;
@@ -174,8 +195,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
         let carriers: Vec<&Segment> =
             segments.iter().filter(|segment| segment.integral > 1e-12 * integral).collect();
         let carried_by = carriers.len();
-        // Shares of (3.9) and of (3.14): largest over the segments of each case. σ_N is constant on a
-        // cell: half of the forces of its nodes, of the end nodes of the edge all.
+        // Shares of (3.9) and of (3.14): largest over the segments of each case. σ_N is constant on
+        // a cell: half of the forces of its nodes, of the end nodes of the edge all.
         let pressure = u.pressure();
         let (mut first_used, mut second_used): (Option<f64>, Option<f64>) = (None, None);
         for segment in carriers.iter().filter(|_| options.tau < 2.0) {
@@ -201,9 +222,12 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
             let claim = out.check(format!("largest share of {bound} that is used"));
             claim.at_most(share, 1.0, "Section 3");
         }
-        let d = carriers.first().map(|segment| (segment.cases.distance / h, 1.0 / k as f64));
+        // ±: a cell over h
+        let d = carriers
+            .first()
+            .map(|segment| Measured::new(segment.cases.distance / h, 1.0 / k as f64));
         out.row(cells! { n => theta, first, second, both, integral, carried_by,
-        d: Measured::from(d), first_used, second_used });
+        d, first_used, second_used });
 
         let neither = n - first - second - both;
         out.check("segments in neither case").at_most(neither, 0.0, "σ_N u_N = 0");
@@ -220,7 +244,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     out.column(
         "d",
         "d/h",
-        "in the first of these, d: the larger distance of an end to a zero of u_N",
+        "in the first of these, d: the larger distance of an end to a zero of u_N, ± a cell",
     );
     out.column("first_used", "of (3.9)", "largest term/bound in the first case");
     out.column("second_used", "of (3.14)", "largest term/bound in the second case");

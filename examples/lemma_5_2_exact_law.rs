@@ -108,15 +108,18 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         off: square.map(|g| (g.value / scale - 1.0).abs()), above: upper / scale - 1.0,
         rest: rest.map(|r| r.value), explained: explained.map(|r| r.value) });
         if let Some(square) = square {
-            out.check("γ²/lower bound from the ramp").at_least(square / lower, 1.0, "proved");
-            out.check("γ²/upper bound from chains").at_most(square / upper, 1.0, "proved");
+            let claim = out.check("γ²/lower bound from the ramp");
+            claim.whole_error_bars_at_least(square / lower, 1.0, "proved");
+            let claim = out.check("γ²/upper bound from chains");
+            claim.whole_error_bars_at_most(square / upper, 1.0, "proved");
         }
         if theta == options.theta.last().copied() && theta.is_some() {
             let [.., before, last] = rests[..] else { continue };
             let power = exponent_between(before, last);
-            out.check("exponent of L in γ² − A L − c").near(power, -1.0, 0.05, "d/γ²");
+            out.check("exponent of L in γ² − A L − c")
+                .whole_error_bars_differ_by_at_most(power, -1.0, 0.05, "d/γ²");
             let claim = out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)");
-            claim.near(explained, 1.0, 1e-3, "next term O(1/L²)");
+            claim.whole_error_bars_differ_by_at_most(explained, 1.0, 1e-3, "next term O(1/L²)");
         }
         // the same two bounds, their integral by Gauss rules
         let [known_lower, known_upper] = end.bracket(log)?;
