@@ -136,7 +136,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
         let ratio = Measured::from(exact).recip() * of_coordinate(s.value())?;
-        let claim = out.check("|x₁|_s: formula of this file/library");
+        let claim = out.check("|x₁|_s: formula/library");
         claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-11, "Gauss rules");
         let (error, asked) =
             ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());

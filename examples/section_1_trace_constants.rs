@@ -71,7 +71,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let found = Measured::from(trace_constant(Domain::HalfPlane, s, 1e-8)?.constant);
         let square = found.squared();
         let ratio = found.recip() * by_formula(s.value());
-        let claim = out.check("C(s): formula of this file/library");
+        let claim = out.check("C(s): formula/library");
         claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-10, "closed form");
         // Best squared quotient of f: finite elements in φ, graded to the edge, the first with the
         // power φ^(2s−1); the kernel by Gauss rules. Its error is the change from a coarser mesh of
