@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two methods.
 
-use fractional_sobolev::{CornerFunction, Error, Function, Order, Tolerance, gauss_legendre};
+use fractional_sobolev::{CornerFunction, Error, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
 
 /// Two methods.
