@@ -274,7 +274,8 @@ impl Writer<'_> {
     ) -> String {
         let shown = frames.len().saturating_sub(1) / 2;
         let Some((label, file)) = frames.get(shown) else { return String::new() };
-        let mut text = format!("![{0}]({1})\n\n*{0}*", caption.replace(['[', ']'], ""), file);
+        // The caption stands below the picture, so the alternative text does not repeat it.
+        let mut text = format!("![Picture]({file})\n\n*{}*", caption.replace(['[', ']'], ""));
         if frames.len() > 1 {
             let others = frames.iter().filter(|frame| frame.0 != *label);
             let others: Vec<String> =
