@@ -3,7 +3,7 @@
 
 use crate::chapter::Page;
 use crate::code;
-use crate::directive::{self, Meaning, Sources};
+use crate::directive::{self, LONG, Meaning, Sources};
 use crate::error::{Fault, Result, read, write};
 use crate::formula::{self, Labels};
 use crate::layout::Layout;
@@ -316,6 +316,9 @@ fn escaped(text: &str) -> String {
 
 /// A table as Markdown; one without a head gets that of findings.
 fn table(html: &str) -> String {
+    if html.is_empty() {
+        return String::new();
+    }
     let (body, key) = html.split_once("</table>").unwrap_or((html, ""));
     let cells = |row: &str| -> Vec<String> {
         let cells = row.split(['\n']).collect::<String>();
@@ -331,15 +334,27 @@ fn table(html: &str) -> String {
     if !html.contains("<th>") {
         rows.insert(0, ["outcome", "finding", "comparison"].map(str::to_owned).to_vec());
     }
+    let of = rows.len() - 1;
+    let is_long = html.contains("<th>") && of > LONG;
+    if is_long {
+        // From the first row to the last, evenly.
+        let kept = (0..LONG).map(|k| 1 + (2 * k * (of - 1) + LONG - 1) / (2 * (LONG - 1)));
+        rows = std::iter::once(0).chain(kept).map(|k| rows[k].clone()).collect();
+    }
     let line = |row: &Vec<String>| format!("| {} |", row.join(" | "));
     let mut lines: Vec<String> = rows.iter().map(line).collect();
     if let Some(head) = rows.first() {
         lines.insert(1, format!("|{}", " --- |".repeat(head.len())));
     }
-    let key = inline(key);
-    let key = key.trim();
-    let key = if key.is_empty() { String::new() } else { format!("\n\n{key}") };
-    lines.join("\n") + &key
+    let mut text = lines.join("\n");
+    if is_long {
+        text += &format!("\n\n{LONG} of {of} rows; the program prints all.");
+    }
+    match inline(key).trim() {
+        "" => text,
+        key if is_long => text + " " + key,
+        key => text + "\n\n" + key,
+    }
 }
 
 /// LaTeX without macros of this book, and without what Markdown would take for its own: escaped
