@@ -78,7 +78,8 @@ pub(crate) fn show(words: String) {
     }
 }
 
-/// Displays the elapsed seconds and the progress on a terminal, from the third second of the work to its end.
+/// Displays the elapsed seconds and the progress on a terminal, from the third second of the work
+/// to its end.
 fn with_clock<T>(work: impl FnOnce() -> T) -> T {
     if !std::io::stderr().is_terminal() {
         return work();
