@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Ok(file) => {
             println!("file://{}", file.display());
             println!("fill the holes, then: cargo test --release -p course --test mine_{name}");
+            println!("solutions: book/course/tests/{name}.rs");
             ExitCode::SUCCESS
         }
         Err(error) => {
