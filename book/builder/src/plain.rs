@@ -473,6 +473,22 @@ mod tests {
     use crate::formula::Label;
 
     #[test]
+    fn long_tables_have_eight_rows_from_the_first_to_the_last() {
+        let html = |rows: usize| {
+            let body: String = (1..=rows).map(|k| format!("<tr><td>{k}</td></tr>")).collect();
+            format!("<table><thead><tr><th>n</th></tr></thead><tbody>{body}</tbody></table>")
+        };
+        let of = |rows| table(&html(rows)).lines().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(of(8).len(), 10);
+        let long = of(22);
+        let shown = long[2..10].iter().map(|row| row.trim_matches(['|', ' ']));
+        assert_eq!(shown.collect::<Vec<_>>(), ["1", "4", "7", "10", "13", "16", "19", "22"]);
+        assert_eq!(long[11], "8 of 22 rows; the program prints all.");
+        assert_eq!(of(9)[2..10].join(""), "| 1 || 2 || 3 || 4 || 6 || 7 || 8 || 9 |");
+        assert_eq!(table(""), "");
+    }
+
+    #[test]
     fn formulas_need_no_macro_and_survive_markdown() {
         let labels = [("bound".to_owned(), Label { page: 0, number: "5.2".to_owned() })].into();
         let of = |latex: &str| portable(latex, &labels);
