@@ -194,8 +194,7 @@ pub fn each_finding_once(page: &str) -> String {
         text.push_str(table);
         match part.split_once("}}") {
             Some((example, rest)) if !stated(example).is_empty() => {
-                let _ =
-                    write!(text, "{example}: {WITHOUT}{}}}}}{rest}", stated(example).join(" "));
+                let _ = write!(text, "{example}: {WITHOUT}{}}}}}{rest}", stated(example).join(" "));
             }
             _ => text.push_str(part),
         }
