@@ -200,7 +200,7 @@ def _given(kind: str, datum: Any, components: int) -> list[tuple[str, str, Calla
             continue
         constant = np.asarray(one, dtype=np.float64).ravel().tolist()
         if len(constant) != components:
-            raise ValueError(f"{kind}: {len(constant)} components, expected {components}")
+            raise ValueError(f"{kind}: {len(constant)} component{'s' * (len(constant) != 1)}, expected {components}")
         found.append((kind, place, None, (constant + [0.0])[:2]))
     return found
 
