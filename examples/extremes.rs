@@ -27,8 +27,8 @@ example! { seconds "Extremes",
 
 /// The value found, and the same found another way.
 struct Pair {
-    found: f64,
-    expected: f64,
+    found: Measured,
+    expected: Measured,
 }
 
 /// |H x/L|_ν on (0, L) is H L^(1/2−ν) / √((1−ν)(3−2ν)); beside it four linear elements.
@@ -37,14 +37,14 @@ fn ramp(order: Order, length: f64, height: f64) -> Answer<Pair> {
     let u = Function::linears(&Mesh::uniform(4, length)?, &values)?;
     let unit = ((1.0 - order.value()) * (3.0 - 2.0 * order.value())).sqrt().recip();
     let expected = height * unit * length.powf(-order.offset());
-    Ok(Pair { found: u.seminorm(order, 1e-12)?.value, expected })
+    Ok(Pair { found: u.seminorm(order, 1e-12)?.into(), expected: expected.into() })
 }
 
 /// At ν = 1/2 the seminorm does not see scale: a hat over elements of length w beside 1 tends to
 /// √(8 ln 2) as w → 0.
-fn hat(w: f64) -> Answer<f64> {
+fn hat(w: f64) -> Answer<Measured> {
     let u = Function::linears(&Mesh::from_lengths(&[1.0, w, w, 1.0])?, &[0.0, 0.0, 1.0, 0.0, 0.0])?;
-    Ok(u.seminorm(0.5, 1e-12)?.value)
+    Ok(u.seminorm(0.5, 1e-12)?.into())
 }
 
 /// The form of a step on a million elements by the fast product with the Gram matrix.
@@ -53,13 +53,13 @@ fn million_elements() -> Answer<Pair> {
     let gram = Gram::constants(&Mesh::uniform(n, 1.0)?, 0.25, 1e-12)?;
     let step: Vec<f64> = (0..n).map(|i| if i < n / 2 { 0.0 } else { 1.0 }).collect();
     let form: f64 = step.iter().zip(gram.apply(&step)?).map(|(x, y)| x * y).sum();
-    let expected = closed_forms::jump_seminorm_squared(0.5, 0.5, 0.25)?.value;
-    Ok(Pair { found: form, expected })
+    let expected = closed_forms::jump_seminorm_squared(0.5, 0.5, 0.25)?;
+    Ok(Pair { found: form.into(), expected: expected.into() })
 }
 
 /// γ of mean zero on (0, 1e-300).
-fn short_zone(nu: f64) -> Answer<f64> {
-    Ok(gamma(nu, Constraint::mean_zero_on(0.0..1e-300), 1e-10)?.constant.value)
+fn short_zone(nu: f64) -> Answer<Measured> {
+    Ok(gamma(nu, Constraint::mean_zero_on(0.0..1e-300), 1e-10)?.constant.into())
 }
 
 /// The contact force is proportional to the load: the same code twice, which shows that nothing
@@ -70,14 +70,18 @@ fn scaled_load(scale: f64) -> Answer<Pair> {
             .problem_with(16, &Parameters { load_scale, ..Parameters::default() })?;
         Ok(problem.solve(Nodal, ActiveSet)?.contact_force)
     };
-    Ok(Pair { found: force(scale)?, expected: scale * force(1.0)? })
+    Ok(Pair { found: force(scale)?.into(), expected: (scale * force(1.0)?).into() })
 }
 
 /// The energy by the active set and by the interior point, which share no line but the assembly.
 fn energies(problem: TestProblem, parameters: &Parameters) -> Answer<Pair> {
     let problem = problem.problem_with(16, parameters)?;
-    let found = problem.solve(Nodal, ActiveSet)?.energy;
-    Ok(Pair { found, expected: problem.solve(Nodal, InteriorPoint)?.energy })
+    let [found, expected] = [ActiveSet, InteriorPoint].map(|solver| problem.solve(Nodal, solver));
+    let (found, expected) = (found?, expected?);
+    Ok(Pair {
+        found: (found.energy, found.energy_rounding).into(),
+        expected: (expected.energy, expected.energy_rounding).into(),
+    })
 }
 
 /// What is hard, what is computed and compared with what, and the computation.
@@ -92,15 +96,15 @@ const HARD: [Hard; 14] = [
     ("length 1e300", "|ramp|_ν, scaling", || ramp(Order::new(0.9)?, 1e300, 1.0)),
     ("values of size 1e150", "|ramp|_ν, scaling", || ramp(Order::new(0.7)?, 1.0, 1e150)),
     ("elements 1e-300 beside 1", "|hat|_ν, √(8 ln 2)", || {
-        Ok(Pair { found: hat(1e-300)?, expected: (8.0 * LN_2).sqrt() })
+        Ok(Pair { found: hat(1e-300)?, expected: (8.0 * LN_2).sqrt().into() })
     }),
     ("a million elements", "form of a step, closed form", million_elements),
     ("zone 1e-300, ν = 1/2", "γ, its law as θ → 0", || {
-        Ok(Pair { found: short_zone(0.5)?, expected: law(0.5, 0.0, 1e-10)?.at(1e-300)?.value })
+        Ok(Pair { found: short_zone(0.5)?, expected: law(0.5, 0.0, 1e-10)?.at(1e-300)?.into() })
     }),
     ("zone 1e-300, ν = 3/4", "γ, that of u(0) = 0", || {
-        let limit = gamma(0.75, Constraint::vanishing_at(0.0), 1e-10)?.constant.value;
-        Ok(Pair { found: short_zone(0.75)?, expected: limit })
+        let limit = gamma(0.75, Constraint::vanishing_at(0.0), 1e-10)?.constant;
+        Ok(Pair { found: short_zone(0.75)?, expected: limit.into() })
     }),
     ("load of size 1e-150", "contact force, scaling", || scaled_load(1e-150)),
     ("load of size 1e150", "contact force, scaling", || scaled_load(1e150)),
@@ -152,9 +156,10 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
     for (planted, beside, compute) in HARD {
         let Pair { found, expected } = compute()?;
         let error = (found / expected - 1.0).abs();
-        out.row(cells! { planted, beside => answer: format!("{found:.9e}"), error });
+        let answer = format!("{:.9e}", found.value);
+        out.row(cells! { planted, beside => answer, error: error.value });
         let claim = out.check("relative difference from the reference value");
-        claim.at_most(error, 1e-9, "accuracy required");
+        claim.whole_error_bars_at_most(error, 1e-9, "accuracy required");
     }
     let mut messages = "The messages:".to_owned();
     for (planted, kind, ask) in BAD {
@@ -185,7 +190,7 @@ fn run(_: &Options, out: &mut Report) -> Result<()> {
         dashed.push((theta, law.value));
         let ratio = found / law;
         let claim = out.check("ν = 1/2: γ/asymptotic law, θ = 1e-20 .. 1e-290");
-        claim.near(ratio, 1.0, 2e-3, "1e-3 for each");
+        claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 2e-3, "1e-3 for each");
     }
     let axes = Axes::LogLinear("θ, length of the zone", "γ");
     out.plot("extremes_zone", "Poincaré constant of order 1/2", axes)

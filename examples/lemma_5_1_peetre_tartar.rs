@@ -97,14 +97,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 others: others.value
             });
             let over = alpha / positive;
-            out.check("α (1 + γ₁² + N²)^(1/2)").at_least(over, 1.0 - 1e-9, "explicit lower bound");
+            let claim = out.check("α (1 + γ₁² + N²)^(1/2)");
+            claim.whole_error_bars_at_least(over, 1.0 - 1e-9, "explicit lower bound");
             let hats = alpha.recip() * definition;
             let claim = out.check("α: by_definition/library");
-            claim.near(hats, 1.0, 5e-3, "infimum over hat functions");
+            claim.whole_error_bars_differ_by_at_most(hats, 1.0, 5e-3, "infimum over hat functions");
             let claim = out.check("extremal function: quotient/α");
-            claim.near(attained, 1.0, 1e-3, "(5.4) is attained");
+            claim.whole_error_bars_differ_by_at_most(attained, 1.0, 1e-3, "(5.4) is attained");
             let claim = out.check("other functions: quotient/α");
-            claim.at_least(others, 1.0 - 1e-3, "α is the infimum");
+            claim.whole_error_bars_at_least(others, 1.0 - 1e-3, "α is the infimum");
         }
     }
     let axes = Axes::LogLog("θ, length of the zone (interval = 1)", "α, constant of the lemma");

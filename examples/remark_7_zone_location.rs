@@ -124,24 +124,26 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             });
             if at > 0.0 {
                 let claim = out.check("γ((a, a + θ))/γ((0, θ)), a > 0");
-                claim.at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
+                claim.whole_error_bars_at_most(over_end, 1.0 + 1e-7, "γ(E) ≤ γ((0, θ))");
             }
-            out.check("γ/√(γ₁² + N²)").at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
+            let claim = out.check("γ/√(γ₁² + N²)");
+            claim.whole_error_bars_at_most(gamma / repair, 1.0 + 1e-7, "proof without a cut");
             let hats = gamma.recip() * definition;
-            out.check("γ: by_definition/library").near(hats, 1.0, 5e-3, "hat functions");
+            let claim = out.check("γ: by_definition/library");
+            claim.whole_error_bars_differ_by_at_most(hats, 1.0, 5e-3, "hat functions");
         }
         // u odd about 1/2, zero within θ/1000 of it and extremal for that: both sides of the cut on
         // one half.
         let tiny = gamma(nu, Constraint::vanishing_on(0.0..2e-3 * theta), 1e-8)?.constant;
         let needed = Measured::from(tiny) / end;
         let claim = out.observe("the cut at 1/2, C(θ) = γ((0, θ)): left/right side");
-        claim.at_least(needed, 1.0, "counterexample");
+        claim.whole_error_bars_at_least(needed, 1.0, "counterexample");
     }
     let sign = Function::piecewise(&Mesh::uniform(2, 1.0)?, 0, &[-1.0, 1.0])?;
     let half = |k: usize| sign.restrict(k..k + 1)?.seminorm(0.25, 1e-8); // of a constant
-    let over = (half(0)?.value + half(1)?.value) / sign.norm(0.0, 1e-8)?.value;
+    let over = (Measured::from(half(0)?) + half(1)?) / sign.norm(0.0, 1e-8)?;
     let claim = out.as_printed("the cut at 1/2, u = sgn(x − 1/2): right/left side");
-    claim.at_least(over, 1e-12, "without the cut");
+    claim.whole_error_bars_at_least(over, 1e-12, "without the cut");
 
     let mut random = fastrand::Rng::with_seed(7);
     for _ in 0..options.functions {
@@ -164,7 +166,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let given = Function::linears(&mesh, &values)?.seminorm(nu, 1e-8)?;
         let sorted = Measured::from(rearranged(&mesh, &values)?.seminorm(nu, 1e-8)?);
         let claim = out.check("random v: |v*|_ν/|v|_ν");
-        claim.at_most(sorted / given, 1.0 + 1e-8, "rearrangement inequality");
+        claim.whole_error_bars_at_most(sorted / given, 1.0 + 1e-8, "rearrangement inequality");
     }
 
     // Unions of 1 to 5 intervals of total length θ: (θ, γ(E)/γ((0, θ))) by their number.
@@ -192,7 +194,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // An error where rounding forbids three digits; at most a tenth of the unions.
         let Ok(of_union) = constant(Zones::from_lengths(&lengths)?) else { continue };
         let over = of_union / constant(Zones::from_start_and_length(0.0, theta)?)?;
-        out.check("unions: γ(E)/γ((0, θ))").at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
+        let claim = out.check("unions: γ(E)/γ((0, θ))");
+        claim.whole_error_bars_at_most(over, 1.0 + 2e-3, "γ(E) ≤ γ((0, θ))");
         found[count - 1].push((theta, over.value));
     }
     let computed = found.iter().map(Vec::len).sum::<usize>() as f64 / options.unions as f64;

@@ -60,7 +60,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         for &mu in &FREQUENCIES[..3] {
             let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;
             let claim = out.check("C(s)²: finite elements/closed form");
-            claim.near(again, 1.0, 1e-5, "closed form of C(s)²");
+            claim.whole_error_bars_differ_by_at_most(again, 1.0, 1e-5, "closed form of C(s)²");
         }
         let mut largest = Measured::from(0.0);
         for mu in FREQUENCIES {
@@ -68,7 +68,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 Measured::from(quotient(Domain::Corner(options.angle.to_radians()), mu)?) / square;
             if options.angle >= 90.0 {
                 let claim = out.check("corner modes: best squared quotient/C(s)²");
-                claim.at_most(corner, 1.0, "the half-plane");
+                claim.whole_error_bars_at_most(corner, 1.0, "the half-plane");
             }
             largest = if corner.value > largest.value { corner } else { largest };
         }
@@ -79,7 +79,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let near =
         Measured::from(trace_constant(Domain::HalfPlane, Order::half_plus(1e-7)?, 1e-8)?.constant);
     let claim = out.check("(2s − 1) C(s) at s = 1/2 + 1e-7");
-    claim.near(near * 2e-7, 3f64.sqrt() / PI, 1e-5, "√3/π, s → 1/2");
+    claim.whole_error_bars_differ_by_at_most(near * 2e-7, 3f64.sqrt() / PI, 1e-5, "√3/π, s → 1/2");
     out.column("constant", "C(s)", "");
     out.column("grows", "(2s−1) C", "tends to √3/π as s → 1/2");
     out.column("normalised", "normalised", "C √(π/(2(1−s))), tends to √(2π) as s → 1");

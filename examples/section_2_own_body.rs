@@ -1,37 +1,51 @@
 //! Section 2: your own body. A mesh of Gmsh, what acts on it in x and y, a rigid floor under every
 //! contact edge.
 //!
-//! Curves of the mesh are in physical groups `clamped` (Γ_D), `contact` (Γ_C, straight pieces, each
-//! with its outward normal n) and `free` (Γ_N), or in groups of other names on which something
-//! acts. With a(u, v) = ∫ σ(u) : ε(v), σ = 2μ ε + λ tr ε I, and l(v) = ∫ f·v + ∫_{Γ_N} F·v,
+//! The mesh has triangles, and its boundary curves are in physical groups: `clamped` (Γ_D),
+//! `contact` (Γ_C, straight pieces, each with its outward normal n), `free` (Γ_N), or groups of
+//! other names on which something acts. With σ(v) = 2μ ε(v) + λ tr ε(v) I put
 //!
 //! ```text
-//! u^h minimises J(v) = ½ a(v, v) − l(v) over                                             (2.9)
+//! a(u, v) = ∫ σ(u) : ε(v),     l(v) = ∫ f·v + ∫_{Γ_N} F·v,     J(v) = ½ a(v, v) − l(v),
+//! u^h minimises J over                                                                   (2.9)
 //! { v linear on triangles, v = u_D on Γ_D, v·n ≤ g at the nodes of Γ_C }.
 //! ```
 //!
-//! Without a file: the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2), turned by 20°
-//! about (0, 0), in 126 triangles of Gmsh; Γ_C is its side of length 2 on the slanted floor, Γ_D
-//! the side of length 1 at the top.
+//! A load with one component makes the problem scalar: a(u, v) = ∫ ∇u·∇v, and u ≤ g on Γ_C.
 //!
-//! A load with one component makes the problem scalar: a(u, v) = ∫ ∇u·∇v, u ≤ g on Γ_C. No solution
-//! is known, so what must hold for every body is checked, on the mesh and on refinements of it
-//! (each triangle cut into four). Refuted if a condition of contact is violated by 1e-10 (scaled),
-//! or by more than 1e-8 and ten times the rounding of J: if the resultants of load, clamp and
-//! floors do not add up, if two solvers differ in J, or if J rises on a finer mesh (nested cones;
-//! without gaps and prescribed displacements, which are interpolated).
+//! This file computes u^h on the mesh and on refinements of it, each triangle cut into four.
+//! Without a file the body is the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2),
+//! turned by 20° about (0, 0), in 126 triangles of Gmsh; Γ_C is its side of length 2 on the slanted
+//! floor, Γ_D the side of length 1 at the top.
 //!
-//! As J(u^h) − J(u) ≈ A h^(2p) + B h², the order p of the error in the energy norm, at most 1, is
-//! that of t(h) = 4 d(h/2) − d(h) ~ h^(2p), d(h) = J(h) − J(h/2), over the last halving; ±: its
-//! largest change since three meshes before, or as many as there are (`order_of_squares`). It
-//! decides nothing. The ± of J is its rounding and Σ |ΔF_i u_i|, ΔF the change of the load vector
-//! from a rule of 4 × 4 points a triangle to one of 7 × 7, as dJ = −dF·u: what the rule misses of a
-//! load that jumps, or varies within a triangle.
+//! No solution is known, so the checks are those that must hold for every body. Refuted if a
+//! condition of contact, scaled, is violated by more than 1e-10; or, by more than 1e-8 and ten
+//! times the rounding of J, if the resultants of load, clamp and floors do not add up, if two
+//! solvers differ in J, or if J rises on a finer mesh. (The cones are nested if there are no gaps
+//! and no prescribed displacements, which are interpolated.)
 //!
-//! With `--tolerance 1%` the error is guaranteed: a stress q in balance with the load bounds J from
-//! below, and |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)); triangles that carry half of the bound are
-//! bisected until it is 1 % of |||u||| (`two_sided_energies`). Refuted if two meshes contradict
-//! each other, J from below above J from above.
+//! Shown, and decided by nothing, is the order p of the error in the energy norm. It is computed
+//! from J, as J(u^h) − J(u) ≈ A h^(2p) + B h²:
+//!
+//! ```text
+//! d(h) = J(h) − J(h/2),   t(h) = 4 d(h/2) − d(h) ~ h^(2p),   p = ½ log₂ |t(h)/t(h/2)|, at most 1.
+//! ```
+//!
+//! Its ± is the largest change of p since three meshes before, or as many as there are. The ± of J
+//! is its rounding and the sum of |ΔF_i u_i|, ΔF the change of the load vector from a rule of 4 × 4
+//! points on a triangle to one of 7 × 7: as dJ = −dF·u, that is what the rule misses of a load that
+//! jumps, or varies within a triangle.
+//!
+//! With `--tolerance 1%` the error is guaranteed. A stress q in balance with the load bounds J from
+//! below by J*(q), and
+//!
+//! ```text
+//! |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)).
+//! ```
+//!
+//! Triangles that carry half of this bound are bisected until it is 1 % of |||u||| (example
+//! `two_sided_energies`). Refuted if two meshes contradict each other: J from below above J from
+//! above.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
 //! --files DIR`
@@ -381,6 +395,7 @@ fn on_refinements(
         // much for ν near 1/2.
         let rounding = if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
         let allowed = 1e-8 + 10.0 * rounding;
+        const COARSE: f64 = 1e-3; // where such a difference would pass too, nothing is decided
         // (2.5) and the equations: penetration over the largest displacement, pull over the largest
         // push, their product, and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
         out.check("penetration: max (B u − g)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
@@ -391,12 +406,13 @@ fn on_refinements(
         claim.at_most(u.kkt.balance, 1e-10, "(2.1)");
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over
         // the size of their terms.
-        let claim = out.check("resultant of load and reactions, scaled");
+        let claim = out.check("resultant of load and reactions, scaled").must_rule_out(COARSE);
         claim.at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
         if other.status.is_converged() {
             let of_j = apart(other.energy, u.energy);
-            out.check("two solvers: |ΔJ|/|J|").at_most(of_j, allowed, "eight digits");
+            let claim = out.check("two solvers: |ΔJ|/|J|").must_rule_out(COARSE);
+            claim.at_most(of_j, allowed, "eight digits");
         }
         if let (true, Some((_, before))) = (is_nested, &last) {
             let rise = (u.energy - before.energy) / before.energy.abs();
@@ -404,7 +420,7 @@ fn on_refinements(
             let size = before.energy.abs().max(f64::MIN_POSITIVE);
             let rise = Measured::new(rise, (missed + missed_before) / size);
             let claim = out.check("mesh refinement: relative increase of J");
-            claim.at_most(rise, allowed, "nested cones");
+            claim.whole_error_bars_at_most(rise, allowed, "nested cones");
         }
         missed_before = missed;
         last = Some((problem, u));
@@ -415,7 +431,7 @@ fn on_refinements(
         out.note("order", order);
         out.note("order.error", order.error);
         let claim = out.observe("order of the error in the energy norm");
-        claim.near(order, 0.5, 0.5, "corner singularities");
+        claim.whole_error_bars_at_least(order, 0.0, "corner singularities");
     } else {
         remarks.push("too few meshes for an order: --levels 5 or more".to_owned());
     }

@@ -96,7 +96,8 @@ fn clock_line(seconds: u64, share: f64, words: &str) -> String {
     line.chars().take(CLOCK.min(line_width() - 1)).collect()
 }
 
-/// Displays the elapsed seconds and the progress on a terminal, from the third second of the work to its end.
+/// Displays the elapsed seconds and the progress on a terminal, from the third second of the work
+/// to its end.
 fn with_clock<T>(work: impl FnOnce() -> T) -> T {
     if !std::io::stderr().is_terminal() {
         return work();

@@ -39,7 +39,7 @@ impl Outcome {
         let mut last = format!("  status: {}", painted(&status.to_string(), colour, in_colour));
         match status {
             Verdict::FalseAsPrinted => {
-                let _ = write!(last, ", true {}", self.corrections().join(" and "));
+                let _ = write!(last, "; it is true {}", self.corrections().join(" and "));
             }
             Verdict::Loose => last.push_str(": a stronger statement is true too"),
             Verdict::NotSharp => last.push_str(": the true rate of growth is another"),
