@@ -232,11 +232,11 @@ pub(crate) fn body_svg(
     canvas.text(&format!("{value_name}{peak}"), (right + 14.0, above), "start", "");
     canvas.text("→", (right + 14.0, below), "start", &format!(" fill=\"{}\"", css(PALETTE[1])));
     let cut = if strongest > FACTOR * unit {
-        format!(", arrows cut at {}", short(FACTOR * unit))
+        format!(", arrows to {}", short(FACTOR * unit))
     } else {
         String::new()
     };
-    let pressure = format!("contact pressure, largest {}{unit_name}{cut}", short(strongest));
+    let pressure = format!("contact pressure to {}{unit_name}{cut}", short(strongest));
     canvas.text(&pressure, (right + 33.0, below), "start", "");
     Ok(canvas.finish())
 }
@@ -287,7 +287,7 @@ fn arrow([from, to]: [Point; 2]) -> String {
     step('M', from) + &step('L', to) + &head.concat()
 }
 
-/// Points of a curve from which on markers would merge.
+/// Nodes of all contact edges from which on markers would merge.
 const MARKED: usize = 60;
 
 /// u_N and −σ_N along the contact edges, each divided by its maximum, which the legend states.
@@ -316,7 +316,8 @@ pub(crate) fn edge_plot(
         let (name, points) = curve("u_N, displacement", &solution.normal_displacement);
         plot.line(&name, points);
         let (name, points) = curve("−σ_N, contact pressure", &solution.pressure);
-        let mark = if points.len() > MARKED { Mark::Line } else { Mark::LineAndPoints };
+        let is_long = solution.pressure.len() > MARKED;
+        let mark = if is_long { Mark::Line } else { Mark::LineAndPoints };
         plot.given(mark, &name, points);
     }
     plot
