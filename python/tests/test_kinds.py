@@ -58,9 +58,13 @@ def by_gmsh(file):
 
         triangles = [t for _, entity in gmsh.model.getEntities(2) for t in elements(2, entity, 3)]
         edges = {"contact": [], "clamped": [], "free": []}
-        for dimension, tag in gmsh.model.getPhysicalGroups(1):
-            name = gmsh.model.getPhysicalName(dimension, tag) or gmsh.model.getPhysicalName(-1, tag)
-            for entity in gmsh.model.getEntitiesForPhysicalGroup(dimension, tag):
+        for _, entity in gmsh.model.getEntities(1):
+            # The part of a curve in a partition without a group of its own is in that of the curve.
+            groups = list(gmsh.model.getPhysicalGroupsForEntity(1, entity))
+            if not groups and (parent := gmsh.model.getParent(1, entity))[0] == 1:
+                groups = list(gmsh.model.getPhysicalGroupsForEntity(*parent))
+            for tag in groups:
+                name = gmsh.model.getPhysicalName(1, tag) or gmsh.model.getPhysicalName(-1, tag)
                 edges[part(name)] += list(elements(1, entity, 2))
         return points.reshape(-1, 3), triangles, edges
     finally:
@@ -68,12 +72,14 @@ def by_gmsh(file):
 
 
 @pytest.mark.parametrize("file", KINDS, ids=lambda file: file.stem)
-def test_same_energy(file, record_property):
+def test_same_energy(file, record_property, tmp_path):
+    copy = tmp_path / "body.msh"  # neither reader knows a byte-order mark
+    copy.write_bytes(file.read_bytes().removeprefix(b"\xef\xbb\xbf"))
     try:
-        points, triangles, edges = by_meshio(file)
+        points, triangles, edges = by_meshio(copy)
         reader = "meshio"
     except Exception:  # whatever a reader raises for a kind that it does not know
-        points, triangles, edges = by_gmsh(file)
+        points, triangles, edges = by_gmsh(copy)
         reader = "gmsh"
     record_property("reader", reader)
     assert len(triangles) == 8 and edges["contact"] and edges["clamped"], reader

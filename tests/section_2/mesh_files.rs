@@ -379,7 +379,9 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
             "with data and comments",
             [
                 written(of("2.2")),
-                b"$Comments\nmine\n$EndComments\n$NodeData\n1\n\"u\"\n$EndNodeData\n".to_vec(),
+                b"$Comments\nmine\n$EndComments\n$NodeData\n1\n\"u\"\n1\n0.5\n3\n0\n1\n2\n1 0.25\n8 4\n\
+                  $EndNodeData\n"
+                    .to_vec(),
             ]
             .concat(),
         ),
