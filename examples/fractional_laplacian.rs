@@ -38,7 +38,7 @@
 //! `cargo run --release --example fractional_laplacian -- --s 0.4,0.6`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
+use fractional_sobolev::{Gram, Mesh};
 use nalgebra::{Cholesky, DVector};
 use std::f64::consts::PI;
 use std::time::Instant;
@@ -105,7 +105,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &s in &options.s {
         // |||u|||²
         let exact = PI.sqrt() * gamma(1.0 + s) / (gamma(1.5 + s) * gamma(1.0 + 2.0 * s));
-        let half = 0.5 * fractional_laplacian_constant(s)?.value; // C/2
+        // C/2, with |Γ(−s)| = Γ(1 − s)/s
+        let half = 0.5 * 4f64.powf(s) * gamma(s + 0.5) * s / (PI.sqrt() * gamma(1.0 - s));
         for mesh_name in ["uniform", "graded"] {
             let is_graded = mesh_name == "graded";
             let beta = if is_graded { 2.0 * (2.0 - s) } else { 1.0 };
@@ -140,13 +141,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let unconditioned = before.iterations as f64 * (4f64.powf(s) - 1.0);
                 let claim = out
                     .check("CG iterations: increase from n/4 to n, largest n")
-                    .must_rule_out(unconditioned);
+                    .undecided_if_it_admits(unconditioned);
                 claim.at_most(growth, 2.0, "bounded in n");
             }
             let (order, other, within) =
                 if is_graded { (2.0 - s, 0.5, 0.08) } else { (0.5, 2.0 - s, 0.03) };
             let found = -out.exponent("n", "error");
-            let claim = out.check(format!("s = {s}, {mesh_name}: order")).must_rule_out(other);
+            let claim =
+                out.check(format!("s = {s}, {mesh_name}: order")).undecided_if_it_admits(other);
             claim.whole_error_bars_differ_by_at_most(found, order, within, "regularity of u");
             curves.push((format!("s = {s}, {mesh_name}"), points));
         }

@@ -47,11 +47,32 @@ example! { seconds "Section 1, traces",
 /// Frequencies μ; the first three are tried on the half-plane too.
 const FREQUENCIES: [f64; 5] = [0.0, 1.0, 4.0, 16.0, 64.0];
 
+/// C(s) by the formula of the header, with ψ(x) = ψ(x + 1) − 1/x up to x > 12, and there
+/// ψ(x) ≈ ln x − 1/(2x) − 1/(12x²) + 1/(120x⁴) − 1/(252x⁶) + 1/(240x⁸).
+fn by_formula(s: f64) -> f64 {
+    let (mut x, mut psi) = (2.0 * s, 0.0);
+    while x < 12.0 {
+        psi -= 1.0 / x;
+        x += 1.0;
+    }
+    let y = 1.0 / (x * x);
+    let series = y * (1.0 / 12.0 - y * (1.0 / 120.0 - y * (1.0 / 252.0 - y / 240.0)));
+    psi += x.ln() - 0.5 / x - series;
+    let d = -PI / (PI * s).tan() - psi - EULER;
+    (4.0 * s * s / ((2.0 * s - 1.0) * d)).sqrt()
+}
+
+/// Euler's constant γ.
+const EULER: f64 = 0.577_215_664_901_532_9;
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &s in &options.s {
-        // closed form; ±: rounding
+        // The closed form; ±: rounding.
         let found = Measured::from(trace_constant(Domain::HalfPlane, s, 1e-8)?.constant);
         let square = found.squared();
+        let ratio = found.recip() * by_formula(s.value());
+        let claim = out.check("C(s): formula/library");
+        claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-10, "closed form");
         // Best squared quotient of f: finite elements in φ, graded to the edge, the first with the
         // power φ^(2s−1); the kernel by Gauss rules. Its error is the change from a coarser mesh of
         // lower degree; `or_best`: also if above 1e-5.
