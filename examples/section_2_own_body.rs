@@ -377,7 +377,7 @@ fn on_refinements(
         // Guess which constraints are active, solve the linear equations, correct the guess by the
         // signs of gap and force.
         let u = problem.solve(options.cone, Solver::ActiveSet)?;
-        let (share, words) = progress("interior point, the second solver");
+        let (share, words) = progress("interior point");
         out.progress(share, words);
         // Primal-dual path through the interior of the cone (Clarabel): a duality gap of 1e-13.
         let other = problem.attempt(options.cone, Solver::InteriorPoint)?;
@@ -493,8 +493,8 @@ fn to_tolerance(
         let done = if at_first.is_finite() { (at_first / error).ln() } else { 0.0 }
             / (at_first.clamp(tolerance, 10.0) / tolerance).ln().max(f64::MIN_POSITIVE);
         let required = 100.0 * tolerance;
-        let words = format!("error ≤ {percent:.3} % of |||u|||, {required} % required");
-        out.progress(done, format!("{words}, {triangles} triangles"));
+        let words = format!("error ≤ {percent:.3} %, {required} % required");
+        out.progress(done, format!("{triangles} triangles, {words}"));
         (highest, lowest) = (highest.max(found.energy.lower), lowest.min(found.energy.upper));
         let energy = found.energy;
         out.row(cells! { triangles =>
