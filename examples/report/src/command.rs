@@ -92,7 +92,7 @@ fn clock_line(seconds: u64, share: f64, words: &str) -> String {
         true => format!("[{}{}]  ", "#".repeat(done), ".".repeat(BAR - done)),
         false => String::new(),
     };
-    let line = format!("{seconds} s  {bar}{words}");
+    let line = format!("{seconds}s  {bar}{words}");
     line.chars().take(CLOCK.min(line_width() - 1)).collect()
 }
 
@@ -149,9 +149,9 @@ mod tests {
     #[test]
     fn the_bar_fits_on_a_line_and_grows_with_the_share() {
         let line = |share: f64| clock_line(12, share, "mesh 3 of 5");
-        assert_eq!(line(0.25), "12 s  [#####...............]  mesh 3 of 5");
-        assert_eq!(line(7.0), "12 s  [####################]  mesh 3 of 5");
-        assert_eq!(line(f64::NAN), "12 s  mesh 3 of 5");
+        assert_eq!(line(0.25), "12s  [#####...............]  mesh 3 of 5");
+        assert_eq!(line(7.0), "12s  [####################]  mesh 3 of 5");
+        assert_eq!(line(f64::NAN), "12s  mesh 3 of 5");
         assert!(clock_line(12, 0.5, &"ü".repeat(500)).chars().count() <= CLOCK);
     }
 }

@@ -444,7 +444,7 @@ mod tests {
         let mut found = 0;
         for &(_, x, y) in tips.map(|pair| &pair[1]) {
             let on_floor = |place: &&(char, f64, f64)| (place.1 - x).hypot(place.2 - y) < 0.3;
-            assert!(line.iter().any(|place| on_floor(place)), "({x}, {y}): {line:?}");
+            assert!(line.iter().any(on_floor), "({x}, {y}): {line:?}");
             found += 1;
         }
         assert!(found >= 6, "{found}: two strokes for every arrow");
