@@ -86,9 +86,9 @@ fn functions(powers: &[f64]) -> Vec<Example> {
     all
 }
 
-/// The second formula of the header. Both integrals by four Gauss points on pieces that halve
-/// towards every place where u(x) or u(x + t) is not smooth; what is below the last piece, t <
-/// 2^-60, is left out.
+/// The root of 2 ∫₀¹ t^(−1−2ν) ∫₀^(1−t) (u(x + t) − u(x))² dx dt, both integrals by four Gauss
+/// points on pieces that halve towards every place where u(x) or u(x + t) is not smooth; what is
+/// below the last piece, t < 2^-60, is left out.
 fn by_definition(example: &Example, nu: Order) -> Result<f64> {
     let gauss = gauss_legendre(4)?;
     let on =
