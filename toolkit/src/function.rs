@@ -36,13 +36,14 @@ mod verbs;
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
-/// | formula | (−1, 1), below 2 with its derivative | rules graded towards the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
+/// | formula | (−1, 2) | polynomials on cells if few are enough; else rules graded towards the breakpoints in logarithmic coordinates | 10³ values for all norms; 10⁵ per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
-/// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
+/// | formula minus values | (−1, 2) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
 /// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded towards the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
-/// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
+/// | sum, product, derivative | (−1, 2) | polynomials on common cells | as values on a mesh |
+/// | values on a curve | (−1, 2) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
 /// The error of an estimate is obtained by comparing two levels of accuracy, plus rounding; infinite norms are
 /// detected at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of
@@ -365,7 +366,8 @@ impl<'a> Function<'a> {
     }
 
     /// The function together with its partial derivatives (one on an interval, two in the plane), which are
-    /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials do not need them.
+    /// required for norms of order 1 ≤ s < 2 of a formula on a triangulation. On an interval a formula without them is
+    /// differentiated by its polynomials, with ten digits where it is smooth and fewer next to a singularity.
     ///
     /// ```
     /// use fractional_sobolev::Function;

@@ -14,6 +14,8 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Number of halvings towards a breakpoint up to which polynomials are used first, and the least work limit for it.
 const HALVINGS: usize = 24;
 const WORK: u64 = 1 << 20;
+/// Relative error below which what limits the accuracy is rounding.
+const LAST_DIGITS: f64 = 1e-14;
 /// Largest number of elements of a mesh for which a difference is resolved first.
 const ELEMENTS: usize = 2000;
 /// Message: what limits the accuracy of an inner product.
@@ -433,6 +435,15 @@ impl<'a> Function<'a> {
                 Err(Error::not_met(what, asked, other, why))
             }
             Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => Err(refused),
+            // The last digits are those of rounding, for which polynomials are no better.
+            Ok(found) if found.value != 0.0 && found.relative_error() < LAST_DIGITS => {
+                match refused {
+                    Error::ToleranceNotMet { what, asked, why, .. } if asked < LAST_DIGITS => {
+                        Err(Error::not_met(what, asked, found, why))
+                    }
+                    _ => Ok(found),
+                }
+            }
             answered => answered,
         }
     }

@@ -441,7 +441,7 @@ fn shortened(mut cells: Vec<Cell>, kernel: PowerKernel, goal: f64) -> Vec<Cell> 
         while let Some(last) = cell.piece.bubbles.last() {
             // |t (1 − t) P_k(2t − 1)| ≤ 1/4
             let next = cut + 0.25 * last.abs();
-            if !(next <= allowed) {
+            if next > allowed || next.is_nan() {
                 break;
             }
             cut = next;

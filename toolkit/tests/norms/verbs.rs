@@ -39,7 +39,7 @@ fn made() -> Result<Vec<Made>> {
     let nodes: Vec<f64> = (0..=9).map(|k| f64::from(k) / 9.0).collect();
     let thirds: Vec<f64> = (0..3).flat_map(|k| nodes[3 * k..3 * k + 4].to_vec()).collect();
     let at_thirds: Vec<f64> = thirds.iter().map(|&x| cubic(x)).collect();
-    let extremal = gamma(0.5, Constraint::mean_zero_on(0.0..0.25), 1e-4)?.extremal();
+    let extremal = gamma(0.5, Constraint::mean_zero_on(0.0..0.25), 1e-4)?.extremal()?;
     let interpolant = extremal.interpolate(4, 1, &[0.25])?;
     let of_extremal = interpolant.scaled(1.0)?;
     let values_of_extremal = move |x: f64| interpolant.value(x).unwrap().value;
