@@ -410,6 +410,7 @@ impl<'a> Function<'a> {
     ) -> Result<Estimate> {
         if let Some(polynomials) = self.at_hand(tolerance)
             && let Ok(found) = of(polynomials)
+            && !rounding_limits(&found, tolerance.relative())
         {
             return Ok(found);
         }
@@ -435,18 +436,24 @@ impl<'a> Function<'a> {
                 Err(Error::not_met(what, asked, other, why))
             }
             Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => Err(refused),
-            // The last digits are those of rounding, for which polynomials are no better.
-            Ok(found) if found.value != 0.0 && found.relative_error() < LAST_DIGITS => {
-                match refused {
-                    Error::ToleranceNotMet { what, asked, why, .. } if asked < LAST_DIGITS => {
-                        Err(Error::not_met(what, asked, found, why))
-                    }
-                    _ => Ok(found),
+            Ok(found) => match refused {
+                Error::ToleranceNotMet { what, asked, why, .. }
+                    if rounding_limits(&found, asked) =>
+                {
+                    Err(Error::not_met(what, asked, found, why))
                 }
-            }
+                _ => Ok(found),
+            },
             answered => answered,
         }
     }
+}
+
+/// True if a tolerance is missed by the last digits only, which no polynomials have.
+fn rounding_limits(found: &Estimate, asked: f64) -> bool {
+    (asked..LAST_DIGITS).contains(&found.relative_error())
+        && found.relative_error() > asked
+        && found.value != 0.0
 }
 
 /// The sum of values, with its rounding error.
