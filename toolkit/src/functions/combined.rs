@@ -6,10 +6,21 @@
 
 use super::function::{Position, SingularFunction};
 use crate::error::{Error, Result};
-use crate::resolved::break_of;
 
 /// Multiple of the rounding of the ends up to which two intervals are the same.
 const SAME: f64 = 64.0 * f64::EPSILON;
+
+/// The breakpoint c_k.
+///
+/// # Errors
+/// [`Error::CountOutOfRange`] if there is none.
+pub(crate) fn break_of(breaks: &[f64], k: usize) -> Result<f64> {
+    breaks.get(k).copied().ok_or(Error::CountOutOfRange {
+        name: "breakpoint",
+        value: k,
+        range: "[0, number of breakpoints)",
+    })
+}
 
 impl SingularFunction<'_> {
     /// The value at a signed offset from any coordinate `base` of the interval; `depth` is ln of the distance where it

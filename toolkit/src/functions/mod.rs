@@ -26,6 +26,7 @@ mod two_rates;
 mod waves;
 
 pub(crate) use arm::Arm;
+pub(crate) use combined::break_of;
 pub use function::Position;
 pub(crate) use function::{Normalized, SingularFunction};
 pub(crate) use look::Look;

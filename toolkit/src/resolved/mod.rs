@@ -36,4 +36,3 @@ mod norms;
 mod verbs;
 
 pub(crate) use cells::Resolved;
-pub(crate) use verbs::break_of;

@@ -4,6 +4,7 @@ use super::cells::{Cell, Common, Place, Resolved, part_of};
 use super::fit::Fit;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
+use crate::functions::break_of;
 use crate::piecewise::{Piece, bubbles_of};
 
 /// Relative rounding error of a value of a polynomial.
@@ -228,18 +229,6 @@ impl Resolved {
         found.join();
         Ok(found)
     }
-}
-
-/// The breakpoint c_k.
-///
-/// # Errors
-/// [`Error::CountOutOfRange`] if there is none.
-pub(crate) fn break_of(breaks: &[f64], k: usize) -> Result<f64> {
-    breaks.get(k).copied().ok_or(Error::CountOutOfRange {
-        name: "breakpoint",
-        value: k,
-        range: "[0, number of breakpoints)",
-    })
 }
 
 fn parts(common: &Common, cells: [&Cell; 2]) -> Result<[Piece; 2]> {
