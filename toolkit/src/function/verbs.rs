@@ -14,7 +14,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Number of halvings towards a breakpoint up to which polynomials are used first, and the least work limit for it.
 const HALVINGS: usize = 24;
 const WORK: u64 = 1 << 20;
-/// Relative error below which what limits the accuracy is rounding.
+/// Tolerance below which the last digits are asked for, which polynomials do not have.
 const LAST_DIGITS: f64 = 1e-14;
 /// Largest number of elements of a mesh for which a difference is resolved first.
 const ELEMENTS: usize = 2000;
@@ -375,7 +375,7 @@ impl<'a> Function<'a> {
     /// Those of a difference are used first where the formula has structure between its breakpoints; otherwise its values
     /// are subtracted before they are approximated, which keeps more digits of a small difference.
     fn at_hand(&self, tolerance: Tolerance) -> Option<&Resolved> {
-        if tolerance.work() < WORK {
+        if tolerance.work() < WORK || tolerance.relative() < LAST_DIGITS {
             return None;
         }
         if self.resolved.get().is_none() {
@@ -410,7 +410,6 @@ impl<'a> Function<'a> {
     ) -> Result<Estimate> {
         if let Some(polynomials) = self.at_hand(tolerance)
             && let Ok(found) = of(polynomials)
-            && !rounding_limits(&found, tolerance.relative())
         {
             return Ok(found);
         }
@@ -429,6 +428,12 @@ impl<'a> Function<'a> {
             }
             found => return found,
         };
+        // The last digits are those of rounding, for which polynomials are no better.
+        if let Error::ToleranceNotMet { asked, best: Some(_), .. } = refused
+            && asked < LAST_DIGITS
+        {
+            return Err(refused);
+        }
         match self.resolved().and_then(of) {
             Err(Error::ToleranceNotMet { best: Some(other), asked, what, why, .. })
                 if refused.best().is_none_or(|best| other.error < best.error) =>
@@ -436,24 +441,9 @@ impl<'a> Function<'a> {
                 Err(Error::not_met(what, asked, other, why))
             }
             Err(Error::ToleranceNotMet { .. } | Error::NotFinite { .. }) => Err(refused),
-            Ok(found) => match refused {
-                Error::ToleranceNotMet { what, asked, why, .. }
-                    if rounding_limits(&found, asked) =>
-                {
-                    Err(Error::not_met(what, asked, found, why))
-                }
-                _ => Ok(found),
-            },
             answered => answered,
         }
     }
-}
-
-/// True if a tolerance is missed by the last digits only, which no polynomials have.
-fn rounding_limits(found: &Estimate, asked: f64) -> bool {
-    (asked..LAST_DIGITS).contains(&found.relative_error())
-        && found.relative_error() > asked
-        && found.value != 0.0
 }
 
 /// The sum of values, with its rounding error.
