@@ -123,7 +123,8 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
             ));
         }
         let is_again = |one: &Given| one.place == place;
-        // Loads and tractions by name add up; two without a name are a comma that became a semicolon.
+        // Loads and tractions by name add up; two without a name are a comma that became a
+        // semicolon.
         let add_up = matches!(option, "load" | "traction") && place.is_some();
         if all.iter().any(is_again) && !add_up {
             let on = place.map_or("everywhere".to_owned(), |name| format!("on '{name}'"));
