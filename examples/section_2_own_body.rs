@@ -46,6 +46,7 @@
 //! Triangles that carry half of this bound are bisected until it is 1 % of |||u||| (example
 //! `two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
 //! above; or if the resultants do not add up.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
 //! --files DIR`
