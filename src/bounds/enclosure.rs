@@ -2,11 +2,12 @@
 
 use super::dual::Dual;
 use super::element::Linear;
+use super::parts::Parts;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{Body, ContactProblem, ContactSolution, Settings, Solver, Start};
 use crate::error::{Error, Result};
-use crate::mesh::{Part, Triangulation};
+use crate::mesh::{Part, Triangulation, distance};
 
 /// Overlaps below this multiple of the largest displacement are rounding.
 const ROUNDED: f64 = 1e-14;
@@ -144,8 +145,25 @@ impl Body<'_> {
         let solution = problem.solve(cone, settings)?;
         let setting = Setting::new(self, mesh)?;
         let dual = setting.best_stress(&setting.touching(&problem, cone, &solution))?;
-        setting.conclude(problem, solution, dual)
+        setting.conclude(problem, cone, solution, dual)
     }
+}
+
+/// The bound of u^h after a correction into the cone.
+struct Bounded {
+    /// v = u^h − w.
+    admissible: Vec<f64>,
+    /// w.
+    corrected: Option<Vec<f64>>,
+    /// |||w|||.
+    correction: f64,
+    parts: Parts,
+    /// A and b of module `parts`, with rounding, and osc.
+    reach: f64,
+    work: f64,
+    osc: f64,
+    /// The bound of |||u − u^h|||.
+    error: f64,
 }
 
 impl Setting<'_, '_> {
@@ -172,35 +190,27 @@ impl Setting<'_, '_> {
     fn conclude(
         &self,
         problem: ContactProblem,
+        cone: Cone,
         solution: ContactSolution,
         dual: Dual,
     ) -> Result<Enclosure> {
         let overlap = self.overlap(&problem, &solution.displacement)?;
         let largest = solution.displacement.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         let penetrates = overlap.iter().any(|&off| off > ROUNDED * largest);
-        let corrected = if penetrates { Some(problem.extension(&overlap)?) } else { None };
-        let mut admissible = solution.displacement.clone();
-        let mut correction = 0.0;
-        if let Some(w) = &corrected {
-            admissible.iter_mut().zip(w).for_each(|(v, w)| *v -= w);
-            correction = problem.energy_norm(w)?;
+        let mut best = if penetrates {
+            self.bounded(&problem, &solution, &dual, Some(&overlap))?
+        } else {
+            self.bounded(&problem, &solution, &dual, None)?
+        };
+        if penetrates && cone == Cone::Midpoint {
+            let averages = self.averages(&problem, &solution.displacement)?;
+            let other = self.bounded(&problem, &solution, &dual, Some(&averages))?;
+            if other.error < best.error {
+                best = other;
+            }
         }
-        let parts = self.parts(&admissible, &dual)?;
-        let (reach, work) = (parts.reach() + dual.rounding, parts.work());
-        let osc = parts.oscillation.iter().map(|v| v * v).sum::<f64>().sqrt();
-        let of_admissible = 0.5 * (reach + (reach * reach + 4.0 * work).sqrt());
-        let mut error = of_admissible + correction;
-        if corrected.is_some() {
-            // T11 for v that is not in K: |||d(v)|||² + |||w|||² + 2b + 2 osc |||u − v + w|||.
-            let plain = self.parts(&solution.displacement, &dual)?;
-            let (distance, off) =
-                (plain.distance.iter().sum::<f64>().sqrt() + dual.rounding, osc + dual.rounding);
-            let square = distance * distance
-                + correction * correction
-                + 2.0 * work
-                + 2.0 * off * of_admissible;
-            error = error.min(square.sqrt());
-        }
+        let Bounded { admissible, corrected, correction, parts, reach, work, osc, mut error } =
+            best;
         let upper =
             if corrected.is_some() { problem.energy_of(&admissible) } else { solution.energy };
         let lifted = self.lift_energies(&admissible)?;
@@ -239,6 +249,90 @@ impl Setting<'_, '_> {
             problem,
             solution,
         })
+    }
+
+    /// The bound after a correction w with the given values of w_N at the nodes of Γ_C, which has to lead into the cone.
+    fn bounded(
+        &self,
+        problem: &ContactProblem,
+        solution: &ContactSolution,
+        dual: &Dual,
+        normal: Option<&[f64]>,
+    ) -> Result<Bounded> {
+        let corrected = normal.map(|normal| problem.extension(normal)).transpose()?;
+        let mut admissible = solution.displacement.clone();
+        let mut correction = 0.0;
+        if let Some(w) = &corrected {
+            admissible.iter_mut().zip(w).for_each(|(v, w)| *v -= w);
+            correction = problem.energy_norm(w)?;
+        }
+        let parts = self.parts(&admissible, dual)?;
+        let (reach, work, osc) = (parts.reach() + dual.rounding, parts.work(), parts.osc());
+        let of_admissible = 0.5 * (reach + (reach * reach + 4.0 * work).sqrt());
+        let mut error = of_admissible + correction;
+        if corrected.is_some() {
+            // T11 for v that is not in K: |||d(v)|||² + |||w|||² + 2b + 2 osc |||u − v + w|||, osc that of v.
+            let plain = self.parts(&solution.displacement, dual)?;
+            let (distance, off) = (
+                plain.distance.iter().sum::<f64>().sqrt() + dual.rounding,
+                plain.osc() + dual.rounding,
+            );
+            let square = distance * distance
+                + correction * correction
+                + 2.0 * work
+                + 2.0 * off * of_admissible;
+            error = error.min(square.sqrt());
+        }
+        Ok(Bounded { admissible, corrected, correction, parts, reach, work, osc, error })
+    }
+
+    /// w_N = v_N − M v at the nodes of Γ_C near penetration, 0 at the others and at clamped ones; M v − g is at every node
+    /// the interpolant between the means of v_N − g over both segments beside it, which are not positive, or the mean over
+    /// the only one. What remains above a curved gap is added.
+    ///
+    /// For the midpoint cone the bound has the order of the error with these averages, whereas positive parts at the nodes
+    /// are of first order in the penetration.
+    fn averages(&self, problem: &ContactProblem, displacement: &[f64]) -> Result<Vec<f64>> {
+        let edge = problem.edge();
+        let normal = problem.normal_displacement(displacement)?;
+        let clamped = self.mesh.nodes_on(Part::Dirichlet);
+        let off: Vec<f64> = (0..normal.len()).map(|i| normal[i] - problem.gap[i]).collect();
+        let mut correction = vec![0.0; off.len()];
+        for piece in edge.pieces() {
+            let (start, count) = (piece.start, piece.len());
+            let own = &off[piece.clone()];
+            // Segment j from node j to the next one; on a closed edge the last one ends at the first node.
+            let is_closed = edge.is_closed();
+            let segments = if is_closed { count } else { count - 1 };
+            let length = |j: usize| {
+                let [a, b] = [j, (j + 1) % count].map(|k| edge.points()[start + k]);
+                distance(a, b)
+            };
+            let mean = |j: usize| 0.5 * (own[j] + own[(j + 1) % count]);
+            for i in 0..count {
+                let before =
+                    if i > 0 || is_closed { Some((i + segments - 1) % segments) } else { None };
+                let after = (i < segments).then_some(i);
+                let beside = [before, after].into_iter().flatten();
+                let penetrates = beside.clone().any(|j| own[j] > 0.0 || own[(j + 1) % count] > 0.0);
+                if !penetrates || clamped[edge.nodes()[start + i]] {
+                    continue;
+                }
+                let average = match (before, after) {
+                    (Some(j), Some(k)) => {
+                        let (l, m) = (length(j), length(k));
+                        (m * mean(j) + l * mean(k)) / (l + m)
+                    }
+                    _ => beside.map(mean).sum(),
+                };
+                correction[start + i] = own[i] - average.min(0.0);
+            }
+        }
+        let w = problem.extension(&correction)?;
+        let moved: Vec<f64> = displacement.iter().zip(&w).map(|(v, w)| v - w).collect();
+        let left = self.overlap(problem, &moved)?;
+        correction.iter_mut().zip(left).for_each(|(sum, more)| *sum += more);
+        Ok(correction)
     }
 
     /// For every contact node a δ, 0 at clamped ones, with Σ δ_i φ_i ≥ (v_N − g)₊, g taken at the points of the edge

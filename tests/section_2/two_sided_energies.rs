@@ -43,14 +43,14 @@ const MOST: f64 = 3.0;
 fn check(scene: &Scene) -> Vec<Beside> {
     let mut all = Vec::new();
     for cone in Cone::ALL {
-        let beside = match scene.beside(cone, 2) {
+        let beside = match scene.beside(cone) {
             Ok(beside) => beside,
             Err(error) if cone == Cone::Midpoint && error.to_string().contains("pieces") => {
                 continue;
             }
             Err(error) => panic!("{} {cone}: {error}", scene.name),
         };
-        let Beside { found, fine, distance, forces } = &beside;
+        let Beside { found, fine, distance, forces, .. } = &beside;
         println!(
             "{:32} {cone:9} bound {:.4e} distance {distance:.4e} ratio {:.3} relative {:.3} osc {:.1e} \
              rounding {:.1e} correction {:.1e} fine {:.3e} forces {forces:.5?}",
