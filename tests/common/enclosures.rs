@@ -16,6 +16,8 @@ pub type Acting = Box<dyn Fn(Triangulation) -> Body<'static> + Send + Sync>;
 const ROUNDED: f64 = 1e-9;
 /// Relative bound below which the distance to a mesh of 64 times as many triangles is computed.
 const SMALL: f64 = 0.2;
+/// On fewer triangles than these.
+const FEW: usize = 1200;
 
 /// A body on a coarse mesh.
 pub struct Scene {
@@ -31,7 +33,7 @@ pub struct Beside {
     pub fine: Enclosure,
     /// |||u_fine − u^h|||.
     pub distance: f64,
-    /// The same with a mesh of 64 times as many triangles, where the bound is small.
+    /// The same with a mesh of 64 times as many triangles, where the bound is small on few triangles.
     pub closer: Option<f64>,
     /// The forces of the contact edges from both meshes.
     pub forces: Vec<[Interval; 2]>,
@@ -84,7 +86,7 @@ impl Scene {
             }
         }
         let mut closer = None;
-        if found.relative_error() < SMALL {
+        if found.relative_error() < SMALL && found.shares.len() < FEW {
             meshes.refine()?;
             let settings = Settings { solver: Solver::ActiveSet, ..Settings::default() };
             let problem = (self.body)(meshes.finest().clone()).problem()?;
