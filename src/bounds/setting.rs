@@ -196,6 +196,20 @@ impl<'s, 'b> Setting<'s, 'b> {
         }
     }
 
+    /// The linear map after which s : 𝒜⁻¹ t is the dot product: deviator, shear and trace, each times the root of its
+    /// compliance; a flux is kept.
+    pub(super) fn compliance_root(&self, triangle: usize) -> impl Fn(&Value) -> Value + use<> {
+        let roots = self
+            .material(triangle)
+            .map(|m| [m.mu().powf(-0.5), 0.5 * (m.lambda() + m.mu()).powf(-0.5)]);
+        move |s: &Value| match roots {
+            None => [s[0], s[1], 0.0],
+            Some([shear, bulk]) => {
+                [0.5 * shear * (s[0] - s[1]), shear * s[2], bulk * (s[0] + s[1])]
+            }
+        }
+    }
+
     /// The exact stress of the part of the load that is a polynomial.
     pub(super) fn exact_at(&self, points: &[Point]) -> Vec<Value> {
         let mut values = vec![[0.0; 3]; points.len()];
