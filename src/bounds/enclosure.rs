@@ -408,3 +408,103 @@ impl Setting<'_, '_> {
         found.into_iter().map(|(_, pressure)| pressure).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fem::{Form, Lame};
+    use crate::mesh::{Point, SideParts, unit_square};
+
+    fn elastic() -> Form {
+        Form::Elastic { materials: vec![Lame::new(1.0, 1.0).unwrap()] }
+    }
+
+    fn solved(body: &Body<'_>, cone: Cone) -> (ContactProblem, ContactSolution) {
+        let problem = body.problem().unwrap();
+        let solution = problem.solve(cone, Solver::ActiveSet).unwrap();
+        (problem, solution)
+    }
+
+    #[test]
+    fn corrections_lead_into_the_cone() {
+        let clamped = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
+        for (sides, cone) in [SideParts::HANGING, clamped]
+            .into_iter()
+            .flat_map(|sides| Cone::ALL.map(|cone| (sides, cone)))
+        {
+            // A convex gap is penetrated between the nodes.
+            let body = Body::new(unit_square(8, sides).unwrap(), elastic())
+                .load(|_: Point| [0.0, -1.0])
+                .gap(|[x, _]| 0.3 * x * x);
+            let (problem, solution) = solved(&body, cone);
+            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let off = |displacement: &[f64]| {
+                let overlap = setting.overlap(&problem, displacement).unwrap();
+                overlap.into_iter().fold(0.0, f64::max)
+            };
+            let u = &solution.displacement;
+            assert!(off(u) > 1e-4, "{cone}: {}", off(u));
+            let corrections =
+                [setting.overlap(&problem, u).unwrap(), setting.averages(&problem, u).unwrap()];
+            for normal in corrections {
+                let w = problem.extension(&normal).unwrap();
+                let moved: Vec<f64> = u.iter().zip(&w).map(|(u, w)| u - w).collect();
+                assert!(off(&moved) < 1e-14, "{cone}: {:e}", off(&moved));
+            }
+        }
+    }
+
+    /// On segments of equal length the averages differ from u^h by a quarter of its second difference.
+    #[test]
+    fn averages_take_off_second_differences() {
+        let body = Body::new(unit_square(32, SideParts::HANGING).unwrap(), elastic())
+            .load(|[x, _]: Point| [0.0, -(std::f64::consts::PI * x).cos()]);
+        let (problem, solution) = solved(&body, Cone::Midpoint);
+        let setting = Setting::new(&body, body.mesh()).unwrap();
+        let u = &solution.displacement;
+        let (v, w) =
+            (problem.normal_displacement(u).unwrap(), setting.averages(&problem, u).unwrap());
+        let mut moved = 0;
+        for i in (1..v.len() - 1).filter(|&i| v[i - 1..=i + 1].iter().any(|v| *v > 0.0)) {
+            let second = v[i - 1] - 2.0 * v[i] + v[i + 1];
+            // The means of active segments are 0 to rounding.
+            assert!((w[i] + 0.25 * second).abs() < 1e-15, "{i}: {} {second}", w[i]);
+            moved += 1;
+        }
+        assert!(moved > 10, "{moved}");
+        assert!((moved + 2..v.len()).all(|i| w[i] == 0.0));
+        let found = setting.best_stress(&setting.touching(&problem, Cone::Midpoint, &solution));
+        let dual = found.unwrap();
+        let bound = |normal: &[f64]| {
+            setting.bounded(&problem, &solution, &dual, Some(normal)).unwrap().error
+        };
+        let parts = setting.overlap(&problem, u).unwrap();
+        assert!(bound(&w) < bound(&parts), "{} {}", bound(&w), bound(&parts));
+    }
+
+    #[test]
+    fn roots_of_the_compliance() {
+        let mesh = || unit_square(1, SideParts::HANGING).unwrap();
+        for form in
+            [Form::LAPLACE, elastic(), Form::elastic(Lame::plane_strain(3.0, 0.4999).unwrap())]
+        {
+            let is_flux = form.components() == 1;
+            let body = Body::new(mesh(), form);
+            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let (inner, root) = (setting.compliance(0), setting.compliance_root(0));
+            let last = if is_flux { [0.0; 2] } else { [0.3, -0.7] };
+            let (s, t) = ([1.0, 2.0, last[0]], [-0.4, 1.3, last[1]]);
+            let product: f64 = root(&s).iter().zip(root(&t)).map(|(a, b)| a * b).sum();
+            assert!((product - inner(&s, &t)).abs() < 1e-15 * inner(&s, &s).abs().max(1.0));
+            assert!(inner(&s, &s) > 0.0);
+            if let Some(material) = setting.material(0) {
+                // 𝒜⁻¹ of σ(v) is ε(v), for the gradient [[0.2, −0.1], [0.5, 0.4]].
+                let stress = setting.stress_from(0, [[0.2, -0.1], [0.5, 0.4]]);
+                let (e, trace) = ([0.2, 0.4, 0.2], 0.6);
+                let square = material.lambda() * trace * trace
+                    + 2.0 * material.mu() * (e[0] * e[0] + e[1] * e[1] + 2.0 * e[2] * e[2]);
+                assert!((inner(&stress, &stress) / square - 1.0).abs() < 1e-10);
+            }
+        }
+    }
+}

@@ -35,9 +35,13 @@ fn l_body(mesh: Triangulation) -> Body<'static> {
     Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - x)
 }
 
-/// Largest bound over (distance² + bound²)^(1/2), the bound that of the fine mesh: the error is between the two. With a
-/// reaction term the divergence of the flux is constant on a triangle, the load is not; hence the 3.
-const MOST: f64 = 3.0;
+/// Largest bound over (distance² + bound²)^(1/2), the bound that of the fine mesh: the error is between the two. The worst
+/// are an elastic load with kinks on 8 × 8 squares, 1.93, and a curved gap for a scalar problem, 1.85.
+const MOST: f64 = 2.0;
+
+/// Largest |J(v) − ½ Σ − J*(q)| over |||u|||²: J has its load by a rule of degree 6, u_D is a polynomial of degree 4 on
+/// every edge.
+const IDENTITY: f64 = 1e-7;
 
 /// The bound against the distance to a mesh of 16 times as many triangles, for both cones where both are defined.
 fn check(scene: &Scene) -> Vec<Beside> {
@@ -63,6 +67,11 @@ fn check(scene: &Scene) -> Vec<Beside> {
             found.correction,
             fine.error,
         );
+        // Without oscillation the lower end, J(v) less half of the sum over triangles and segments, is J*(q).
+        if found.oscillation < 1e-12 * found.error {
+            let apart = (found.energy.lower - found.dual_energy).abs() / found.norm.upper.powi(2);
+            assert!(apart < IDENTITY, "{} {cone}: {apart:e}", scene.name);
+        }
         let wrong = beside.violations(&scene.name);
         assert!(wrong.is_empty(), "{cone}: {wrong:#?}");
         let ratio = found.error / distance.hypot(fine.error);
@@ -451,6 +460,55 @@ fn remark_1_with_its_reaction_term() {
             check(&scene);
         }
     }
+}
+
+/// r = c v − f − div q is in the bound by its mean r̄ on every triangle, and ‖r − r̄‖ (π²/h² + c)^(−½) is oscillation; with
+/// ‖r‖²/c in full the sum is 2 (J − J*).
+#[test]
+fn the_residual_of_a_reaction_term_adds_up() {
+    for reaction in [1.0, 100.0] {
+        let body =
+            Body::new(unit_square(8, SideParts::HANGING).unwrap(), Form::Scalar { reaction })
+                .load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y);
+        let found = body.enclose(Cone::Nodal).unwrap();
+        let waves = PI * PI * 32.0; // h² = 2/64
+        let sum = found.shares.iter().sum::<f64>() + found.oscillation.powi(2) * waves / reaction;
+        let gap = 2.0 * (found.solution.energy - found.dual_energy);
+        println!("c = {reaction}: {sum:.14} {gap:.14}, oscillation {:.3e}", found.oscillation);
+        assert!((sum / gap - 1.0).abs() < 1e-10);
+        assert!(found.oscillation > 0.0 && found.oscillation < 0.5 * found.error);
+        // Less than with ‖r‖²/c in full.
+        assert!(found.error < gap.sqrt());
+    }
+}
+
+/// The middle of the interval of the force is the mean of the two forces, Σ λ_i of u^h and −∫ q_N; half of its width is
+/// |||w||| (¼ A² + b)^½ with b = ∫ |q_N| (g − v_N) and A² + 2b the sum over triangles and segments. w = 1 − y.
+#[test]
+fn the_interval_of_the_force_by_hand() {
+    let n = 16;
+    let body = Body::new(unit_square(n, SideParts::HANGING).unwrap(), Form::LAPLACE)
+        .load(|[x, _]: Point| 1.0 - 3.0 * x);
+    let found = body.enclose(Cone::Nodal).unwrap();
+    let force = body.contact_force(&found, 0).unwrap().unwrap();
+    let h = 1.0 / n as f64;
+    let dual: f64 = found.pressure.iter().map(|[p, r]| 0.5 * h * (p + r)).sum();
+    let normal = found.problem.normal_displacement(&found.solution.displacement).unwrap();
+    let work: f64 = (found.pressure.iter().zip(normal.windows(2)))
+        .map(|([p, _], v)| -0.5 * h * p * (v[0] + v[1]))
+        .sum();
+    let square: f64 = found.shares.iter().sum::<f64>() - 2.0 * work;
+    let radius = (0.25 * square + work).sqrt();
+    let middle = 0.5 * (force.lower + force.upper);
+    println!(
+        "{force:?}: {middle} beside {}, {radius}",
+        0.5 * (found.solution.contact_force + dual)
+    );
+    assert!(work > 1e-3 * square, "{work} {square}");
+    assert!((middle - 0.5 * (found.solution.contact_force + dual)).abs() < 1e-11);
+    assert!((0.5 * force.width() - radius).abs() < 1e-10 * radius);
+    // Where the body is off the floor by more than δ: (A² + 2b)/(2δ).
+    assert!((found.force_beyond(0.1) - (square + 2.0 * work) / 0.2).abs() < 1e-10 * square);
 }
 
 #[test]
