@@ -24,12 +24,14 @@
 //! and no moment.
 //!
 //! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q is paired with w beside
-//! d, and A² has the further terms ‖r‖_T²/c. Where h² c < π² only its mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T²,
-//! the rest is oscillation,
+//! d, and A² has the further terms ‖r‖_T²/c. Where it is better only its mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T²,
+//! the rest may be oscillation,
 //!
 //! ```text
-//! |∫_T (r − r̄) w| ≤ (π²/h² + c)^(−1/2) ‖r − r̄‖_T |||w|||_T.
+//! |∫_T (r − r̄) w| ≤ (π²/h² + c)^(−1/2) ‖r − r̄‖_T |||w|||_T,
 //! ```
+//!
+//! and is where ‖d‖_T and this factor add up to less than (‖d‖_T² + ‖r − r̄‖_T²/c)^(1/2).
 
 use super::dual::Dual;
 use super::element::{Linear, Value, combine, pieces, traction};
@@ -214,17 +216,23 @@ impl Setting<'_, '_> {
             }
             found.push((off, residual));
         }
-        let wave = (PI / diameter(corners)).powi(2);
-        if reaction == 0.0 || reaction >= wave {
+        if reaction == 0.0 {
             return Ok((found, 0.0));
         }
+        let inner = self.compliance(t);
         let weights = || samples.iter().map(|sample| sample.weight);
         let area: f64 = weights().sum();
         let mean = found.iter().zip(weights()).map(|((_, r), w)| w * r).sum::<f64>() / area;
-        let square: f64 =
+        let rest: f64 =
             found.iter().zip(weights()).map(|((_, r), w)| w * (r - mean) * (r - mean)).sum();
+        let own: f64 = found.iter().zip(weights()).map(|((d, _), w)| w * inner(d, d)).sum();
+        let waves = (PI / diameter(corners)).powi(2);
+        let oscillation = (rest / (waves + reaction)).sqrt();
+        if own.sqrt() + oscillation >= (own + rest / reaction).sqrt() {
+            return Ok((found, 0.0));
+        }
         found.iter_mut().for_each(|(_, r)| *r = mean);
-        Ok((found, (square / (wave + reaction)).sqrt()))
+        Ok((found, oscillation))
     }
 
     /// f + div q at a point, for a problem with reaction term.

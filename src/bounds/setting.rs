@@ -63,7 +63,7 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) edge_rule: Rule,
     pub(super) particular: Option<Particular>,
     /// Whether some load is left to the triangles.
-    local: bool,
+    pub(super) local: bool,
     /// Prescribed displacements that are not linear on an edge, by triangle.
     pub(super) lifts: Vec<Vec<Lift>>,
 }

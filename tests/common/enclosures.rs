@@ -17,7 +17,7 @@ const ROUNDED: f64 = 1e-9;
 /// Relative bound below which the distance to a mesh of 64 times as many triangles is computed.
 const SMALL: f64 = 0.2;
 /// On fewer triangles than these.
-const FEW: usize = 1200;
+const FEW: usize = 2500;
 
 /// A body on a coarse mesh.
 pub struct Scene {
@@ -134,6 +134,9 @@ fn weights_on(
 impl Beside {
     /// Bound over distance to the finest solution: at least the effectivity.
     pub fn effectivity(&self) -> f64 {
+        if self.found.error == 0.0 {
+            return 1.0;
+        }
         self.found.error / self.closer.unwrap_or(self.distance)
     }
 

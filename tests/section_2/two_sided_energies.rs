@@ -462,8 +462,8 @@ fn remark_1_with_its_reaction_term() {
     }
 }
 
-/// r = c v − f − div q is in the bound by its mean r̄ on every triangle, and ‖r − r̄‖ (π²/h² + c)^(−½) is oscillation; with
-/// ‖r‖²/c in full the sum is 2 (J − J*).
+/// r = c v − f − div q is in the bound by ‖r‖²/c, which gives the sum 2 (J − J*), or by its mean r̄, and then
+/// ‖r − r̄‖ (π²/h² + c)^(−½) is oscillation.
 #[test]
 fn the_residual_of_a_reaction_term_adds_up() {
     for reaction in [1.0, 100.0] {
@@ -476,26 +476,43 @@ fn the_residual_of_a_reaction_term_adds_up() {
         let gap = 2.0 * (found.solution.energy - found.dual_energy);
         println!("c = {reaction}: {sum:.14} {gap:.14}, oscillation {:.3e}", found.oscillation);
         assert!((sum / gap - 1.0).abs() < 1e-10);
-        assert!(found.oscillation > 0.0 && found.oscillation < 0.5 * found.error);
-        // Less than with ‖r‖²/c in full.
-        assert!(found.error < gap.sqrt());
+        // Hardly ever more than with ‖r‖²/c in full, and for a small c much less.
+        assert!(found.error < if reaction == 1.0 { 0.6 } else { 1.01 } * gap.sqrt());
+        assert!(found.oscillation > 0.0 || reaction > 1.0);
     }
 }
 
+/// u_D = x² on top, u ≤ 0 touches everywhere: u^h and −½ Σ give |||u − u^h − z|||, and z = −h² λ_a λ_b on the triangles at the
+/// top has |||z|||² = h⁴/6 on each of n.
+#[test]
+fn the_lift_of_a_prescribed_displacement_is_in_the_bound() {
+    let body = Body::new(unit_square(8, SideParts::HANGING).unwrap(), Form::LAPLACE)
+        .displacement(|[x, _]: Point| x * x);
+    let found = body.enclose(Cone::Nodal).unwrap();
+    let lift = (1.0_f64 / 8.0).powi(3) / 6.0;
+    let expected = (2.0 * found.energy.width()).sqrt() + lift.sqrt();
+    println!("{} {expected}", found.error);
+    assert_eq!(found.solution.contact_set.count(), 9);
+    assert!((found.error / expected - 1.0).abs() < 1e-9);
+}
+
 /// The middle of the interval of the force is the mean of the two forces, Σ λ_i of u^h and −∫ q_N; half of its width is
-/// |||w||| (¼ A² + b)^½ with b = ∫ |q_N| (g − v_N) and A² + 2b the sum over triangles and segments. w = 1 − y.
+/// |||w||| (¼ A² + b)^½ with b = ∫ |q_N| (g − v_N) and A² + 2b the sum over triangles and segments. w = 1 − y; the gap is
+/// concave, so that u^h does not penetrate, and ∫ g over a segment is that of its interpolant plus 0.2 h³/12.
 #[test]
 fn the_interval_of_the_force_by_hand() {
-    let n = 16;
+    let (n, gap) = (16, |x: f64| 0.02 + 0.1 * x * (1.0 - x));
     let body = Body::new(unit_square(n, SideParts::HANGING).unwrap(), Form::LAPLACE)
-        .load(|[x, _]: Point| 1.0 - 3.0 * x);
+        .load(|[x, _]: Point| 1.5 - 2.0 * x)
+        .gap(|[x, _]| gap(x));
     let found = body.enclose(Cone::Nodal).unwrap();
     let force = body.contact_force(&found, 0).unwrap().unwrap();
     let h = 1.0 / n as f64;
     let dual: f64 = found.pressure.iter().map(|[p, r]| 0.5 * h * (p + r)).sum();
     let normal = found.problem.normal_displacement(&found.solution.displacement).unwrap();
-    let work: f64 = (found.pressure.iter().zip(normal.windows(2)))
-        .map(|([p, _], v)| -0.5 * h * p * (v[0] + v[1]))
+    let room: Vec<f64> = (0..=n).map(|i| gap(i as f64 * h) - normal[i]).collect();
+    let work: f64 = (found.pressure.iter().zip(room.windows(2)))
+        .map(|([p, _], room)| p * (0.5 * h * (room[0] + room[1]) + 0.2 * h.powi(3) / 12.0))
         .sum();
     let square: f64 = found.shares.iter().sum::<f64>() - 2.0 * work;
     let radius = (0.25 * square + work).sqrt();
@@ -504,7 +521,7 @@ fn the_interval_of_the_force_by_hand() {
         "{force:?}: {middle} beside {}, {radius}",
         0.5 * (found.solution.contact_force + dual)
     );
-    assert!(work > 1e-3 * square, "{work} {square}");
+    assert!(work > 1e-6 * square && found.correction == 0.0, "{work} {square}");
     assert!((middle - 0.5 * (found.solution.contact_force + dual)).abs() < 1e-11);
     assert!((0.5 * force.width() - radius).abs() < 1e-10 * radius);
     // Where the body is off the floor by more than δ: (A² + 2b)/(2δ).
