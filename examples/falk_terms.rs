@@ -90,6 +90,8 @@ pub struct Terms {
     pub error: f64,
     /// ‖u − I^h u‖².
     pub interpolation: f64,
+    /// Rounding of the larger of these two squares, as stated by the library.
+    pub rounding: f64,
     /// ∫ σ_N (I^h u − u).
     pub consistency: f64,
     /// −∫ σ_N u^h.
@@ -118,11 +120,14 @@ pub fn terms(edge: &EdgeData, problem: &StripProblem, u: &EdgeSolution) -> Resul
         of_u += on_segment * area / cells as f64;
     }
     // ‖u − v‖² as in `by_definition`, by fast transforms.
-    let square = |v: &[f64]| -> Result<f64> { Ok(problem.distance(n, v)?.value.powi(2)) };
+    let square =
+        |v: &[f64]| -> Result<Measured> { Ok(Measured::from(problem.distance(n, v)?).squared()) };
+    let (error, interpolation) = (square(&u.values)?, square(&nodal)?);
     let second = work(&u.values);
     Ok(Terms {
-        error: square(&u.values)?,
-        interpolation: square(&nodal)?,
+        error: error.value,
+        interpolation: interpolation.value,
+        rounding: error.error.max(interpolation.error),
         consistency: -work(&nodal),
         second,
         part_one: second - of_u_h + of_u,
@@ -164,10 +169,10 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
         for edge in &coarse {
             let exact = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
             let u_h = exact.solve(8, cone)?;
-            let library = exact.error(&u_h)?.value.powi(2);
-            let ratio = by_definition(edge.values(), &u_h.values) / library;
+            let library = Measured::from(exact.error(&u_h)?).squared();
+            let ratio = library.recip() * by_definition(edge.values(), &u_h.values);
             let claim = out.check("‖u−u^h‖², n = 8: by_definition/library");
-            claim.near(ratio, 1.0, 1e-9, "`by_definition`");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-9, "`by_definition`");
         }
         for n in (3..=finest).map(|level| 1 << level) {
             // Means over the places of the transition.
@@ -179,12 +184,14 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
                 let share = 1.0 / fine.len() as f64;
                 mean.error += share * found.error;
                 mean.interpolation += share * found.interpolation;
+                mean.rounding += share * found.rounding;
                 mean.consistency += share * found.consistency;
                 mean.second += share * found.second;
                 mean.part_one += share * found.part_one;
                 mean.part_two += share * found.part_two;
             }
-            let Terms { error, interpolation, consistency, second, part_one, part_two } = mean;
+            let Terms { error, interpolation, rounding, .. } = mean;
+            let Terms { consistency, second, part_one, part_two, .. } = mean;
             let bracket = match cone {
                 Cone::Nodal => interpolation + consistency,
                 Cone::Midpoint => interpolation + consistency + second,
@@ -198,14 +205,13 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
                 error, interpolation, consistency, second, part_one, part_two, constant
             });
 
-            // Squares are sums over waves of differences squared: rounding 1e-16 of each wave, 1e-9
-            // of the sum at most.
-            let rounded = |value: f64| Measured::new(value, 1e-9 * value.abs());
+            let [square, bracket] = [error, bracket].map(|value| Measured::new(value, rounding));
             let claim = out.check(format!("C, {cone} cone"));
-            claim.at_most(rounded(constant), 2.0, "F(u^h) ≤ F(I^h u)");
-            let ratio = (error - 2.0 * second) / (interpolation + 2.0 * consistency);
+            claim.whole_error_bars_at_most(square / bracket, 2.0, "F(u^h) ≤ F(I^h u)");
+            let of_interpolant = Measured::new(interpolation, rounding) + 2.0 * consistency;
+            let ratio = (square - 2.0 * second) / of_interpolant;
             let claim = out.check("‖u−v‖²+2∫σ(v−u): value at u^h/at I^h u");
-            claim.at_most(rounded(ratio), 1.0, "u^h minimises it");
+            claim.whole_error_bars_at_most(ratio, 1.0, "u^h minimises it");
             let scale = error + interpolation;
             let excess = (second - part_one - part_two) / scale;
             let claim = out.check("(4.8): left − right side, relative");
@@ -221,7 +227,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Constants> {
     }
     let order = -out.exponent("n", "consistency"); // between the last two meshes
     let printed = if tau < 2.0 { 2.0 * tau * tau - 5.0 * tau + 4.0 } else { 2.0 * tau - 2.0 };
-    out.observe("order of ∫σ(I^h u−u) in h").at_least(order, printed, "2τ² − 5τ + 4");
+    let claim = out.observe("order of ∫σ(I^h u−u) in h");
+    claim.whole_error_bars_at_least(order, printed, "2τ² − 5τ + 4");
     let last = |column: &str| out.series("n", column).last().map(|&(_, value)| value);
     if let (Some(error), Some(consistency)) = (last("error"), last("consistency")) {
         out.note("share", consistency / error);

@@ -12,22 +12,53 @@
 //! linear with the values of u_N at both ends of t. The proof takes θ = h^(2τ−3), and h² at τ = 2.
 //!
 //! This file computes u on a fine mesh, puts each of n equal segments of the edge in its case or
-//! cases, and adds up the term. `block` is the unit square in plane strain, Lamé constants 1 and 1,
-//! held at y = 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the nodes, under the load (0,
-//! −cos πx), linear between nodes. u is the P1 solution on 8n × 8n squares, n the largest of the
-//! list, each cut from bottom left to top right. At each node of the edge there is a force
-//! λ = l(φ) − a(u, φ) ≥ 0; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets of intervals
-//! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
+//! cases, and adds up the term. Two kinds of problems:
+//!
+//! ```text
+//! block, ..        the unit square in plane strain, λ = μ = 1, held at y = 1, contact edge y = 0,
+//!                  load (0, −cos πx), linear between nodes; u_N = −u₂ ≤ 0 at the nodes. u is the
+//!                  P1 solution on 8n × 8n squares, n the largest of the list, each cut from
+//!                  bottom left to top right; at each node of the edge there is a force
+//!                  l(φ) − a(u, φ) ≥ 0
+//! transition:a, .. a prescribed pair on 64n cells, at least 2^16: u_N = −δ^p in a gap (a, b), with
+//!                  δ = (x − a)(b − x)/(b − a), or x − a if b = 1; in contact the density of the
+//!                  force is r^(τ−2), r the distance to the next gap, half of the integral over a
+//!                  cell at each of its nodes; p = τ − 1. (Cantor sets: see `worst_contact_set`.)
+//! ```
+//!
+//! So σ_N is minus a force at each node, and both u_N = 0 and σ_N < 0 are sets of intervals between
+//! neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero. The column
+//! d/h is for the first segment with a term: d is the larger one of the distances of its two ends
+//! to the nearest zero of u_N. As a zero is known up to one cell, its ± is a cell over h.
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
 //! than the contact set has ends inside the edge. Both follow from σ_N u_N = 0, so that only a
-//! fault of the computation can refute them; what is not trivial are the shares of both cases, and
-//! how near the zeros are to the ends.
+//! fault of the computation can refute them. Not trivial is what the cases are for, the bounds of
+//! the term of a segment. With ν = τ − 3/2, q = 1/(2 − τ), |v|²_ν = ∬ (v(x) − v(y))² / |x −
+//! y|^(1+2ν) dx dy over t × t, ‖v‖²_ν = ‖v‖₀² + |v|²_ν they are
+//!
+//! ```text
+//! first case:    C_q h θ^(1−1/q) ‖σ_N‖_ν ‖u_N'‖_ν,        C_q in ‖v‖_(L^q) ≤ C_q ‖v‖_ν     (3.9)
+//! second case:   C_I γ_θ h^(2τ−2) |σ_N|_ν |u_N'|_ν,       C_I in ‖v − I v‖₀ ≤ C_I |v'|_ν,
+//!                γ_θ in ‖v‖₀ ≤ γ_θ |v|_ν for mean zero on (0, θ)                          (3.14)
+//! ```
+//!
+//! with constants on (0, 1): C_q is 1 for τ ≤ 7/4 and else Beckner's bound (example
+//! `theta_balance`), the other two are roots of largest eigenvalues (Lemmas 5.2, 6.1), their errors
+//! added. The largest term over its bound is the share of the bound that is used; refuted if it is
+//! above 1. There is none at τ = 2, where σ_N, constant on cells, has no |σ_N|_ν.
+//!
+//! Another contact set (for the other cone see example `figure_4_1_alternative`):
+//!
+//! `cargo run --release --example figure_3_2_alternative -- --problem transitions:3`
+
 use example_report::prelude::*;
+use fractional_sobolev::{Gram, Mesh};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::problems::NamedProblem;
+use signorini::proof::ProofConstants;
 use signorini::strip::LateralCondition;
 
 example! { quick "Figure 3.2",
@@ -86,6 +117,20 @@ struct Segment {
     integral: f64,
 }
 
+/// The norms of a function that is constant on the cells of a segment of length h.
+struct Norms {
+    seminorm: f64,
+    norm: f64,
+}
+
+fn norms(v: &[f64], h: f64, nu: Order) -> Result<Norms> {
+    // vᵀA v, A the matrix of |·|²_ν: entries in closed form, products by FFT.
+    let image = Gram::constants(&Mesh::uniform(v.len(), h)?, nu, 1e-8)?.apply(v)?;
+    let square = image.iter().zip(v).map(|(y, x)| x * y).sum::<f64>().max(0.0);
+    let l2 = v.iter().map(|v| v * v).sum::<f64>() * h / v.len() as f64;
+    Ok(Norms { seminorm: square.sqrt(), norm: (l2 + square).sqrt() })
+}
+
 /// u on the edge: the solution on a mesh eight times finer than the finest one of the list, or a
 /// prescribed pair (u_N, σ_N).
 fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
@@ -119,12 +164,17 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     let u = fine_solution(&options.problem, finest, options.tau)?;
     let (x, u_n) = (u.nodes(), u.displacement());
     let cells = x.len() - 1;
+    let theta_of = |h: f64| {
+        if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) }
+    };
+    let thetas: Vec<f64> = options.n.iter().map(|&n| theta_of(1.0 / n as f64)).collect();
+    let c = ProofConstants::new(options.tau, 2.0, &thetas)?; // 2: the exponent q at τ = 2
     let mut rows = Vec::new();
     for &n in &options.n {
         let k = cells / n; // cells of u in a segment
         Error::unless(cells == k * n, "n", "divisors of the largest one")?;
         let h = 1.0 / n as f64;
-        let theta = if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) };
+        let theta = theta_of(h);
         let mut segments = Vec::new();
         for s in 0..n {
             let (a, b) = (s * k, (s + 1) * k); // nodes of u at the ends
@@ -145,9 +195,39 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
         let carriers: Vec<&Segment> =
             segments.iter().filter(|segment| segment.integral > 1e-12 * integral).collect();
         let carried_by = carriers.len();
-        let d = carriers.first().map(|segment| (segment.cases.distance / h, 1.0 / k as f64));
+        // Shares of (3.9) and of (3.14): largest over the segments of each case. σ_N is constant on
+        // a cell: half of the forces of its nodes, of the end nodes of the edge all.
+        let pressure = u.pressure();
+        let (mut first_used, mut second_used): (Option<f64>, Option<f64>) = (None, None);
+        for segment in carriers.iter().filter(|_| options.tau < 2.0) {
+            let a = (segment.t.start / h).round() as usize * k;
+            let sigma: Vec<f64> =
+                (a..a + k).map(|i| 0.5 * (pressure[i] + pressure[i + 1])).collect();
+            let slope: Vec<f64> =
+                (a..a + k).map(|i| (u_n[i + 1] - u_n[i]) / (x[i + 1] - x[i])).collect();
+            let (sigma, slope) = (norms(&sigma, h, c.order())?, norms(&slope, h, c.order())?);
+            let used = |bound: f64| segment.integral / bound;
+            if segment.cases.first {
+                let bound = c.embedding * h * theta.powf(c.hoelder()) * sigma.norm * slope.norm;
+                first_used = Some(first_used.unwrap_or(0.0).max(used(bound)));
+            }
+            if segment.cases.second {
+                let scale = h.powf(2.0 * options.tau - 2.0) * sigma.seminorm * slope.seminorm;
+                let bound = c.interpolation * c.gamma(theta)? * scale;
+                second_used = Some(second_used.unwrap_or(0.0).max(used(bound)));
+            }
+        }
+        for (bound, share) in [("(3.9)", first_used), ("(3.14)", second_used)] {
+            let Some(share) = share else { continue };
+            let claim = out.check(format!("largest share of {bound} that is used"));
+            claim.at_most(share, 1.0, "Section 3");
+        }
+        // ±: a cell over h
+        let d = carriers
+            .first()
+            .map(|segment| Measured::new(segment.cases.distance / h, 1.0 / k as f64));
         out.row(cells! { n => theta, first, second, both, integral, carried_by,
-        d: Measured::from(d) });
+        d, first_used, second_used });
 
         let neither = n - first - second - both;
         out.check("segments in neither case").at_most(neither, 0.0, "σ_N u_N = 0");
@@ -164,8 +244,10 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     out.column(
         "d",
         "d/h",
-        "in the first of these, d: the larger distance of an end to a zero of u_N",
+        "in the first of these, d: the larger distance of an end to a zero of u_N, ± a cell",
     );
+    out.column("first_used", "of (3.9)", "largest term/bound in the first case");
+    out.column("second_used", "of (3.14)", "largest term/bound in the second case");
     out.remark(format!(
         "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
          row for the same n differs."

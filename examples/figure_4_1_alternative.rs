@@ -27,6 +27,11 @@
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
 //! than the contact set has ends inside the edge. For an exact solution both follow from σ_N
 //! u_N = 0; what is not trivial are the shares of both cases.
+//!
+//! Another contact set (for the other cone see example `figure_3_2_alternative`):
+//!
+//! `cargo run --release --example figure_4_1_alternative -- --problem transitions:3`
+
 use example_report::prelude::*;
 use signorini::cone::Cone;
 use signorini::contact::Solver;

@@ -31,9 +31,14 @@
 //! Refuted if an order is off by 0.03 (0.08 on graded meshes, where both ends add a logarithm), if
 //! `by_definition` gives another energy by 1e-9, or if between the two finest meshes the number of
 //! iterations grows by more than 2: without a preconditioner it grows by the factor 4^s or more.
+//! Undecided where the order of the other kind of mesh, or growth by 4^s, would pass as well.
+//!
+//! Other orders:
+//!
+//! `cargo run --release --example fractional_laplacian -- --s 0.4,0.6`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
+use fractional_sobolev::{Gram, Mesh};
 use nalgebra::{Cholesky, DVector};
 use std::f64::consts::PI;
 use std::time::Instant;
@@ -88,7 +93,7 @@ fn by_definition(mesh: &Mesh, s: f64, load: &[f64]) -> Result<f64> {
 struct Point {
     n: usize,
     seconds: f64,
-    error: f64,
+    error: Measured,
     iterations: usize,
 }
 
@@ -100,7 +105,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &s in &options.s {
         // |||u|||²
         let exact = PI.sqrt() * gamma(1.0 + s) / (gamma(1.5 + s) * gamma(1.0 + 2.0 * s));
-        let half = 0.5 * fractional_laplacian_constant(s)?.value; // C/2
+        // C/2, with |Γ(−s)| = Γ(1 − s)/s
+        let half = 0.5 * 4f64.powf(s) * gamma(s + 0.5) * s / (PI.sqrt() * gamma(1.0 - s));
         for mesh_name in ["uniform", "graded"] {
             let is_graded = mesh_name == "graded";
             let beta = if is_graded { 2.0 * (2.0 - s) } else { 1.0 };
@@ -116,9 +122,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let started = Instant::now();
                 let (_, energy) = Gram::zero_outside(&mesh, s, 1e-13)?.solve(&load)?; // b·A⁻¹b
                 let seconds = started.elapsed().as_secs_f64();
-                let error = (1.0 - half * energy.value / exact).sqrt();
+                let error = (-Measured::from(energy) * (half / exact) + 1.0).sqrt();
                 // The difference of two energies, each to 1e-13, does not show less.
-                if error < RESOLVED {
+                if error.value < RESOLVED {
                     break;
                 }
                 let iterations = energy.work.iterations as usize;
@@ -127,25 +133,30 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 if n <= ELIMINATED {
                     let ratio = by_definition(&mesh, s, &load)? / energy.value;
                     let claim = out.check("energy: by_definition/library");
-                    claim.near(ratio, 1.0, 1e-9, "elimination");
+                    claim.differ_by_at_most(ratio, 1.0, 1e-9, "elimination");
                 }
             }
             if let [.., before, last] = points.as_slice() {
                 let growth = last.iterations as f64 - before.iterations as f64;
-                let claim = out.check("CG iterations: increase from n/4 to n, largest n");
+                let unconditioned = before.iterations as f64 * (4f64.powf(s) - 1.0);
+                let claim = out
+                    .check("CG iterations: increase from n/4 to n, largest n")
+                    .undecided_if_it_admits(unconditioned);
                 claim.at_most(growth, 2.0, "bounded in n");
             }
-            let (order, within) = if is_graded { (2.0 - s, 0.08) } else { (0.5, 0.03) };
+            let (order, other, within) =
+                if is_graded { (2.0 - s, 0.5, 0.08) } else { (0.5, 2.0 - s, 0.03) };
             let found = -out.exponent("n", "error");
-            let claim = out.check(format!("s = {s}, {mesh_name}: order"));
-            claim.near(found, order, within, "regularity of u");
+            let claim =
+                out.check(format!("s = {s}, {mesh_name}: order")).undecided_if_it_admits(other);
+            claim.whole_error_bars_differ_by_at_most(found, order, within, "regularity of u");
             curves.push((format!("s = {s}, {mesh_name}"), points));
         }
     }
     let title = "Errors in the energy norm";
     for (curve, points) in &curves {
-        let over_n = points.iter().map(|point| (point.n as f64, point.error)).collect();
-        let over_time = points.iter().map(|point| (point.seconds, point.error)).collect();
+        let over_n = points.iter().map(|point| (point.n as f64, point.error.value)).collect();
+        let over_time = points.iter().map(|point| (point.seconds, point.error.value)).collect();
         out.plot("fractional_laplacian", title, Axes::LogLog("n", "error")).line(curve, over_n);
         out.plot("fractional_laplacian_seconds", title, Axes::LogLog("seconds", "error"))
             .line(curve, over_time);

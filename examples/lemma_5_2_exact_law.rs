@@ -84,7 +84,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // 0.2 % less. Error: change to a space of fewer elements and lower degrees.
     let best =
         |zone: Constraint| -> Result<Measured> { Ok(gamma(half, zone, 1e-10)?.constant.into()) };
-    let whole = best(Constraint::mean_zero())?.value;
+    let whole = best(Constraint::mean_zero())?;
+    let whole = whole.value + whole.error;
     out.column("log", "L", "ln(1/θ)");
     out.column("square", "γ²", "");
     out.column("below", "1−ramp/AL", "lower bound, A = 3/(2π²)");
@@ -92,6 +93,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("above", "chains/AL−1", "upper bound");
     out.column("rest", "rest", "γ² − A L − c");
     out.column("explained", "rest/next", "over d/γ² + e/γ⁴");
+    let mut rests: Vec<(f64, Measured)> = Vec::new();
     let zones = options.theta.iter().map(|&theta| (-theta.ln(), Some(theta)));
     for (log, theta) in zones.chain(options.log.iter().map(|&log| (log, None))) {
         let (lower, upper, scale) = (ramp(log), chains(log, whole), a.value * log);
@@ -100,23 +102,30 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             square = Some(best(Constraint::mean_zero_on(0.0..theta)?)?.squared());
         }
         let rest = square.map(|square| square - a * log - c);
+        rests.extend(rest.map(|rest| (log, rest.abs())));
         let explained = square.zip(rest).map(|(square, rest)| rest / ((d + e / square) / square));
         out.row(cells! { log => theta, square, below: 1.0 - lower / scale,
         off: square.map(|g| (g.value / scale - 1.0).abs()), above: upper / scale - 1.0,
         rest: rest.map(|r| r.value), explained: explained.map(|r| r.value) });
         if let Some(square) = square {
-            out.check("γ²/lower bound from the ramp").at_least(square / lower, 1.0, "proved");
-            out.check("γ²/upper bound from chains").at_most(square / upper, 1.0, "proved");
+            let claim = out.check("γ²/lower bound from the ramp");
+            claim.whole_error_bars_at_least(square / lower, 1.0, "proved");
+            let claim = out.check("γ²/upper bound from chains");
+            claim.whole_error_bars_at_most(square / upper, 1.0, "proved");
         }
         if theta == options.theta.last().copied() && theta.is_some() {
-            let power = out.slope("log", "rest", f64::ln, |rest| rest.abs().ln());
-            out.check("exponent of L in γ² − A L − c").near(power, -1.0, 0.05, "d/γ²");
+            let [.., before, last] = rests[..] else { continue };
+            let power = exponent_between(before, last);
+            out.check("exponent of L in γ² − A L − c")
+                .whole_error_bars_differ_by_at_most(power, -1.0, 0.05, "d/γ²");
             let claim = out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)");
-            claim.near(explained, 1.0, 1e-3, "next term O(1/L²)");
+            claim.whole_error_bars_differ_by_at_most(explained, 1.0, 1e-3, "next term O(1/L²)");
         }
         // the same two bounds, their integral by Gauss rules
-        let [known_lower, known_upper] = end.bracket(log)?;
-        let agreement = (lower / known_lower - 1.0).abs().max((upper / known_upper - 1.0).abs());
+        let known = end.bracket(log)?;
+        let square = |bound: Measured| bound.squared().value;
+        let (low, high) = (square(known.lower.into()), square(known.upper.into()));
+        let agreement = (lower / low - 1.0).abs().max((upper / high - 1.0).abs());
         let claim = out.check("bounds: relative difference from library");
         claim.at_most(agreement, 1e-4, "Gauss quadrature");
         if theta.is_none() && log == options.log.iter().copied().fold(0.0, f64::max) {

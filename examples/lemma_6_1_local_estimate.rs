@@ -24,6 +24,11 @@
 //!
 //! Refuted if C₀ or C₁ is above 1, if the constant of the full norm is above 1 at h = 0.99 h₁, or
 //! if the two computations of C₀ or of C₁ differ by 0.3 %. Loose if C₀ ≤ 0.16 and C₁ ≤ 0.51.
+//!
+//! Other orders:
+//!
+//! `cargo run --release --example lemma_6_1_local_estimate -- --nu 0.3,0.6`
+
 use example_report::prelude::*;
 use fractional_sobolev::{Domain::Interval, ErrorNorm, Gram, Mesh, interpolation_constant};
 use nalgebra::{DMatrix, DVector};
@@ -89,20 +94,27 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Best>> {
         constants.push(Best { l2: c0, slope: c1 });
         out.row(cells! { nu => mesh_0: mesh.l2, best_0, mesh_1: mesh.slope, best_1, h1 });
 
-        out.check("first line: best constant C₀").at_most(best_0, 1.0, "Lemma 6.1");
-        out.check("second line, seminorm: best constant C₁").at_most(best_1, 1.0, "Lemma 6.1");
+        let claim = out.check("first line: best constant C₀");
+        claim.whole_error_bars_at_most(best_0, 1.0, "Lemma 6.1");
+        let claim = out.check("second line, seminorm: best constant C₁");
+        claim.whole_error_bars_at_most(best_1, 1.0, "Lemma 6.1");
         let (ratio_0, ratio_1) = (best_0.recip() * mesh.l2, best_1.recip() * mesh.slope);
-        out.check("first line: by_definition/C₀").near(ratio_0, 1.0, 3e-3, "eigenproblem");
-        out.check("second line: by_definition/C₁").near(ratio_1, 1.0, 3e-3, "eigenproblem");
+        let claim = out.check("first line: by_definition/C₀");
+        claim.whole_error_bars_differ_by_at_most(ratio_0, 1.0, 3e-3, "eigenproblem");
+        let claim = out.check("second line: by_definition/C₁");
+        claim.whole_error_bars_differ_by_at_most(ratio_1, 1.0, 3e-3, "eigenproblem");
         let supremum = "supremum as ν → 0";
-        out.stronger("first line: max C₀ over ν").at_most(best_0, 0.16, supremum);
-        out.stronger("second line, seminorm: max C₁ over ν").at_most(best_1, 0.51, supremum);
+        out.stronger("first line: max C₀ over ν").whole_error_bars_at_most(best_0, 0.16, supremum);
+        out.stronger("second line, seminorm: max C₁ over ν")
+            .whole_error_bars_at_most(best_1, 0.51, supremum);
 
         // The full norm: the largest ‖u − I u‖₁ / (h^ν |u|_(1+ν)) on (0, h).
         let full = |h: f64| Ok::<_, Error>(best(h, ErrorNorm::H1)? / h.powf(nu.value()));
         let (below, above) = (full(0.99 * h1)?, full(1.01 / c0)?);
-        out.check("second line, full norm, h = 0.99 h₁").at_most(below, 1.0, "Lemma 6.1");
-        out.as_printed("second line, full norm, h = 1.01/C₀").at_most(above, 1.0, "for h ≤ 5.4");
+        let claim = out.check("second line, full norm, h = 0.99 h₁");
+        claim.whole_error_bars_at_most(below, 1.0, "Lemma 6.1");
+        let claim = out.as_printed("second line, full norm, h = 1.01/C₀");
+        claim.whole_error_bars_at_most(above, 1.0, "for h ≤ 5.4");
     }
     out.column("mesh_0", "mesh C₀", "best constant of ‖u − I u‖₀, by `by_definition`");
     out.column("best_0", "C₀", "the same by the library");

@@ -142,12 +142,12 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
 
             let ratio = pressure.recip() * of_gaps(nu.value(), r)?;
             let claim = out.check("|σ|_ν by definition/library value");
-            claim.near(ratio, 1.0, 1e-3, "boundary integrals");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-3, "boundary integrals");
             if let (Some(first), Some(last)) = (found.first(), found.last()) {
                 let claim = out.check("nodal cone: quotient at r/at 2r");
-                claim.at_least(nodal / last.nodal, 1.0, "unbounded, r → 0");
+                claim.whole_error_bars_at_least(nodal / last.nodal, 1.0, "unbounded, r → 0");
                 let claim = out.check("means: quotient at r/at 1/4");
-                claim.at_most(means / first.means, 1.0, "bounded");
+                claim.whole_error_bars_at_most(means / first.means, 1.0, "bounded");
             }
             found.push(Quotients { nodal, means });
         }
@@ -160,7 +160,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let measured = Measured::new(last.value, last.error + (last - before).value.abs());
         let off = measured - (2.0 * nu.value() - 1.0);
         let claim = out.check("nodal cone: exponent of r, deviation from 2ν − 1");
-        claim.near(off, 0.0, 0.01, "scaling");
+        claim.whole_error_bars_differ_by_at_most(off, 0.0, 0.01, "scaling");
     }
     out.column("nodal", "nodal", "∫ σ I u over both seminorms");
     out.column("mean", "means", "(1/|T|) ∫ σ ∫ u over both");

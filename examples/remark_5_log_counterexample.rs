@@ -112,12 +112,15 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 printed: printed.map(|p| p.value), repaired: repaired.map(|r| r.value) },
             );
             let claim = out.check("q/γ, γ best constant for (0, θ)");
-            claim.at_most(quotient / gamma, 1.0, "γ is the supremum");
+            claim.whole_error_bars_at_most(quotient / gamma, 1.0, "γ is the supremum");
             let ratio = quotient.recip() * definition;
-            out.check("q: by_definition/library").near(ratio, 1.0, 3e-3, "midpoint rule");
+            let claim = out.check("q: by_definition/library");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 3e-3, "midpoint rule");
             if let Some((printed, repaired)) = printed.zip(repaired) {
-                out.check("seminorms: n|w|/|u|").at_most(repaired, 1.001, "|w| ≤ |u|/n");
-                out.as_printed("full norms: n‖w‖/‖u‖").at_most(printed, 1.0, "with seminorms");
+                let claim = out.check("seminorms: n|w|/|u|");
+                claim.whole_error_bars_at_most(repaired, 1.001, "|w| ≤ |u|/n");
+                let claim = out.as_printed("full norms: n‖w‖/‖u‖");
+                claim.whole_error_bars_at_most(printed, 1.0, "with seminorms");
             }
         }
         if let [.., long, short] = logs.as_slice() {
@@ -125,16 +128,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // shown.
             let growth = out.exponent("log", "quotient");
             let claim = out.check("exponent of L in q, minimum over α");
-            claim.at_least(growth, 0.0, "0 if q were bounded");
+            claim.whole_error_bars_at_least(growth, 0.0, "0 if q were bounded");
             if alpha == 1.0 {
                 let slope = out.slope("log", "quotient", |log| log, |q| q * q);
                 let claim = out.check("α = 1: slope of q² against L");
-                claim.near(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
+                claim.whole_error_bars_differ_by_at_most(slope, 1.5 / PI.powi(2), 1e-3, "3/(2π²)");
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };
                 let power = (*b / *a).ln() / (short / long).ln();
-                out.check("exponent of L in γ").near(power, 0.5, 0.02, "γ² ~ 3L/(2π²)");
+                let claim = out.check("exponent of L in γ");
+                claim.whole_error_bars_differ_by_at_most(power, 0.5, 0.02, "γ² ~ 3L/(2π²)");
             }
         }
     }

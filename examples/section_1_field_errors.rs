@@ -80,17 +80,19 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // throughout; ±: the change of rules, relatively 1e-6 at most.
             let error = u.minus(&interpolant)?.seminorm(options.nu, 1e-6)?;
             if others_decide {
-                let scaled = error.value * (elements as f64).powf(smooth);
+                let scaled = Measured::from(error) * (elements as f64).powf(smooth);
                 over_limit = Some(scaled / limit(alpha, nu, beta));
             }
             out.row(cells! { beta, n: elements => error, p, over_limit });
         }
         if others_decide || first_decides {
             let order = -out.exponent("n", "error"); // of the last two N
-            out.check("observed order − p, last two N").near(order - p, 0.0, 0.02, "formula for p");
+            let claim = out.check("observed order − p, last two N");
+            claim.whole_error_bars_differ_by_at_most(order - p, 0.0, 0.02, "formula for p");
         }
         if let Some(last) = over_limit {
-            out.check("N^(2−ν) |u − I_h u|_ν/limit").near(last, 1.0, 5e-3, "closed form, N → ∞");
+            let claim = out.check("N^(2−ν) |u − I_h u|_ν/limit");
+            claim.whole_error_bars_differ_by_at_most(last, 1.0, 5e-3, "closed form, N → ∞");
         }
     }
     out.column("n", "N", "");

@@ -8,25 +8,47 @@
 //! |w|²_s = ∫_Ω∫_Ω (w(x) − w(y))² / |x − y|^(2+2s) dx dy.
 //! ```
 //!
-//! This file computes it for three functions.
+//! This file computes it for three functions, and compares each number with a formula.
 //!
-//! - w = x₁ on the unit square: |x₁|²_s = 4 ∫∫ (1 − a)(1 − b) a² (a² + b²)^(−1−s) da db over
-//!   (0, 1)², which no triangulation may change: here a grid whose inner nodes are moved. As s → 1,
-//!   (1 − s)|w|²_s → (π/2) ∫ |∇w|² (Bourgain, Brezis & Mironescu 2001).
-//! - The step that is 1 below the diagonal and 0 above: the norm is finite for s < 1/2 only, and
-//!   (1 − 2s)|w|²_s tends to four times the length of the jump, 4√2.
-//! - w = r^a sin(πφ/ω) at a corner of angle ω, as solutions behave there (r, φ polar coordinates):
-//!   finite for a + 1 − s > 0 only. On a sector of radius R the seminorm is proportional to
-//!   R^(a+1−s), so that the norm on a polygon lies between those of the largest sector inside and
-//!   the smallest outside, and all three agree as a + 1 − s → 0.
+//! 1. w = x₁ on the unit square. No triangulation may change the number; here it is a grid whose
+//!    inner nodes are moved. With a = |x₁ − y₁| and b = |x₂ − y₂| over (0, 1)²
 //!
-//! The ± of a norm is the change between two orders of its rules, 1e-8 and less at the corners
-//! where 1e-6 is requested. Where a finite norm is not reached the program ends with an error.
+//! ```text
+//! |x₁|²_s = 4 ∫∫ (1 − a) (1 − b) a² (a² + b²)^(−1−s) da db,
+//! (1 − s) |x₁|²_s → (π/2) ∫ |∇x₁|² = π/2     as s → 1 (Bourgain, Brezis & Mironescu 2001).
+//! ```
 //!
-//! Refuted if |x₁|_s is further from its closed form than requested, or a norm over its limit from
-//! 1 by 1e-6 at s = 1 − 1e-8 and s = 1/2 − 1e-8; if a polygon and its triangulation cut near the
-//! corner give different norms, a norm is outside its two sectors, or polygon and inner sector
-//! differ by more than a + 1 − s relatively; or if an infinite norm is given.
+//! 2. The step that is 1 below the diagonal of the square and 0 above. The norm is finite for s <
+//!    1/2 only, and (1 − 2s) |step|²_s tends to four times the length of the jump, 4√2, as s → 1/2.
+//!
+//! 3. w = r^a sin(πφ/ω) at a corner of angle ω, as solutions behave there; r, φ are polar
+//!    coordinates. The norm is finite for a + 1 − s > 0 only. On a sector of radius R the radius of
+//!    the farther one of two points can be integrated; with e^(−u) the quotient of both radii, ψ
+//!    the angle between them, b = π/ω and L = ω − ψ
+//!
+//! ```text
+//! |w|²_s = R^(2a+2−2s)/(a+1−s) ∫∫ e^(−(1−s)u) J (4 sinh²(u/2) + 4 sin²(ψ/2))^(−1−s) du dψ,
+//! J = (1 − e^(−au))² P + 2 e^(−au) Q,     0 < u < ∞,  0 < ψ < ω,
+//! P = ∫ sin²(bφ) + sin²(b(φ+ψ)) dφ over (0, L),
+//! Q = 2 sin²(bψ/2) (L + cos(bω) sin(bL)/b).
+//! ```
+//!
+//!    The norm on a polygon lies between those of the largest sector inside and the smallest
+//!    outside. They differ by the power R^(a+1−s), and so all three agree as a + 1 − s → 0.
+//!
+//! On triangles the double integral is a sum over pairs of triangles. A pair with a common node,
+//! edge, or of a triangle with itself is transformed so that the distance becomes a factor r of the
+//! distance of two points that stay apart; the power of r is integrated exactly, the rest by Gauss
+//! rules, as are pairs without a common node. Towards a corner with a power r^a the triangles are
+//! cut into rings that halve, until the rings left out are below the tolerance. The ± of a norm is
+//! the change when the rules have more points.
+//!
+//! Refuted if |x₁|_s is further from its formula than the tolerance asks; if (1 − s) |x₁|²_s/(π/2)
+//! at s = 1 − 1e-8, or (1 − 2s) |step|²_s/(4√2) at s = 1/2 − 1e-8, is further than 1e-6 from 1; if
+//! a polygon and the same polygon with its triangles cut near the corner give norms that differ by
+//! more than the tolerance 1e-6; if the norm on a polygon is below that on the sector inside or
+//! above that on the sector outside; if 1 − (inner sector/polygon) is above a + 1 − s; or if a norm
+//! is given where it is infinite, or refused where it is finite.
 //!
 //! ```text
 //! cargo run --release --example section_1_norms_in_the_plane -- \
@@ -34,8 +56,11 @@
 //! ```
 
 use example_report::prelude::*;
-use fractional_sobolev::{Error as Refusal, Function, PlanePosition, Triangles, closed_forms};
-use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+use fractional_sobolev::{
+    CornerFunction, Error as Refusal, Function, PlanePosition, Triangles, closed_forms,
+    gauss_legendre,
+};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
 
 example! { seconds "Section 1, the plane",
     "|w|_s on triangles has its digits, up to the limits of finiteness";
@@ -53,10 +78,27 @@ example! { seconds "Section 1, the plane",
 
 const AT_CORNERS: f64 = 1e-6;
 
-/// |r^a sin(πφ/ω)|_s from the values of the function and the exponent a declared at the corner, on
-/// triangles with a node at the corner, or (`cut`) on these cut near the corner. Rings of triangles
-/// that halve towards the corner, in ln r, until the remaining sum over rings is below the
-/// tolerance.
+/// |x₁|_s on the unit square by its formula: with a = r cos φ, b = r sin φ the integral over r from
+/// 0 to the boundary is elementary, and the one over φ is taken by Gauss rules on (0, π/4) and
+/// (π/4, π/2).
+fn of_coordinate(s: f64) -> Result<f64> {
+    let mut square = 0.0;
+    for (t, w) in gauss_legendre(24)?.iter() {
+        let phi = FRAC_PI_4 * t;
+        for (c, d) in [(phi.cos(), phi.sin()), (phi.sin(), phi.cos())] {
+            // In both halves the boundary is at r = 1/cos φ, φ from the nearer side.
+            let end = phi.cos().recip();
+            let power = |k: f64| end.powf(k - 2.0 * s) / (k - 2.0 * s); // ∫ r^(k−1−2s) dr
+            let radial = power(2.0) - (c + d) * power(3.0) + c * d * power(4.0);
+            square += FRAC_PI_4 * w * 4.0 * c * c * radial;
+        }
+    }
+    Ok(square.sqrt())
+}
+
+/// |r^a sin(bφ)|_s on the polygon 0, P₁, .., P_m, cut into the triangles 0, P_k, P_(k+1), by the
+/// values of the function and its exponent a at the corner 0; with `cut` each triangle is cut once
+/// more, at 0.45 of its sides from the corner.
 fn on_polygon(
     s: Order,
     points: &[[f64; 2]],
@@ -91,18 +133,21 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let step = Function::on_triangles(&Triangles::grid([1, 1], 1.0)?, 0, &[1.0, 0.0])?;
     let mut lines = [Vec::new(), Vec::new()];
     for &s in &options.s {
-        // Pairs of triangles: one, two or no common nodes by regularizing transformations, each
-        // integral over the singular variable exact, Gauss rules for the rest; error: change from
-        // one degree to the next.
+        // Pairs of triangles, as in the header.
         let norm = coordinate.seminorm(s, options.tolerance)?;
         let exact = closed_forms::coordinate_on_square_seminorm_squared(s)?.sqrt()?;
+        let ratio = Measured::from(exact).recip() * of_coordinate(s.value())?;
+        let claim = out.check("|x₁|_s: formula/library");
+        claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-11, "Gauss rules");
         let (error, asked) =
             ((Measured::from(norm.value) / exact - 1.0).abs(), options.tolerance.relative());
-        out.check("relative error of |x₁|_s").at_most(error, asked, "requested tolerance");
+        let claim = out.check("relative error of |x₁|_s");
+        claim.whole_error_bars_at_most(error, asked, "requested tolerance");
         let room = 1.0 - s.value();
         let over = Measured::from(norm).squared() * room / FRAC_PI_2;
         if room < 1e-7 {
-            out.check("s → 1: (1 − s) |x₁|²_s/(π/2)").near(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
+            let claim = out.check("s → 1: (1 − s) |x₁|²_s/(π/2)");
+            claim.whole_error_bars_differ_by_at_most(over, 1.0, 1e-6, "∫ |∇x₁|² = 1");
         }
         lines[0].push((s.value(), over.value));
         out.row(cells! { w: "x₁", s, room => norm, over: over.value });
@@ -114,7 +159,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let over = Measured::from(norm).squared() * (2.0 * room) / (4.0 * SQRT_2);
         if room < 1e-7 {
             let claim = out.check("s → 1/2: (1 − 2s) |step|²_s/(4√2)");
-            claim.near(over, 1.0, 1e-6, "4 × length of the jump");
+            claim.whole_error_bars_differ_by_at_most(over, 1.0, 1e-6, "4 × length of the jump");
         }
         lines[1].push((s.value(), over.value));
         out.row(cells! { w: "step", s, room => norm, over: over.value });
@@ -150,17 +195,18 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let apart = (norm.value / again - 1.0).abs();
             let claim = out.check("two triangulations: relative difference");
             claim.at_most(apart, AT_CORNERS, "tolerance");
-            // The same on a sector, where polar coordinates leave one integral over the quotient of
-            // the radii.
+            // The same on a sector, by the formula of the header and Gauss rules in u and ψ.
             let on_sector = |radius: f64| -> Result<Measured> {
-                Ok(Function::sector_power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
+                Ok(CornerFunction::power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
             };
             let (over, outer) = (on_sector(radii[0])? / norm, norm / on_sector(radii[1])?);
-            out.check("|w|_s: inner sector/polygon").at_most(over, 1.0, "monotone in the domain");
-            out.check("|w|_s: polygon/outer sector").at_most(outer, 1.0, "monotone in the domain");
+            let claim = out.check("|w|_s: inner sector/polygon");
+            claim.whole_error_bars_at_most(over, 1.0, "monotone in the domain");
+            let claim = out.check("|w|_s: polygon/outer sector");
+            claim.whole_error_bars_at_most(outer, 1.0, "monotone in the domain");
             let share = (-over + 1.0) / gap;
             let claim = out.check("(1 − inner sector/polygon)/(a + 1 − s)");
-            claim.at_most(share, 1.0, "norm ~ R^(a+1−s)");
+            claim.whole_error_bars_at_most(share, 1.0, "norm ~ R^(a+1−s)");
             out.row(cells! { w: name, s, room: gap => norm, over: over.value });
             curve.push((gap, norm.value));
         }

@@ -33,7 +33,7 @@
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999 --angle 60`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Domain, trace_constant, trace_quotient};
+use fractional_sobolev::{Domain, trace_constant, trace_constant_of_mode};
 use std::f64::consts::PI;
 
 example! { seconds "Section 1, traces",
@@ -47,28 +47,51 @@ example! { seconds "Section 1, traces",
 /// Frequencies μ; the first three are tried on the half-plane too.
 const FREQUENCIES: [f64; 5] = [0.0, 1.0, 4.0, 16.0, 64.0];
 
+/// C(s) by the formula of the header, with ψ(x) = ψ(x + 1) − 1/x up to x > 12, and there
+/// ψ(x) ≈ ln x − 1/(2x) − 1/(12x²) + 1/(120x⁴) − 1/(252x⁶) + 1/(240x⁸).
+fn by_formula(s: f64) -> f64 {
+    let (mut x, mut psi) = (2.0 * s, 0.0);
+    while x < 12.0 {
+        psi -= 1.0 / x;
+        x += 1.0;
+    }
+    let y = 1.0 / (x * x);
+    let series = y * (1.0 / 12.0 - y * (1.0 / 120.0 - y * (1.0 / 252.0 - y / 240.0)));
+    psi += x.ln() - 0.5 / x - series;
+    let d = -PI / (PI * s).tan() - psi - EULER;
+    (4.0 * s * s / ((2.0 * s - 1.0) * d)).sqrt()
+}
+
+/// Euler's constant γ.
+const EULER: f64 = 0.577_215_664_901_532_9;
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     for &s in &options.s {
-        // closed form; ±: rounding
+        // The closed form; ±: rounding.
         let found = Measured::from(trace_constant(Domain::HalfPlane, s, 1e-8)?.constant);
         let square = found.squared();
-        // Best squared quotient of f: finite elements in φ, graded to the edge, the first with the
+        let ratio = found.recip() * by_formula(s.value());
+        let claim = out.check("C(s): formula/library");
+        claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-10, "closed form");
+        // Best quotient of f: finite elements in φ, graded to the edge, the first with the
         // power φ^(2s−1); the kernel by Gauss rules. Its error is the change from a coarser mesh of
-        // lower degree; `or_best`: also if above 1e-5.
-        let quotient =
-            |domain: Domain, mu: f64| Estimate::or_best(trace_quotient(domain, s, mu, 1e-5));
+        // lower degree; `or_best`: also if above 5e-6.
+        let of_mode = |domain: Domain, mu: f64| -> Result<Measured> {
+            let found = trace_constant_of_mode(domain, s, mu, 5e-6);
+            Ok(Estimate::or_best(found.map(|found| found.constant))?.into())
+        };
         for &mu in &FREQUENCIES[..3] {
-            let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;
+            let again = of_mode(Domain::HalfPlane, mu)?.squared() / square;
             let claim = out.check("C(s)²: finite elements/closed form");
-            claim.near(again, 1.0, 1e-5, "closed form of C(s)²");
+            claim.whole_error_bars_differ_by_at_most(again, 1.0, 1e-5, "closed form of C(s)²");
         }
         let mut largest = Measured::from(0.0);
         for mu in FREQUENCIES {
             let corner =
-                Measured::from(quotient(Domain::Corner(options.angle.to_radians()), mu)?) / square;
+                of_mode(Domain::Corner(options.angle.to_radians()), mu)?.squared() / square;
             if options.angle >= 90.0 {
                 let claim = out.check("corner modes: best squared quotient/C(s)²");
-                claim.at_most(corner, 1.0, "the half-plane");
+                claim.whole_error_bars_at_most(corner, 1.0, "the half-plane");
             }
             largest = if corner.value > largest.value { corner } else { largest };
         }
@@ -79,7 +102,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let near =
         Measured::from(trace_constant(Domain::HalfPlane, Order::half_plus(1e-7)?, 1e-8)?.constant);
     let claim = out.check("(2s − 1) C(s) at s = 1/2 + 1e-7");
-    claim.near(near * 2e-7, 3f64.sqrt() / PI, 1e-5, "√3/π, s → 1/2");
+    claim.whole_error_bars_differ_by_at_most(near * 2e-7, 3f64.sqrt() / PI, 1e-5, "√3/π, s → 1/2");
     out.column("constant", "C(s)", "");
     out.column("grows", "(2s−1) C", "tends to √3/π as s → 1/2");
     out.column("normalised", "normalised", "C √(π/(2(1−s))), tends to √(2π) as s → 1");
@@ -91,7 +114,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // Macdonald's function.
     for s in [0.55, 0.65, 0.8, 0.95] {
         let best = trace_constant(Domain::HalfPlane, s, 1e-8)?;
-        let f = |y: f64| best.extremal().map_or(f64::NAN, |w| w.value(&[0.0, y]));
+        let profile = best.extremal()?;
+        let f = |y: f64| profile.value(&[0.0, y]);
         plot.line(&format!("s = {s}"), places.iter().map(|&y| (y, f(y))).collect());
     }
     plot.dashed_line("s = 1", places.iter().map(|&y| (y, (-y).exp())).collect());

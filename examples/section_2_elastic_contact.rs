@@ -223,15 +223,17 @@ fn solve(
     // ε (Σᵢ uᵢ² (|K||u| + |F|)ᵢ²)^(1/2)/|J|, ε = 2^-52: what rounding of K and F leaves in J; much
     // for λ ≫ μ.
     let allowed = 1e-8 + 10.0 * u.energy_rounding / u.energy.abs();
+    const COARSE: f64 = 1e-3; // where such a difference would pass too, nothing is decided
     // Loads, reactions of Γ_D and forces of the floor in both directions, over the size of the
     // terms.
-    let claim = out.check("resultant of all forces, scaled");
+    let claim = out.check("resultant of all forces, scaled").undecided_if_it_admits(COARSE);
     claim.at_most(u.balance, allowed, "global equilibrium");
     let apart = |j: f64| (j / u.energy - 1.0).abs();
     let two_solvers = apart(other.energy);
-    out.check("two solvers: |ΔJ|/|J|").at_most(two_solvers, allowed, "eight digits");
+    let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_it_admits(COARSE);
+    claim.at_most(two_solvers, allowed, "eight digits");
     if let Some(j) = definition {
-        let claim = out.check("J: |by_definition/library − 1|");
+        let claim = out.check("J: |by_definition/library − 1|").undecided_if_it_admits(COARSE);
         claim.at_most(apart(j), allowed, "eight digits");
     }
     Ok(Solved { body, cone, n, problem, u, two_solvers })

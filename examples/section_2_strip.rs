@@ -1,24 +1,29 @@
 //! Theorem 3.1 on a strip: the contact problem on a square is one on its contact edge.
 //!
-//! On a uniform grid of the unit square the nodes of the inside are eliminated without error. A
-//! function on the edge y = 0 is a sum of waves c_k = cos kπx at its n + 1 nodes; the discrete
-//! harmonic function above c_k (u = 0 on top, free sides, five-point stencil, n × n squares) has
-//! the energy S_k Σ c_k² (end nodes by half), with
+//! On a uniform grid of the unit square the nodes of the inside can be eliminated without an error.
+//! A function on the edge y = 0 is a sum of waves cos kπx at its n + 1 nodes. With u = 0 on top,
+//! free sides, the five-point stencil and n × n squares, the discrete harmonic function above the
+//! wave c = cos kπx has the energy
 //!
 //! ```text
-//! S_k = sinh η coth nη,   cosh η = 2 − cos(kπ/n).
+//! S_k Σ c(x_i)², end nodes by half,     S_k = sinh η coth nη,  cosh η = 2 − cos(kπ/n),  S_0 = 1/n.
 //! ```
 //!
-//! So the contact problem is to minimise J(g) = ½ gᵀA g − bᵀg over g ≤ 0 at the nodes of the edge.
-//! A: times S_k in every wave, by fast cosine transforms; b: forces at the nodes (midpoint cone:
-//! means of g over the cells ≤ 0).
-//!
-//! u is chosen: values g ≤ 0 and a pressure λ ≥ 0, g λ = 0, on N = 32·2^finest cells, half of ∫ λ
-//! over a cell in contact to each of its nodes; u^h has the load A_N g + λ tested with its hat
-//! functions, and with P from n to N cells the error is
+//! So the contact problem is to minimise, over the g with g ≤ 0 at the nodes of the edge (midpoint
+//! cone: with means ≤ 0 over the cells),
 //!
 //! ```text
-//! ‖u − u^h‖² = gᵀA_N g − 2 (A_N g)ᵀP g_h + g_hᵀA_n g_h.
+//! J(g) = ½ g·A g − b·g,     A: times S_k in every wave (cosine transforms);  b: forces at nodes.
+//! ```
+//!
+//! This file solves it on finer and finer meshes, compares the coarse solutions with those of the
+//! square itself (`by_definition`), and computes the error for a chosen u: values g ≤ 0 and a
+//! pressure λ ≥ 0, g λ = 0, on N = 32 · 2^finest cells, half of the integral of λ over a cell in
+//! contact at each of its nodes. u^h has the load A_N g + λ, tested with its own hat functions.
+//! With its values g_h and the interpolation P from n to N cells the error is
+//!
+//! ```text
+//! ‖u − u^h‖² = g·A_N g − 2 (A_N g)·P g_h + g_h·A_n g_h.
 //! ```
 //!
 //! The contact sets:
@@ -26,18 +31,20 @@
 //! ```text
 //! transition   contact for x < a = 0.381966, g = −(x − a)^(τ−1) up to x = 1, λ = r^(τ−2),
 //!              r the distance to the last node before a
-//! fat-cantor   a gap L s^k in the middle of each of the 2^(k−1) pieces that remain, k = 1, .. 15,
-//!              s = 2^(−1/(4 − 2τ)), all 1/2 long, ends rounded to nodes, as long as a gap has an
-//!              inner node and the pieces a cell; g = −(x − a)(b − x)/(b − a), λ = 1
+//! fat-cantor   for k = 1, .. 15 a gap L s^k is taken out of the middle of each of the 2^(k−1)
+//!              pieces that remain, s = 2^(−1/(4 − 2τ)), all gaps 1/2 long; ends are rounded to
+//!              nodes, as long as a gap has an inner node and the pieces a cell;
+//!              g = −(x − a)(b − x)/(b − a) in a gap (a, b), λ = 1 in contact
 //! ```
 //!
-//! Expected: what is computed on the edge is the finite element solution on the square; about 10
-//! inner iterations whatever n and the contact set; ‖u − u^h‖ ≤ C h^p, p = τ² − 5τ/2 + 2 (3.1).
-//! Order: slope of ln error over ln h on the finer half of the meshes; ±: the difference of the
-//! slopes of its two quarters, as the transition moves in its cell. Refuted if edge and square
-//! differ by more than 1e-7, if a condition of contact is violated by 1e-10, if a step takes more
-//! than 30 iterations, or if the order of `transition` with its ± is below p. Cantor sets repeat
-//! themselves after a factor s in h, too few times here to decide.
+//! Refuted if a solution and that of the square differ by more than 1e-7; if a condition of
+//! contact, scaled, is violated by more than 1e-10; if a linear problem takes more than 30
+//! iterations of conjugate gradients, whatever n and the contact set; or if the order of
+//! `transition` plus its ± is below the exponent p = τ² − 5τ/2 + 2 of (3.1). It is undecided if an
+//! order smaller by 0.1 would pass as well. The order is the slope of ln error over ln h from the
+//! first to the last mesh, and its ± is the difference of the slopes of both halves, because the
+//! transition has another place in its cell on every mesh. Cantor sets repeat themselves after a
+//! factor s in h, too few times here to decide.
 //!
 //! ```text
 //! cargo run --release --example section_2_strip -- \
@@ -108,6 +115,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let name = strip.name();
         let data = strip.data(tau, 32 << finest, kind.sides())?;
         let problem = StripProblem::new(kind, &data, Reference::Nested, 8)?;
+        let mut errors: Vec<(f64, Measured)> = Vec::new();
         // Primal-dual active set on the edge, from the contact set of the mesh before (first:
         // none); each linear problem by conjugate gradients to 1e-13, preconditioned by the inverse
         // of |d²/dx²|^(1/2) on each gap (sine transforms). kkt: equations, signs, g λ, over the
@@ -131,21 +139,25 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.check("max inner CG iterations per step").at_most(inner, 30.0, "uniform in n");
             out.row(cells! { problem: name, n => unknowns, error: error.value,
             intervals: u.contact.runs().len(), steps: u.steps(), inner });
+            errors.push((1.0 / n as f64, Measured::from(error)));
         }
-        let errors: Vec<(f64, f64)> =
-            out.series("n", "error").into_iter().map(|(n, e)| (1.0 / n, e)).collect();
-        let finer = errors.len() / 2 - 1; // the finer half of the meshes
-        let order = exponent_of(&errors[finer..]);
+        let order = exponent_of(&errors);
         let meshes = || errors.iter().map(|&(h, _)| h);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
-        let bound = Bound::Paper.through(errors[0], meshes(), tau)?;
-        let printed = exponent_of(&bound[finer..]).value; // at τ = 2 the logarithm counts
+        let first = (errors[0].0, errors[0].1.value);
+        let bound = Bound::Paper.through(first, meshes(), tau)?;
+        let printed = exponent_of(&bound).value; // at τ = 2 the logarithm counts
         out.note(format!("order.{name}"), order);
         out.note(format!("order.{name}.error"), order.error);
         let (claim, above) =
             (format!("{name}: order + error − p"), order.value + order.error - printed);
         match name {
-            "transition" => out.check(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),
+            // Undecided where an order 0.1 below would pass as well.
+            "transition" => out.check(claim).undecided_if_it_admits(order.error - 0.1).at_least(
+                above,
+                0.0,
+                "p = τ² − 5τ/2 + 2, (3.1)",
+            ),
             _ => out.observe(claim).at_least(above, 0.0, "p = τ² − 5τ/2 + 2, (3.1)"),
         }
         let axes = Axes::LogLog("h", "‖u − u^h‖");
@@ -154,9 +166,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             &format!("{name}, {cone} cone, τ = {tau}"),
             axes,
         )
-        .line("error", errors.clone())
+        .line("error", errors.iter().map(|&(h, e)| (h, e.value)).collect())
         .dashed_line("Theorem 3.1", bound)
-        .dashed_line("h^(τ − 1)", Bound::Optimal.through(errors[0], meshes(), tau)?);
+        .dashed_line("h^(τ − 1)", Bound::Optimal.through(first, meshes(), tau)?);
     }
     Ok(())
 }

@@ -112,10 +112,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let (lower, upper) =
                 (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
             let claim = out.check("lower bound/upper bound of C(q)");
-            claim.at_most(lower / upper, 1.0 + 1e-12, "Beckner");
+            claim.whole_error_bars_at_most(lower / upper, 1.0 + 1e-12, "Beckner");
             if upper.value == 1.0 {
                 out.check("lower bound of C(q) where upper bound = 1")
-                    .near(lower, 1.0, 1e-7, "attained");
+                    .whole_error_bars_differ_by_at_most(lower, 1.0, 1e-7, "attained");
             }
             let (mut hoelder, mut trial) = (None, None);
             if nu == Order::HALF {
@@ -128,21 +128,22 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 let value = ascent(&mesh, &form, &factor, q)?;
                 let ratio = lower.recip() * value;
                 let claim = out.check("lower bound of C(q): ascent/library");
-                claim.near(ratio, 1.0, 1e-3, "trial functions");
+                claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-3, "trial functions");
                 let ratio = upper.recip() * circle(q);
-                out.check("upper bound of C(q): circle/library").near(ratio, 1.0, 1e-3, "Beckner");
+                out.check("upper bound of C(q): circle/library")
+                    .whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-3, "Beckner");
                 let claim = out.check("ν = 1/2: lower bound/√q");
-                claim.at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
+                claim.whole_error_bars_at_least(lower / q.sqrt(), 0.167, "limit 0.1672");
                 let claim = out.check("ν = 1/2: upper bound/√q");
-                claim.at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
+                claim.whole_error_bars_at_most(upper / q.sqrt(), 0.708, "1/√2 at q = 2");
                 let claim = out.check("lower bound of C(α)/upper bound of C(q)");
-                claim.at_most(found / upper, 1.0, "Hölder");
+                claim.whole_error_bars_at_most(found / upper, 1.0, "Hölder");
                 let claim = out.check("lower bound of C(α) √(1 − α)");
-                claim.at_least(found / q.sqrt(), 0.167, "limit 0.1672");
+                claim.whole_error_bars_at_least(found / q.sqrt(), 0.167, "limit 0.1672");
                 (hoelder, trial) = (Some(found.value), Some(value));
             }
             let claim = out.observe("upper bound/lower bound of C(q)");
-            claim.at_most(upper / lower, 2.2, "limit 2.115");
+            claim.whole_error_bars_at_most(upper / lower, 2.2, "limit 2.115");
             out.row(
                 cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
                 upper_growth: upper.value / q.sqrt(), hoelder },

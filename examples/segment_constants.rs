@@ -120,9 +120,14 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let [low, high] = found.bounds()?;
             let ratio = value / Measured::new(0.5 * (low + high), 0.5 * (high - low));
             let claim = out.check("ratio of K, κ, κ̄ to strong-form bounds");
-            claim.near(ratio, 1.0, 1e-8, "residual bounds");
+            claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-8, "residual bounds");
             let claim = out.check("K, κ, κ̄ on a mesh/library value");
-            claim.near(value.recip() * on_mesh, 1.0, 0.01, "hat functions");
+            claim.whole_error_bars_differ_by_at_most(
+                value.recip() * on_mesh,
+                1.0,
+                0.01,
+                "hat functions",
+            );
         }
 
         let [k, kappa, kappa_bar] =
@@ -130,15 +135,17 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let c = product_bound(nu);
         let power = 1.0 + 2.0 * nu.value();
         let c_2 = 0.5 * power.powf(power) / (1.0 + power).powf(1.0 + power);
-        out.check("κ/κ̄").at_most(kappa / kappa_bar, 1.0, "special case: one gap");
-        out.check("κ̄/K").at_most(kappa_bar / k, 1.0, "product of L¹ norms");
-        out.check("K/c").at_most(k / c, 1.0, "bound by potentials");
-        out.check("κ̄/c₂").at_most(kappa_bar / c_2, 1.0, "bound by pairs of points");
-        out.stronger("max κ over ν").at_most(kappa, 0.125, "c₂ ≤ 1/8");
+        out.check("κ/κ̄").whole_error_bars_at_most(kappa / kappa_bar, 1.0, "special case: one gap");
+        out.check("κ̄/K").whole_error_bars_at_most(kappa_bar / k, 1.0, "product of L¹ norms");
+        out.check("K/c").whole_error_bars_at_most(k / c, 1.0, "bound by potentials");
+        let claim = out.check("κ̄/c₂");
+        claim.whole_error_bars_at_most(kappa_bar / c_2, 1.0, "bound by pairs of points");
+        out.stronger("max κ over ν").whole_error_bars_at_most(kappa, 0.125, "c₂ ≤ 1/8");
         // As ν → 1 |w|²_ν ≈ ‖w'‖²/(1 − ν), so B(e)² ≈ (1 − ν) e³/3 and K ≈ (1 − ν)/24, at e = 1/2.
         let left = 0.5 - nu.offset(); // 1 − ν
         let quotient = (k * (24.0 / left) - 1.0) / left;
-        out.observe("(24 K/(1−ν) − 1)/(1−ν)").at_most(quotient, 4.0, "K/(1−ν) → 1/24");
+        let claim = out.observe("(24 K/(1−ν) − 1)/(1−ν)");
+        claim.whole_error_bars_at_most(quotient, 4.0, "K/(1−ν) → 1/24");
         out.row(cells! { nu => c, pairs: c_2, product: k, by_definition: scanned.k,
         kappa, midpoint: kappa_bar.value });
     }

@@ -26,6 +26,10 @@
 //!
 //! Expected is min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
 //! below the printed exponent.
+//!
+//! The other cone:
+//!
+//! `cargo run --release --example theorem_3_1_bodies -- --tau 1.7 --cone midpoint`
 
 use example_report::prelude::*;
 use signorini::cone::Cone;
@@ -46,8 +50,9 @@ example! { seconds "Theorems 3.1, 4.1, bodies",
     finest: u32 = "9" in "[9, 11]",
 }
 
-/// (h, ‖u^* − u^h‖/‖u^*‖).
-fn errors(body: TestProblem, tau: f64, cone: Cone, finest: u32) -> Result<Vec<(f64, f64)>> {
+/// (h, ‖u^* − u^h‖/‖u^*‖), ±: multigrid's error estimates of both solutions (none where a mesh is
+/// so coarse that it eliminates).
+fn errors(body: TestProblem, tau: f64, cone: Cone, finest: u32) -> Result<Vec<(f64, Measured)>> {
     let setting = Parameters { angle: 90.0 / (tau - 1.0), ..Parameters::default() };
     let last = finest as usize - 1;
     let hierarchy = Hierarchy::refined(body.mesh_with(2, &setting)?, last)?;
@@ -65,14 +70,19 @@ fn errors(body: TestProblem, tau: f64, cone: Cone, finest: u32) -> Result<Vec<(f
             hierarchy: Some(&meshes),
             ..Settings::default()
         };
-        let u = problem.solve(cone, how)?.displacement;
-        Ok((problem, u))
+        let found = problem.solve(cone, how)?;
+        let stated = found.multigrid.as_ref().and_then(|report| report.error);
+        let off = stated.map_or(0.0, |norm| norm.error);
+        Ok((problem, found.displacement, off))
     };
-    let (problem, u) = solve(last)?;
-    let norm = problem.energy_norm(&u)?;
-    let solution = |k: usize| solve(k).map(|(_, u)| u);
-    let error = |k: usize| problem.nested_energy_error(&hierarchy, (k, &solution(k)?), (last, &u));
-    (1..last).map(|k| Ok((0.5f64.powi(k as i32 + 1), error(k)? / norm))).collect()
+    let (problem, u, off) = solve(last)?;
+    let norm = Measured::new(problem.energy_norm(&u)?, off);
+    let error = |k: usize| -> Result<Measured> {
+        let (_, u_h, off_h) = solve(k)?;
+        let apart = problem.nested_energy_error(&hierarchy, (k, &u_h), (last, &u))?;
+        Ok(Measured::new(apart, off + off_h) / norm)
+    };
+    (1..last).map(|k| Ok((0.5f64.powi(k as i32 + 1), error(k)?))).collect()
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
@@ -84,17 +94,24 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // (section_2_singular_exponents).
             let tau = if is_corner { asked } else { body.regularity(&Parameters::default())?.tau };
             let points = errors(body, asked, cone, options.finest)?;
-            let squares: Vec<f64> = points.iter().map(|(_, e)| e * e).collect();
+            let squares: Vec<Measured> = points.iter().map(|(_, e)| e.squared()).collect();
             let order = order_of_squares(&squares, 2).min(1.0);
             let (printed, optimal) = ((tau * tau - 2.5 * tau + 2.0).min(1.0), (tau - 1.0).min(1.0));
             out.row(cells! { problem: body.name(), tau =>
                 finest: squares[squares.len() - 1].sqrt(), order, printed, optimal
             });
-            let claim = out.check("order + error − printed exponent");
+            // Undecided where an order 0.1 below would pass as well.
+            let claim = out
+                .check("order + error − printed exponent")
+                .undecided_if_it_admits(order.error - 0.1);
             claim.at_least(order.value + order.error - printed, 0.0, "(3.1), (4.2)");
-            let off = (order.value - optimal).abs() / order.error.max(1e-3);
-            let claim = out.observe("|order − min(τ − 1, 1)|/error of the order");
-            claim.at_most(off, 1.0, "Drouet, Hild 2015");
+            // Undecided where the printed exponent would pass as well.
+            let width = order.error.max(1e-3);
+            let claim = out
+                .observe("|order − min(τ − 1, 1)|/error of the order")
+                .undecided_if_it_admits((printed - optimal).abs() / width);
+            claim.at_most((order.value - optimal).abs() / width, 1.0, "Drouet, Hild 2015");
+            let points: Vec<(f64, f64)> = points.iter().map(|&(h, e)| (h, e.value)).collect();
             let title = format!("{body}, {cone} cone, τ = {tau:.2}");
             let plot = out.plot(
                 &format!("theorem_3_1_{body}_{asked}"),

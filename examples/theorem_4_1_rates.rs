@@ -31,6 +31,12 @@
 //! ```
 //!
 //! its ± is the largest change of q since three meshes before, and the effect of the ± of e.
+//!
+//! Another regularity is an option; for another contact set change `transition`, and the other cone
+//! is in example `theorem_3_1_rates`:
+//!
+//! `cargo run --release --example theorem_4_1_rates -- --tau 1.7`
+
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};
 use signorini::cone::Cone;
@@ -122,7 +128,12 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
         let definition = by_definition(&coarse, 32)?;
         let library = squared_errors(&coarse, 5)?[2].sqrt();
         let claim = out.check("error, h = 1/32: by_definition/library");
-        claim.near(library.recip() * definition, 1.0, 1e-6, "N = 256");
+        claim.whole_error_bars_differ_by_at_most(
+            library.recip() * definition,
+            1.0,
+            1e-6,
+            "N = 256",
+        );
 
         // e² on all meshes: the mean over two places of the transition.
         let meshes: Vec<f64> = (3..=options.finest).map(|k| 0.5f64.powi(k as i32)).collect(); // h
@@ -147,11 +158,12 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Rate>> {
 
         let range = if tau < 2.0 { "3/2 < τ < 2" } else { "τ > 2" };
         let claim = out.check(format!("{range}: ratio of successive increments of error/bound"));
-        claim.at_most(increments, 0.95, "bounded");
+        claim.whole_error_bars_at_most(increments, 0.95, "bounded");
         let claim = out.observe("order − min(τ − 1, 1)");
-        claim.near(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
+        claim.whole_error_bars_differ_by_at_most(order - optimal, 0.0, 0.02, "Drouet, Hild 2015");
         if tau < 2.0 {
-            out.stronger("τ < 2: order − printed exponent").at_least(order - printed, 0.0, "(4.2)");
+            let claim = out.stronger("τ < 2: order − printed exponent");
+            claim.whole_error_bars_at_least(order - printed, 0.0, "(4.2)");
         }
         rates.push(Rate { printed, optimal, order });
 

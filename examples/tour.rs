@@ -135,8 +135,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let (growths, found) = run_example(lemma_5_2::run, &asked)?;
         for lemma_5_2::Growth { nu: order, growth, theta, gamma } in &growths {
             let computed = match order.offset() {
-                below if below < 0.0 => format!("θ^{:.3}", growth.value),
-                0.0 => format!("√({:.3} ln(1/θ))", growth.value),
+                below if below < 0.0 => format!("θ^{:.3}", growth),
+                0.0 => format!("√({:.3} ln(1/θ))", growth),
                 _ => format!("{gamma:.4} at θ = {theta:e}"),
             };
             let says = format!("case 2: γ ≤ {bound}, ν = {nu} (Lemma 5.2)");
@@ -173,7 +173,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
 
     let mut notes = String::new();
     for (letter, range) in ('a'..='z').zip(&lines.corrections) {
-        notes += &format!("[{letter}] false as printed, true {range}    ");
+        notes += &format!("[{letter}] false as printed; it is true {range}    ");
     }
     out.column("says", "the paper says", "");
     out.column("computed", "computed here", "");

@@ -207,7 +207,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // One segment: the maximum over the length of the gap, both factors dual norms (page
     // `segment_constants`); ± of the library.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
-    out.check("κ/c₂, one gap at an end").at_most(kappa / c_2, 1.0, "proved");
+    out.check("κ/c₂, one gap at an end").whole_error_bars_at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {
         let gap = |length: usize| {
@@ -215,7 +215,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         };
         let best = (1..48).filter_map(gap).fold(0.0, f64::max);
         let claim = out.check(format!("{cone} cone, gap at an end: largest quotient/κ"));
-        claim.at_most(kappa.recip() * best, 1.0, "conforming subspace");
+        claim.whole_error_bars_at_most(kappa.recip() * best, 1.0, "conforming subspace");
         let random = search(cone, &form, options.sets)? / best;
         let claim = out.check(format!("{cone} cone: largest quotient, random sets/end gaps"));
         claim.at_most(random, 1.0 + 1e-12, "worst case: gap at an end");

@@ -151,6 +151,18 @@ impl ContactProblem {
         &self.edge
     }
 
+    /// The initial gap g in u_N ≤ g at the nodes of the contact edge, in order.
+    ///
+    /// ```
+    /// let mut problem = signorini::problems::TestProblem::Block.problem(2)?;
+    /// problem.set_gap(|[x, _]| 0.1 * x)?;
+    /// assert_eq!(problem.gap(), [0.0, 0.05, 0.1]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    pub fn gap(&self) -> &[f64] {
+        &self.gap
+    }
+
     /// The contact edge as a mesh of (0, length), with its segments as elements.
     ///
     /// ```

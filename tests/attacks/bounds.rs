@@ -445,6 +445,8 @@ fn acting(random: &mut SplitMix, is_elastic: bool) -> (Acting, f64) {
     (Acting { form, loads, tractions, displacement, gap, room }, poisson)
 }
 
+type Belongs = fn(&Found) -> bool;
+
 struct Found {
     seed: u64,
     cone: Cone,
@@ -551,7 +553,7 @@ fn report(all: &mut [Found], refused: &[String], made: usize) {
     println!("the smallest");
     all.iter().rev().take(10).for_each(line);
     let is_tame = |found: &Found| found.poisson <= 0.4 && found.beside.found.relative_error() < 0.2;
-    let kinds: [(&str, fn(&Found) -> bool); 6] = [
+    let kinds: [(&str, Belongs); 6] = [
         ("all", |_| true),
         ("nodal", |found| found.cone == Cone::Nodal),
         ("midpoint", |found| found.cone == Cone::Midpoint),

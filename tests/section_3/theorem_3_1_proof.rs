@@ -13,8 +13,9 @@ mod theorem_3_1_proof_profile;
 const PROOF: Proof = Proof {
     lines: |t, c, theta| {
         let found = theorem_3_1_proof_profile::nodal(t, c, theta).unwrap();
-        assert!(found.1.is_some(), "a segment in neither case: {t:?}");
-        found
+        assert!(found.bounds.is_some(), "a segment in neither case: {t:?}");
+        let lines = found.lines.into_iter().map(|l| (l.name, l.left, l.right, l.size)).collect();
+        (lines, found.bounds.map(|b| [b.integral, b.hoelder, b.own_zone, b.theta]))
     },
     factor: |c, h, theta| {
         let second = c.law(theta).printed * c.interpolation * h.powf(2.0 * c.tau() - 2.0);

@@ -12,10 +12,11 @@ const PROOF: Proof = Proof {
     lines: |t, c, theta| {
         let found = theorem_3_1_proof_profile::midpoint(t, c, theta).unwrap();
         assert!(
-            found.1.is_some() || t.contact_diameter().is_none(),
+            found.bounds.is_some() || t.contact_diameter().is_none(),
             "a segment in neither case: {t:?}"
         );
-        found
+        let lines = found.lines.into_iter().map(|l| (l.name, l.left, l.right, l.size)).collect();
+        (lines, found.bounds.map(|b| [b.integral, b.hoelder, b.own_zone, b.theta]))
     },
     factor: |c, h, theta| {
         let second =

@@ -38,6 +38,11 @@ pub fn title(book: &Path, name: &str) -> Result<String> {
     Ok(page.lines().next().unwrap_or("").trim_start_matches("# ").to_owned())
 }
 
+/// The minutes of `10 the block, 15 the proof`.
+fn clock_minutes(clock: &str) -> i64 {
+    clock.split(", ").filter_map(|part| part.split_once(' ')?.0.parse::<i64>().ok()).sum()
+}
+
 /// What `{{course: which}}` stands for, as Markdown: `pages`, or the name of a plan.
 ///
 /// # Errors
@@ -52,12 +57,14 @@ pub fn part(book: &Path, which: &str) -> std::result::Result<String, String> {
             let file = text(page, "name");
             let _ = write!(
                 markdown,
-                "{k}. [{}]({file}.md)\n    - *Show* {}.\n    - *Run* `{}`\n    - *Ask*: {}\n    - *Slides* `slides_{k}.html`, \
-                 *sheet* `sheet_{k}.html`: the [exercises]({file}.md#exercises)\n",
+                "{k}. [{}]({file}.md)\n    - *Minutes*: {}.\n    - *Show* {}.\n    - *Run* `{}`\n    - *Ask*: {} (*Answer*: {})\n    \
+                 - *Slides* `slides_{k}.html`, *sheet* `sheet_{k}.html`: the [exercises]({file}.md#exercises)\n",
                 name(page)?,
+                text(page, "clock"),
                 text(page, "show"),
                 text(page, "run"),
                 text(page, "ask"),
+                text(page, "answer"),
             );
         }
         return Ok(markdown);
@@ -70,13 +77,18 @@ pub fn part(book: &Path, which: &str) -> std::result::Result<String, String> {
     let weeks = plan.get("sessions").and_then(toml::Value::as_array).into_iter().flatten();
     let mut next = 1;
     for (week, numbers) in (1..).zip(weeks) {
-        let mut links = Vec::new();
+        let (mut links, mut clock) = (Vec::new(), 0);
         for number in numbers.as_array().into_iter().flatten().filter_map(toml::Value::as_integer) {
             let page = usize::try_from(number - 1).ok().and_then(|k| pages.get(k));
             let page =
                 page.filter(|_| number == next).ok_or("a plan takes each page once, in order")?;
             next += 1;
+            clock += clock_minutes(text(page, "clock"));
             links.push(format!("{number}. [{}]({}.md)", name(page)?, text(page, "name")));
+        }
+        let has_clock = plan.get("clock").and_then(toml::Value::as_bool) == Some(true);
+        if has_clock && clock != minutes {
+            return Err(format!("week {week}: {clock} minutes by the clock, {minutes} planned"));
         }
         let _ = writeln!(markdown, "| {week} | {} |", links.join("; "));
     }

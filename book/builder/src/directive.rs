@@ -29,6 +29,8 @@ use std::path::Path;
 
 /// A table with more columns than this is set in small type.
 const NARROW: usize = 9;
+/// Rows that a table of numbers shows at once: longer ones scroll, and have so many rows in the plain pages.
+pub const LONG: usize = 8;
 
 /// What a page may draw on.
 #[derive(Debug, Clone, Copy)]
@@ -80,7 +82,10 @@ pub fn resolve(text: &str, sources: &Sources<'_>) -> Result<Meaning, String> {
             let found = data.finding(key).map_err(|e| e.words("finding"))?;
             finding(found).map(Meaning::Words)
         }
-        ("findings", None) => findings(key, data).map(Meaning::Block),
+        ("findings", None) => findings(key, "", data).map(Meaning::Block),
+        ("findings", Some(rest)) if rest.starts_with(WITHOUT) => {
+            findings(key, &rest[WITHOUT.len()..], data).map(Meaning::Block)
+        }
         ("example", None) => code::program(sources.examples, key).map(Meaning::Name),
         ("test", None) => code::test(sources.tests, key, None).map(Meaning::Name),
         ("test", Some(function)) => {
@@ -172,12 +177,42 @@ fn claim<'a>(words: &'a str, comparison: &str) -> &'a str {
     }
 }
 
-/// All findings of an example as a table.
-fn findings(example: &str, data: &Data) -> Result<String, String> {
+/// Before the findings that a table leaves out.
+const WITHOUT: &str = "without ";
+
+/// The text of a page in which tables of findings leave out what its sentences state.
+pub fn each_finding_once(page: &str) -> String {
+    let (table, sentence) = ("{{findings: ", "{{finding: ");
+    let stated = |example: &str| -> Vec<&str> {
+        let sentences = page.split(sentence).skip(1).filter_map(|rest| rest.split_once("}}"));
+        let keys = sentences.filter_map(|(key, _)| key.split_once('/'));
+        keys.filter(|(owner, _)| *owner == example).map(|(_, key)| key.trim()).collect()
+    };
+    let mut parts = page.split(table);
+    let mut text = parts.next().unwrap_or("").to_owned();
+    for part in parts {
+        text.push_str(table);
+        match part.split_once("}}") {
+            Some((example, rest)) if !stated(example).is_empty() => {
+                let _ = write!(text, "{example}: {WITHOUT}{}}}}}{rest}", stated(example).join(" "));
+            }
+            _ => text.push_str(part),
+        }
+    }
+    text
+}
+
+/// Findings of an example as a table, without those of the list; nothing if none is left.
+fn findings(example: &str, without: &str, data: &Data) -> Result<String, String> {
     let headline = data.examples.get(example).ok_or_else(|| Unknown::Missing.words("example"))?;
     let list = headline["findings"].as_array().ok_or("the example has no findings")?;
     let mut html = "<div class=\"table-wrapper findings\"><table><tbody>".to_owned();
-    for finding in list {
+    let key = |finding: &Value| finding["finding"].as_str().unwrap_or("").to_owned();
+    let is_left = |finding: &&Value| without.split(' ').all(|other| other != key(finding));
+    if list.iter().filter(is_left).count() == 0 {
+        return Ok(String::new());
+    }
+    for finding in list.iter().filter(is_left) {
         let [outcome, words, comparison] = parts(finding)?;
         let [outcome, words, comparison] =
             [outcome, claim(words, comparison), comparison].map(typography::html);
@@ -219,7 +254,8 @@ fn table(example: &str, data: &Data) -> Result<String, String> {
     let (columns, rows) =
         cells(headline).ok_or("damaged table: titles and rows of as many cells are expected")?;
     let width = if columns.len() > NARROW { " wide" } else { "" };
-    let mut html = format!("<div class=\"table-wrapper{width}\"><table><thead><tr>");
+    let height = if rows.len() > LONG { " tall" } else { "" };
+    let mut html = format!("<div class=\"table-wrapper{width}{height}\"><table><thead><tr>");
     for [title, _] in &columns {
         let _ = write!(html, "<th>{}</th>", typography::html(title));
     }
@@ -294,6 +330,14 @@ mod tests {
         assert!(
             matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1"))
         );
+        let once = each_finding_once("It is {{finding: ex/b}}.\n\n{{findings: ex}}\n");
+        assert_eq!(once, "It is {{finding: ex/b}}.\n\n{{findings: ex: without b}}\n");
+        assert_eq!(each_finding_once("{{findings: ex}}"), "{{findings: ex}}");
+        assert!(
+            matches!(resolve("findings: ex: without b", &sources), Ok(Meaning::Block(h)) if !h.contains("2 &gt; 1") && h.contains("&lt; 1"))
+        );
+        let none = resolve("findings: ex: without a b", &sources);
+        assert_eq!(none, Ok(Meaning::Block(String::new())));
         let Ok(Meaning::Block(html)) = resolve("table:ex", &sources) else { panic!("no table") };
         assert!(html.contains("<th>&lt;e&gt;</th>"), "{html}");
         assert!(html.contains("10<sup>\u{2212}3</sup>"), "{html}");

@@ -3,8 +3,8 @@
 use crate::chapter::Page;
 use crate::data::names;
 use crate::error::{Error, Result, read, write};
-use crate::exercises;
 use crate::page::{self, Marked};
+use crate::{directive, exercises};
 use mdbook_driver::MDBook;
 use mdbook_driver::book::BookItem;
 use std::path::{Path, PathBuf};
@@ -35,6 +35,9 @@ pub fn chapters(root: &Path, base: &Path) -> Result<Vec<Page>> {
         });
     }
     exercises::append(&mut pages, &exercises::list(root)?);
+    for page in &mut pages {
+        page.text = directive::each_finding_once(&page.text);
+    }
     Ok(pages)
 }
 

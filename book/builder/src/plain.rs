@@ -3,7 +3,7 @@
 
 use crate::chapter::Page;
 use crate::code;
-use crate::directive::{self, Meaning, Sources};
+use crate::directive::{self, LONG, Meaning, Sources};
 use crate::error::{Fault, Result, read, write};
 use crate::formula::{self, Labels};
 use crate::layout::Layout;
@@ -274,7 +274,8 @@ impl Writer<'_> {
     ) -> String {
         let shown = frames.len().saturating_sub(1) / 2;
         let Some((label, file)) = frames.get(shown) else { return String::new() };
-        let mut text = format!("![{0}]({1})\n\n*{0}*", caption.replace(['[', ']'], ""), file);
+        // The caption stands below the picture, so the alternative text does not repeat it.
+        let mut text = format!("![Picture]({file})\n\n*{}*", caption.replace(['[', ']'], ""));
         if frames.len() > 1 {
             let others = frames.iter().filter(|frame| frame.0 != *label);
             let others: Vec<String> =
@@ -315,6 +316,9 @@ fn escaped(text: &str) -> String {
 
 /// A table as Markdown; one without a head gets that of findings.
 fn table(html: &str) -> String {
+    if html.is_empty() {
+        return String::new();
+    }
     let (body, key) = html.split_once("</table>").unwrap_or((html, ""));
     let cells = |row: &str| -> Vec<String> {
         let cells = row.split(['\n']).collect::<String>();
@@ -330,15 +334,27 @@ fn table(html: &str) -> String {
     if !html.contains("<th>") {
         rows.insert(0, ["outcome", "finding", "comparison"].map(str::to_owned).to_vec());
     }
+    let of = rows.len() - 1;
+    let is_long = html.contains("<th>") && of > LONG;
+    if is_long {
+        // From the first row to the last, evenly.
+        let kept = (0..LONG).map(|k| 1 + (2 * k * (of - 1) + LONG - 1) / (2 * (LONG - 1)));
+        rows = std::iter::once(0).chain(kept).map(|k| rows[k].clone()).collect();
+    }
     let line = |row: &Vec<String>| format!("| {} |", row.join(" | "));
     let mut lines: Vec<String> = rows.iter().map(line).collect();
     if let Some(head) = rows.first() {
         lines.insert(1, format!("|{}", " --- |".repeat(head.len())));
     }
-    let key = inline(key);
-    let key = key.trim();
-    let key = if key.is_empty() { String::new() } else { format!("\n\n{key}") };
-    lines.join("\n") + &key
+    let mut text = lines.join("\n");
+    if is_long {
+        text += &format!("\n\n{LONG} of {of} rows; the program prints all.");
+    }
+    match inline(key).trim() {
+        "" => text,
+        key if is_long => text + " " + key,
+        key => text + "\n\n" + key,
+    }
 }
 
 /// LaTeX without macros of this book, and without what Markdown would take for its own: escaped
@@ -455,6 +471,22 @@ fn numbered(latex: &str, labels: &Labels) -> String {
 mod tests {
     use super::*;
     use crate::formula::Label;
+
+    #[test]
+    fn long_tables_have_eight_rows_from_the_first_to_the_last() {
+        let html = |rows: usize| {
+            let body: String = (1..=rows).map(|k| format!("<tr><td>{k}</td></tr>")).collect();
+            format!("<table><thead><tr><th>n</th></tr></thead><tbody>{body}</tbody></table>")
+        };
+        let of = |rows| table(&html(rows)).lines().map(str::to_owned).collect::<Vec<_>>();
+        assert_eq!(of(8).len(), 10);
+        let long = of(22);
+        let shown = long[2..10].iter().map(|row| row.trim_matches(['|', ' ']));
+        assert_eq!(shown.collect::<Vec<_>>(), ["1", "4", "7", "10", "13", "16", "19", "22"]);
+        assert_eq!(long[11], "8 of 22 rows; the program prints all.");
+        assert_eq!(of(9)[2..10].join(""), "| 1 || 2 || 3 || 4 || 6 || 7 || 8 || 9 |");
+        assert_eq!(table(""), "");
+    }
 
     #[test]
     fn formulas_need_no_macro_and_survive_markdown() {

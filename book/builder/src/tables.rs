@@ -14,6 +14,8 @@ const CERTAINTY: &str = "book/src/what_is_proved.md";
 const ONE_SCREEN: usize = 24;
 /// The page with the lemma cards.
 const CARDS: &str = "book/src/every_label.md";
+/// The group of statements that have rows of their own on that page, in its tables by section, and no card.
+const BY_SECTION: &str = "by section";
 /// Every chapter as a documentation test.
 const CHAPTERS: &str = "src/book.rs";
 
@@ -30,7 +32,7 @@ struct Region {
 /// All of them; the cards have one per group. Files of lists that are not there have none.
 fn regions(labels: &[Label], repository: &Path) -> Result<Vec<Region>> {
     let mut found = Vec::new();
-    for (group, members) in groups(labels) {
+    for (group, members) in groups(labels).into_iter().filter(|(group, _)| *group != BY_SECTION) {
         let marks = (format!("<!-- labels: {group} -->"), "<!-- end of labels -->");
         found.push(Region { file: CARDS, marks, lines: cards_table(&members), source: LIST });
     }
@@ -175,7 +177,8 @@ mod tests {
         test = \"lemma::it_holds\"\npage = \"lemma\"\nroom = \"src/a.rs\"\n\
         [[label]]\nlabel = \"Remark\"\ngroup = \"rest\"\nwords = \"more\"\nnote = \"none\"\n\
         [[label]]\nlabel = \"Lemma 2\"\ngroup = \"tools\"\nwords = \"so too\"\nnote = \"none\"\npage = \"two\"\n\
-        proved = \"yes\"\nopen = \"the constant\"\n";
+        proved = \"yes\"\nopen = \"the constant\"\n\
+        [[label]]\nlabel = \"(5.1)\"\ngroup = \"by section\"\nwords = \"has its row\"\nnote = \"none\"\n";
 
     fn repository() -> tempfile::TempDir {
         let directory = tempfile::tempdir().unwrap();
@@ -206,6 +209,7 @@ mod tests {
         assert!(stale_files().is_empty());
         let text = |file: &str| read(&directory.path().join(file)).unwrap();
         assert!(text(CARDS).contains("{{verdict: ex}} |\n| Lemma 2 |"), "{}", text(CARDS));
+        assert!(!text(CARDS).contains("(5.1)"), "{}", text(CARDS));
         let row = "| --- |\n| [Lemma 2](two.md) | yes |  | the constant |\n<!-- end";
         assert!(text(CERTAINTY).contains(row), "{}", text(CERTAINTY));
         let lines = "    // chapters\n    readme: \"../../README.md\",\n    how: \"how.md\",\n    lemma: \"lemma.md\",\n    // end";

@@ -194,7 +194,7 @@ fn plain_pages_are_written_and_compared() {
     fixture.build().unwrap();
     let first = fixture.read("book/pages/first.md");
     for part in [
-        "![gamma against theta](../generated/figures/ex/chart.svg)",
+        "![Picture](../generated/figures/ex/chart.svg)\n\n*gamma against theta*",
         "$$\\gamma_\\theta \\le C \\tag{5.2}$$",
         "It is 0.2916, see",
         "| θ |\n| --- |\n| 10<sup>−3</sup> |",
@@ -203,7 +203,7 @@ fn plain_pages_are_written_and_compared() {
     }
     let second = fixture.read("book/pages/second.md");
     for part in [
-        "![A wave](../ideas/wave.svg)",
+        "![Picture](../ideas/wave.svg)\n\n*A wave*",
         "By [(5.2)](first.md) and Lemma 5.2 the verdict is: holds.",
         "```rust\nfn main() {}\n```",
         "```rust\nfn walk() {}\n```",

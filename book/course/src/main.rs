@@ -23,6 +23,7 @@ fn main() -> ExitCode {
         Ok(file) => {
             println!("file://{}", file.display());
             println!("fill the holes, then: cargo test --release -p course --test mine_{name}");
+            println!("solutions: book/course/tests/{name}.rs");
             ExitCode::SUCCESS
         }
         Err(error) => {
@@ -97,6 +98,31 @@ mod tests {
                 );
                 assert!(pair[0] != HOLE[1] || pair[1] == "}", "{name}: {}", pair[1]);
             }
+        }
+    }
+
+    /// What a notebook leaves open is a hole of the programs here, so that both stay the same exercises.
+    #[test]
+    fn holes_of_the_notebooks_are_those_of_the_programs() {
+        let holes: String = FILES.iter().map(|name| holes(&programs(name))).collect();
+        for (name, least) in [("before", 7), ("later", 10)] {
+            let file = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("{name}.ipynb"));
+            let notebook = std::fs::read_to_string(file).unwrap();
+            let (mut function, mut found) = ("", 0);
+            for line in notebook.lines().map(str::trim) {
+                let code = line.trim_start_matches('"');
+                if let Some(rest) = code.strip_prefix("def ") {
+                    function = rest.split('(').next().unwrap_or("");
+                }
+                if code.contains("raise NotImplementedError(") {
+                    found += 1;
+                    let start = format!("fn {function}(");
+                    let body = holes.split(&start).nth(1).and_then(|rest| rest.split("\n}").next());
+                    let is_hole = body.is_some_and(|body| body.contains("todo!("));
+                    assert!(is_hole, "{name}: {function}");
+                }
+            }
+            assert!(found >= least, "{name}: {found} holes");
         }
     }
 

@@ -1,4 +1,4 @@
-//! Programs of the pages "Why half a derivative" and "A contact problem by hand". `cargo course skeleton before` writes this file with holes.
+//! Programs of sheet 1 and of the contact problem by hand. `cargo course skeleton before` writes this file with holes.
 
 use course::{check, near};
 

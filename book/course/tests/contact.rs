@@ -1,4 +1,4 @@
-//! Programs of the first session. `cargo course skeleton contact` writes this file with holes.
+//! Programs of sheet 2. `cargo course skeleton contact` writes this file with holes.
 
 use course::{check, near};
 use signorini::Result;

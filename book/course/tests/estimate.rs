@@ -1,4 +1,4 @@
-//! Programs of the second session. `cargo course skeleton estimate` writes this file with holes.
+//! Programs of sheets 3 and 5, and behind them. `cargo course skeleton estimate` writes this file with holes.
 
 use course::{check, near};
 use fractional_sobolev::{Function, Result};

@@ -1,4 +1,4 @@
-//! Programs of the fourth session. `cargo course skeleton rates` writes this file with holes.
+//! Programs of sheets 7 and 8, and behind them. `cargo course skeleton rates` writes this file with holes.
 
 use course::{check, near};
 use signorini::cone::Cone;

@@ -1,4 +1,4 @@
-//! Programs of the third session. `cargo course skeleton zone` writes this file with holes.
+//! Programs of sheets 4 and 6, and behind them. `cargo course skeleton zone` writes this file with holes.
 
 use course::{check, near};
 use fractional_sobolev::{Constraint, Function, Result, gamma};

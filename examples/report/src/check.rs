@@ -107,7 +107,8 @@ impl Checked {
         }
     }
 
-    /// Whether the relation would hold for the other plausible outcome as well, with the error of this value.
+    /// Whether the relation would hold for the other plausible outcome as well, with the error of
+    /// this value.
     fn admits_alternative(&self) -> bool {
         let Some(other) = self.alternative else { return false };
         let other = Self {
@@ -230,6 +231,12 @@ impl Checked {
     }
 }
 
+/// A number that carries no error, so that a comparison of two of them is true or false.
+pub trait WithoutError: Into<Measured> {}
+
+impl WithoutError for f64 {}
+impl WithoutError for usize {}
+
 /// A claim without its comparison; each method records the claim with a comparison.
 #[must_use = "a claim without a comparison has no effect"]
 pub struct Claim<'a> {
@@ -244,24 +251,61 @@ impl<'a> Claim<'a> {
         Self { checks, claim, role, alternative: None }
     }
 
-    /// The same claim beside another plausible outcome: if the comparison admits that one as well, it is undecided. For
-    /// tolerances that depend on the data, as the next term of an expansion.
-    pub fn against(self, alternative: f64) -> Self {
+    /// The same claim, whose tolerance must rule out this other plausible outcome: if the
+    /// comparison would hold for that one as well, the check is undecided. For tolerances that
+    /// depend on the data, as the next term of an expansion.
+    pub fn undecided_if_it_admits(self, alternative: f64) -> Self {
         Self { alternative: Some(alternative), ..self }
     }
 
-    /// Records the claim value ≤ bound; `source` is the source of the bound.
-    pub fn at_most(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
+    /// Records the claim value ≤ bound of two numbers without errors; `source` is the source of the
+    /// bound.
+    pub fn at_most(self, value: impl WithoutError, bound: impl WithoutError, source: &str) {
+        self.whole_error_bars_at_most(value, bound, source);
+    }
+
+    /// Records the claim value ≥ bound of two numbers without errors.
+    pub fn at_least(self, value: impl WithoutError, bound: impl WithoutError, source: &str) {
+        self.whole_error_bars_at_least(value, bound, source);
+    }
+
+    /// Records the claim |value − expected| ≤ tolerance of two numbers without errors.
+    pub fn differ_by_at_most(
+        self,
+        value: impl WithoutError,
+        expected: impl WithoutError,
+        tolerance: f64,
+        source: &str,
+    ) {
+        self.whole_error_bars_differ_by_at_most(value, expected, tolerance, source);
+    }
+
+    /// Records the claim value ≤ bound, the value with an error u, the bound with an error w: holds
+    /// if all of value ± u is at most all of bound ± w, that is value + u ≤ bound − w; fails if all
+    /// of it is larger, value − u > bound + w; else undecided.
+    pub fn whole_error_bars_at_most(
+        self,
+        value: impl Into<Measured>,
+        bound: impl Into<Measured>,
+        source: &str,
+    ) {
         self.record(value.into(), Relation::AtMost, bound.into(), source);
     }
 
-    /// Records the claim value ≥ bound.
-    pub fn at_least(self, value: impl Into<Measured>, bound: impl Into<Measured>, source: &str) {
+    /// Records the claim value ≥ bound: holds if value − u ≥ bound + w, fails if value + u < bound
+    /// − w, else undecided.
+    pub fn whole_error_bars_at_least(
+        self,
+        value: impl Into<Measured>,
+        bound: impl Into<Measured>,
+        source: &str,
+    ) {
         self.record(value.into(), Relation::AtLeast, bound.into(), source);
     }
 
-    /// Records the claim |value − expected| ≤ tolerance.
-    pub fn near(
+    /// Records the claim |value − expected| ≤ tolerance: holds if |value − expected| + u + w ≤
+    /// tolerance, fails if |value − expected| − u − w > tolerance, else undecided.
+    pub fn whole_error_bars_differ_by_at_most(
         self,
         value: impl Into<Measured>,
         expected: impl Into<Measured>,
@@ -311,19 +355,24 @@ mod tests {
 
     #[test]
     fn errors_of_both_sides_count() {
-        let at_most = |value, bound| decided(|c| c.at_most(value, bound, "")).decision();
+        let at_most =
+            |value, bound| decided(|c| c.whole_error_bars_at_most(value, bound, "")).decision();
         assert_eq!(at_most((0.9, 0.05), (1.0, 0.04)), Decision::Holds);
         assert_eq!(at_most((0.95, 0.05), (1.0, 0.01)), Decision::Undecided);
         assert_eq!(at_most((1.1, 0.05), (1.0, 0.04)), Decision::Fails);
         assert_eq!(at_most((f64::NAN, 0.0), (1.0, 0.0)), Decision::Undecided);
         assert_eq!(at_most((f64::INFINITY, 0.0), (1.0, 0.0)), Decision::Fails);
-        let near = |value| decided(|c| c.near(value, 1.0, 0.1, "")).decision();
+        let near = |value| decided(|c| c.differ_by_at_most(value, 1.0, 0.1, "")).decision();
         assert_eq!([near(1.05), near(1.2)], [Decision::Holds, Decision::Fails]);
-        assert_eq!(decided(|c| c.near((1.05, 0.1), 1.0, 0.1, "")).decision(), Decision::Undecided);
+        assert_eq!(
+            decided(|c| c.whole_error_bars_differ_by_at_most((1.05, 0.1), 1.0, 0.1, "")).decision(),
+            Decision::Undecided
+        );
         assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
         // A tolerance that admits another outcome decides nothing; a violation stays one.
         let against = |value, tolerance| {
-            decided(|c| c.against(0.0).near(value, 1.0, tolerance, "")).decision()
+            decided(|c| c.undecided_if_it_admits(0.0).differ_by_at_most(value, 1.0, tolerance, ""))
+                .decision()
         };
         assert_eq!([against(0.9, 0.2), against(0.9, 1.0)], [Decision::Holds, Decision::Undecided]);
         assert_eq!(against(3.0, 1.0), Decision::Fails);

@@ -4,25 +4,52 @@
 //! Report)` is the loop. Table, checks, status, JSON, charts and the numbers that the book quotes
 //! follow from what the loop reports, so that example, test, tour and book cannot disagree.
 //!
-//! | verb | meaning | | --- | --- | | `out.row(cells! { nu, theta => gamma, over_law: gamma / law
-//! })` | one row: parameters `=>` results | | `out.check("no gamma exceeds its
-//! bound").at_most(value, bound, "where the bound comes from")` | must hold; also `at_least`,
-//! `near(value, expected, tolerance, ..)`, `holds(bool, ..)` | | `out.as_printed("(5.2) as theta ->
-//! 1")` | the paper's own form, which may fail: then the statement is false as printed | |
-//! `out.stronger("order tau - 1")` | a stronger statement: if it holds, the paper's is loose | |
-//! `out.not_sharp("growth is a square root less")` | a different rate of growth: if it holds, the
-//! paper's is not sharp | | `out.observe("pre-asymptotic order")` | compared and shown; no effect
-//! on the status | | `out.proof("every segment is in a case", "figure_3_2")` | true by proof, on
-//! that page of the book | | `out.note("sharpness", value)` | a number to be quoted | |
-//! `out.exponent("h", "error")` | slope of logarithms between the last two rows that differ only in
-//! `h` | | `out.plot(..)`, `out.bodies(..)` | SVG files in the directory given by `--out` |
+//! The verbs of the loop:
 //!
-//! **How an error counts.** A value v with error u ([`Measured`]) against a bound b with error w:
-//! *at most* holds if v + u ≤ b − w, fails if v − u > b + w, and is undecided in between; *at
-//! least* likewise; *near* holds if |v − b| + u + w ≤ t and fails if |v − b| − u − w > t. A check
-//! that is reported several times keeps its worst case: failed before undecided before satisfied,
-//! and among equals the one that violates its bound most or satisfies it with the smallest margin,
-//! errors included.
+//! - `out.row(cells! { nu, theta => gamma, over_law: gamma / law })`: one row, parameters `=>`
+//!   results.
+//! - `out.check("no gamma exceeds its bound").at_most(value, bound, "where the bound comes from")`:
+//!   a claim that must hold.
+//! - `out.as_printed("(5.2) as theta -> 1")`: the paper's own form, which may fail; then the
+//!   statement is false as printed.
+//! - `out.stronger("order tau - 1")`: a stronger statement; if it holds, the paper's is loose.
+//! - `out.not_sharp("growth is a square root less")`: a different rate of growth; if it holds, the
+//!   paper's is not sharp.
+//! - `out.observe("pre-asymptotic order")`: compared and shown; no effect on the status.
+//! - `out.proof("every segment is in a case", "figure_3_2")`: true by proof, on that page of the
+//!   book.
+//! - `out.note("sharpness", value)`: a number to be quoted.
+//! - `out.exponent("h", "error")`: the slope of logarithms between the last two rows that differ
+//!   only in `h`.
+//! - `out.plot(..)`, `out.bodies(..)`: SVG files in the directory given by `--out`.
+//!
+//! The comparisons say in their names what is asked. Between numbers without errors a check is true
+//! or false:
+//!
+//! ```text
+//! at_most(v, b)                    v ≤ b
+//! at_least(v, b)                   v ≥ b
+//! differ_by_at_most(v, b, t)       |v − b| ≤ t
+//! holds(condition)                 the condition
+//! ```
+//!
+//! Where v has an error u ([`Measured`], [`Estimate`](fractional_sobolev::Estimate)) or b an error
+//! w, only the following verbs compile. They hold if all of the bar v ± u is on the right side of
+//! all of the bar b ± w, fail if all of it is on the wrong side, and are undecided in between:
+//!
+//! ```text
+//!                                               holds                     fails
+//! whole_error_bars_at_most(v, b)                v + u ≤ b − w             v − u > b + w
+//! whole_error_bars_at_least(v, b)               v − u ≥ b + w             v + u < b − w
+//! whole_error_bars_differ_by_at_most(v, b, t)   |v − b| + u + w ≤ t       |v − b| − u − w > t
+//! ```
+//!
+//! With `undecided_if_it_admits(x)` before the comparison it is also undecided where x in place of v
+//! would pass: a tolerance that does not rule out another plausible outcome decides nothing.
+//!
+//! A check that is reported several times keeps its worst case: failed before undecided before
+//! satisfied, and among equals the one that violates its bound most or satisfies it with the
+//! smallest margin, errors included.
 //!
 //! `--help` of every example ends with this legend; the files of the examples do not repeat it.
 //!
@@ -57,11 +84,11 @@ mod shown;
 mod words;
 
 pub use cell::{Cell, Cells};
-pub use check::{Checked, Claim, Decision, Role};
+pub use check::{Checked, Claim, Decision, Role, WithoutError};
 pub use command::main;
 pub use error::{Error, Result};
 pub use expression::Expression;
-pub use figures::{Axes, Plot};
+pub use figures::{Axes, Plot, floor_names};
 pub use hats::{
     constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis,
 };

@@ -120,8 +120,10 @@ const LEGEND: &str = "\
 How to read the report:
   Each line below the table is a check: mark, claim, number, bound, source of the bound.
   ✓ holds   ✗ fails   ? undecided within the errors   ∎ proved on that page of the book
-  A number x with an error ± counts with it:
-    x ≤ b  holds if x + ± ≤ b      x ≥ b  holds if x − ± ≥ b      x = b ± t  if |x − b| + ± ≤ t
+  A number x with an error ± counts with its whole error bar, from x − ± to x + ±:
+    x ≤ b      holds if x + ± ≤ b       fails if x − ± > b       undecided in between
+    x ≥ b      holds if x − ± ≥ b       fails if x + ± < b
+    x = b ± t  holds if |x − b| + ± ≤ t   fails if |x − b| − ± > t
   Of several cases of one check the worst is shown, with their number.
   The last line is the status of the statement, from its checks:
     true               every claim holds

@@ -2,7 +2,7 @@
 
 use crate::cell::Cells;
 use crate::check::{Claim, Role};
-use crate::figures::body::{body_svg, body_values, edge_plot, trace_plot};
+use crate::figures::body::{body_range, body_svg, edge_plot, trace_plot};
 use crate::figures::{Axes, Plot};
 use crate::outcome::Outcome;
 use crate::{Declarations, Measured, Result};
@@ -82,35 +82,41 @@ impl Report {
         self.found.remark = words.into();
     }
 
-    /// Sets the words beside the clock that a terminal shows while the example runs.
-    pub fn progress(&self, words: impl Into<String>) {
-        crate::command::show(words.into());
+    /// Sets the bar and the words beside the clock that a terminal shows while the example runs:
+    /// `share` of the work is done, in [0, 1]; no bar for NaN.
+    pub fn progress(&self, share: f64, words: impl Into<String>) {
+        crate::command::show(share, words.into());
     }
 
     /// The numbers of these two columns in the last consecutive rows whose parameters differ only
     /// in `x`.
     pub fn series(&self, x: &str, y: &str) -> Vec<(f64, f64)> {
+        self.measured(x, y).into_iter().map(|(x, y)| (x, y.value)).collect()
+    }
+
+    /// The same with the errors of y.
+    fn measured(&self, x: &str, y: &str) -> Vec<(f64, Measured)> {
         let Some(last) = self.found.rows.last() else { return Vec::new() };
         let same = |row: &&Cells| {
             row.about.iter().zip(&last.about).all(|(a, b)| a.0 == b.0 && (a.0 == x || a.1 == b.1))
         };
         let rows = self.found.rows.iter().rev().take_while(same);
         let number =
-            |row: &Cells, name: &str| row.get(name).map_or(f64::NAN, |cell| cell.number().value);
-        let mut points: Vec<(f64, f64)> =
-            rows.map(|row| (number(row, x), number(row, y))).collect();
+            |row: &Cells, name: &str| row.get(name).map_or(Measured::NONE, |cell| cell.number());
+        let mut points: Vec<(f64, Measured)> =
+            rows.map(|row| (number(row, x).value, number(row, y))).collect();
         points.reverse();
         points
     }
 
-    /// Slope of ln y against ln x between the last two rows of [`Report::series`];
-    /// [`Measured::NONE`] for fewer than two rows.
+    /// Slope of ln y against ln x between the last two rows of [`Report::series`], with the effect of
+    /// the errors of y; [`Measured::NONE`] for fewer than two rows.
     pub fn exponent(&self, x: &str, y: &str) -> Measured {
         self.slope(x, y, f64::ln, f64::ln)
     }
 
-    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`];
-    /// [`Measured::NONE`] for fewer than two rows.
+    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`], with the effect of
+    /// the errors of y for a monotone g; [`Measured::NONE`] for fewer than two rows.
     pub fn slope(
         &self,
         x: &str,
@@ -118,8 +124,13 @@ impl Report {
         f: impl Fn(f64) -> f64,
         g: impl Fn(f64) -> f64,
     ) -> Measured {
-        match self.series(x, y).as_slice() {
-            [.., a, b] => ((g(b.1) - g(a.1)) / (f(b.0) - f(a.0))).into(),
+        let image = |y: Measured| {
+            let value = g(y.value);
+            let off = [y.value - y.error, y.value + y.error].map(|end| (g(end) - value).abs());
+            Measured::new(value, if y.error == 0.0 { 0.0 } else { off[0].max(off[1]) })
+        };
+        match self.measured(x, y).as_slice() {
+            [.., a, b] => (image(b.1) - image(a.1)) / (f(b.0) - f(a.0)),
             _ => Measured::NONE,
         }
     }
@@ -141,7 +152,8 @@ impl Report {
     }
 
     /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the
-    /// colour scale of the last one.
+    /// colour scale of the last one: to its largest value, or to the value exceeded on one percent
+    /// of the area if that is less than half of it, as near a corner of infinite stress.
     ///
     /// # Errors
     /// As for [`signorini::fem::stresses`].
@@ -151,9 +163,7 @@ impl Report {
         solved: &[(String, &ContactProblem, &ContactSolution)],
     ) -> Result<()> {
         let Some((_, problem, solution)) = solved.last() else { return Ok(()) };
-        let values = body_values(problem, solution)?;
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        let range = values.iter().fold(ends, |(low, high), &v| (low.min(v), high.max(v)));
+        let range = body_range(problem, solution)?;
         for (name, problem, solution) in solved {
             self.found.bodies.push((name.clone(), body_svg(problem, solution, title, range)?));
         }

@@ -8,7 +8,6 @@ pub(super) mod dense;
 mod eigenvalues;
 mod hierarchical;
 mod operator;
-mod six_step;
 mod solve;
 mod spectral;
 mod toeplitz;

@@ -33,13 +33,3 @@ pub(crate) mod twofold;
 
 use crate::error::Error;
 pub(crate) use fractional_sobolev_numeric::{conjugate_gradients, search, sum};
-
-/// True if n has no prime factor above 5: Fourier transforms of such lengths are fast.
-pub(crate) fn is_smooth(mut n: usize) -> bool {
-    for prime in [2, 3, 5] {
-        while n.is_multiple_of(prime) {
-            n /= prime;
-        }
-    }
-    n == 1
-}
