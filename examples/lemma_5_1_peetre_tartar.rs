@@ -28,7 +28,7 @@
 //! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma};
+use fractional_sobolev::{Constraint, Function, Gram, Mesh, gamma, mean_constant};
 
 example! { quick "Lemma 5.1",
     "mean zero on (0, θ):  α (‖u‖₀² + |u|²_ν)^(1/2) ≤ |u|_ν,  best α = (1 + γ²)^(−1/2) > 0";
@@ -73,21 +73,22 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // zone whose slopes are polynomials of degree 3 to 11 in ln r, r the distance to the
             // nearest of 0, θ and 1, on elements that grow geometrically away from there; its error
             // is the change to a space of fewer elements and lower degrees.
-            let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
-            let gamma_of = Measured::from(found.constant);
+            let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant;
+            let gamma_of = Measured::from(found);
             let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
             // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of u ↦ mean on (0, 1) −
             // mean on (0, θ).
-            let bounds = found.bounds()?;
-            let whole = Measured::from(bounds.whole).squared();
-            let square = whole + Measured::from(bounds.dual_norm).squared();
+            let whole = Measured::from(gamma(nu, Constraint::mean_zero(), 1e-8)?.constant);
+            let zone = Constraint::mean_zero_on(0.0..theta);
+            let mean = Measured::from(mean_constant(nu, zone, 1e-8)?.constant);
+            let square = whole.squared() + mean.squared();
             let positive = (square + 1.0).sqrt().recip();
             let definition = by_definition(nu, theta)?;
             // Extremal functions, interpolated by quadratics on six pieces of each element: all
             // have mean zero on (0, θ).
             let mut over = Vec::new();
             for &order in &orders {
-                let u = gamma(order, Constraint::mean_zero_on(0.0..theta), 1e-8)?.extremal();
+                let u = gamma(order, Constraint::mean_zero_on(0.0..theta), 1e-8)?.extremal()?;
                 over.push(quotient(&u.interpolate(2, 6, &[theta])?, nu)? / alpha);
             }
             let attained = over.remove(k);

@@ -52,7 +52,7 @@ example! { quick "(5.5)-(5.9)",
 /// distance, give up to 0.2 % less. ±: the change to a space of fewer elements and lower degrees.
 fn solved(nu: Order, theta: f64) -> Result<(Measured, Extremal)> {
     let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?;
-    Ok((found.constant.into(), found.extremal()))
+    Ok((found.constant.into(), found.extremal()?))
 }
 
 /// Left over right side of three lines, and so at most 1.

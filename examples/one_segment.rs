@@ -151,7 +151,8 @@ impl Segment {
         let c_i =
             above(interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant);
         let first = |theta: f64| -> Result<f64> {
-            Ok(embedding_bound(nu, q)? * h * theta.powf(1.0 - 1.0 / q) * full)
+            let c_q = embedding_bound(nu, q)?.upper.map_or(f64::NAN, above);
+            Ok(c_q * h * theta.powf(1.0 - 1.0 / q) * full)
         };
         let second = |theta: f64| -> Result<f64> {
             let gamma = above(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant);

@@ -57,7 +57,8 @@
 
 use example_report::prelude::*;
 use fractional_sobolev::{
-    Error as Refusal, Function, PlanePosition, Triangles, closed_forms, gauss_legendre,
+    CornerFunction, Error as Refusal, Function, PlanePosition, Triangles, closed_forms,
+    gauss_legendre,
 };
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, SQRT_2};
 
@@ -196,7 +197,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             claim.at_most(apart, AT_CORNERS, "tolerance");
             // The same on a sector, by the formula of the header and Gauss rules in u and ψ.
             let on_sector = |radius: f64| -> Result<Measured> {
-                Ok(Function::sector_power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
+                Ok(CornerFunction::power(a, b, angle, radius)?.seminorm(s, AT_CORNERS)?.into())
             };
             let (over, outer) = (on_sector(radii[0])? / norm, norm / on_sector(radii[1])?);
             let claim = out.check("|w|_s: inner sector/polygon");

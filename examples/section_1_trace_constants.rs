@@ -33,7 +33,7 @@
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999 --angle 60`
 
 use example_report::prelude::*;
-use fractional_sobolev::{Domain, trace_constant, trace_quotient};
+use fractional_sobolev::{Domain, trace_constant, trace_constant_of_mode};
 use std::f64::consts::PI;
 
 example! { seconds "Section 1, traces",
@@ -73,20 +73,22 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let ratio = found.recip() * by_formula(s.value());
         let claim = out.check("C(s): formula/library");
         claim.whole_error_bars_differ_by_at_most(ratio, 1.0, 1e-10, "closed form");
-        // Best squared quotient of f: finite elements in φ, graded to the edge, the first with the
+        // Best quotient of f: finite elements in φ, graded to the edge, the first with the
         // power φ^(2s−1); the kernel by Gauss rules. Its error is the change from a coarser mesh of
-        // lower degree; `or_best`: also if above 1e-5.
-        let quotient =
-            |domain: Domain, mu: f64| Estimate::or_best(trace_quotient(domain, s, mu, 1e-5));
+        // lower degree; `or_best`: also if above 5e-6.
+        let of_mode = |domain: Domain, mu: f64| -> Result<Measured> {
+            let found = trace_constant_of_mode(domain, s, mu, 5e-6);
+            Ok(Estimate::or_best(found.map(|found| found.constant))?.into())
+        };
         for &mu in &FREQUENCIES[..3] {
-            let again = Measured::from(quotient(Domain::HalfPlane, mu)?) / square;
+            let again = of_mode(Domain::HalfPlane, mu)?.squared() / square;
             let claim = out.check("C(s)²: finite elements/closed form");
             claim.whole_error_bars_differ_by_at_most(again, 1.0, 1e-5, "closed form of C(s)²");
         }
         let mut largest = Measured::from(0.0);
         for mu in FREQUENCIES {
             let corner =
-                Measured::from(quotient(Domain::Corner(options.angle.to_radians()), mu)?) / square;
+                of_mode(Domain::Corner(options.angle.to_radians()), mu)?.squared() / square;
             if options.angle >= 90.0 {
                 let claim = out.check("corner modes: best squared quotient/C(s)²");
                 claim.whole_error_bars_at_most(corner, 1.0, "the half-plane");
@@ -112,7 +114,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // Macdonald's function.
     for s in [0.55, 0.65, 0.8, 0.95] {
         let best = trace_constant(Domain::HalfPlane, s, 1e-8)?;
-        let f = |y: f64| best.extremal().map_or(f64::NAN, |w| w.value(&[0.0, y]));
+        let profile = best.extremal()?;
+        let f = |y: f64| profile.value(&[0.0, y]);
         plot.line(&format!("s = {s}"), places.iter().map(|&y| (y, f(y))).collect());
     }
     plot.dashed_line("s = 1", places.iter().map(|&y| (y, (-y).exp())).collect());

@@ -150,7 +150,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let c_p =
         zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
     let half = gammas[0];
-    let c_q = embedding_bound(nu, q)?; // the formula of the header
+    let c_q = embedding_bound(nu, q)?.upper.map_or(f64::NAN, |upper| upper.value); // the formula of the header
     // A largest eigenvalue too, its error added: v a series of Legendre polynomials.
     let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant;
     let c_i = c_i.value + c_i.error;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fractional_sobolev::{
-    Constraint, Domain, Error, ErrorNorm, Estimate, Extremal, Zones, gamma, interpolation_constant,
+    BestConstant, Constraint, Domain, Error, ErrorNorm, Estimate, Extremal, Zones, gamma, interpolation_constant,
 };
 use pyo3::prelude::*;
 
@@ -47,7 +47,7 @@ pub(crate) fn poincare(
 ) -> PyResult<Found> {
     let shared = Arc::new(Shared::default());
     let condition = condition.to_owned();
-    let (found, bounds) = wait(py, &shared, move || {
+    let (found, bounded) = wait(py, &shared, move || {
         let zones_given = || match zones.as_slice() {
             [(start, length)] if start_and_length => Zones::from_start_and_length(*start, *length),
             _ => Zones::union(&zones.iter().map(|&(a, b)| a..b).collect::<Vec<_>>()),
@@ -65,17 +65,10 @@ pub(crate) fn poincare(
             Condition::VanishingAt(x) => Constraint::vanishing_at(x)?,
         };
         let found = gamma(s, constraint, tol)?;
-        let bounds = found.bounds().ok().map(|bounds| [bounds.lower, bounds.upper]);
-        Ok((found, bounds))
+        let bounded = found.bounded().ok();
+        Ok((found, bounded))
     })?;
-    // proved bounds carry no error of their own
-    let bound =
-        |value: f64| estimate(py, Estimate { value, error: 0.0, work: found.constant.work });
-    let [lower, upper] = match bounds {
-        Some([lower, upper]) => [Some(bound(lower)?), Some(bound(upper)?)],
-        None => [None, None],
-    };
-    Ok((estimate(py, found.constant)?, lower, upper, Some(ExtremalFunction(found.extremal()))))
+    shown(py, &found, bounded.as_ref())
 }
 
 /// The best constant of linear interpolation on an interval, a mesh or a triangle.
@@ -109,7 +102,18 @@ pub(crate) fn interpolation(
         };
         Ok(interpolation_constant(domain, norm, s, tol)?)
     })?;
-    let upper = found.upper.map(|upper| estimate(py, upper)).transpose()?;
-    let extremal = found.extremal().cloned().map(ExtremalFunction);
-    Ok((estimate(py, found.constant)?, Some(estimate(py, found.lower)?), upper, extremal))
+    shown(py, &found, Some(&found))
+}
+
+/// The constant with its bounds, if any, and its function.
+fn shown(
+    py: Python<'_>,
+    found: &BestConstant,
+    bounded: Option<&BestConstant>,
+) -> PyResult<Found> {
+    let bound = |of: Option<Estimate>| of.map(|bound| estimate(py, bound)).transpose();
+    let lower = bound(bounded.map(|found| found.lower))?;
+    let upper = bound(bounded.and_then(|found| found.upper))?;
+    let extremal = found.extremal().ok().map(ExtremalFunction);
+    Ok((estimate(py, found.constant)?, lower, upper, extremal))
 }

@@ -83,7 +83,7 @@ pub(crate) fn dual_norm(
                 return Err(Error::UnknownName { what: "norm", given: dual_of, expected }.into());
             }
         };
-        Ok(source.on(&on)?.dual_norm(of, s, tol)?)
+        Ok(source.dual_norm(&on, of, s, tol)?)
     })?;
     estimate(py, found)
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fractional_sobolev::{Error, Function, Mesh, Result};
+use fractional_sobolev::{DualOf, Error, Estimate, Function, Load, Mesh, Result};
 use pyo3::prelude::*;
 
 use crate::callback::{Callback, Shared};
@@ -34,6 +34,28 @@ impl Source {
         Ok(if functional { Self::Functional(values) } else { Self::Values(values) })
     }
 
+    /// The dual norm of order −s on the interval with these breakpoints or nodes.
+    pub(crate) fn dual_norm(
+        &self,
+        places: &[f64],
+        of: DualOf,
+        s: f64,
+        tolerance: f64,
+    ) -> Result<Estimate> {
+        match self {
+            Self::Functional(values) if of == DualOf::Slobodeckij => {
+                Load::new(&Mesh::from_nodes(places)?, values)?.dual_norm(s, tolerance)
+            }
+            Self::Functional(_) => Err(Error::Incompatible {
+                what: "the dual norm",
+                given: format!("of {of:?}"),
+                with: "a functional on hat functions",
+                expected: "slobodeckij",
+            }),
+            _ => self.on(places)?.dual_norm(of, s, tolerance),
+        }
+    }
+
     /// The function on the interval with these breakpoints or nodes.
     pub(crate) fn on(&self, places: &[f64]) -> Result<Function<'_>> {
         match self {
@@ -44,7 +66,12 @@ impl Source {
                     f.at_distances(at.x(), (0..count).map(|k| at.distance_to(k)))
                 })
             }
-            Self::Functional(values) => Function::load(&Mesh::from_nodes(places)?, values),
+            Self::Functional(_) => Err(Error::Incompatible {
+                what: "the",
+                given: "norm of positive order".to_owned(),
+                with: "a functional on hat functions",
+                expected: "the dual norm",
+            }),
             Self::Values(values) => {
                 let mesh = Mesh::from_nodes(places)?;
                 match values.len() {

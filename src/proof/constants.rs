@@ -77,10 +77,11 @@ impl ProofConstants {
         let upper = |e: fractional_sobolev::Estimate| e.value + e.error;
         let (q, embedding) = if tau < 2.0 {
             let q = 2.0 / (-2.0 * order.offset());
-            (q, embedding_bound(order, q)?)
+            (q, embedding_bound(order, q)?.upper)
         } else {
-            (q, embedding_bound(Order::HALF, q)?)
+            (q, embedding_bound(Order::HALF, q)?.upper)
         };
+        let embedding = embedding.map_or(f64::NAN, upper);
         let (gammas, factors) = if tau > 2.0 {
             let constant = upper(
                 gamma(order, Constraint::vanishing_at(0.0), Tolerance::new(GAMMA)?)?.constant,

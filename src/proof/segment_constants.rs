@@ -33,17 +33,17 @@
 use crate::cone::Cone;
 use crate::error::Result;
 use crate::numeric::search::golden_section;
-use fractional_sobolev::{Estimate, Given, Moment, MomentConstant, Order, Tolerance, Work, moment};
+use fractional_sobolev::{BestConstant, Estimate, Given, Moment, Order, Tolerance, Work, moment};
 
 /// A constant, with the measure of the contact set at which it is attained.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct SegmentConstant {
     /// The constant.
     pub value: Estimate,
     /// The measure |E| of the contact set, accurate to about 1e-6.
     pub contact: f64,
     /// The two factors: the moments on the contact set E and on its complement N.
-    pub moments: [MomentConstant; 2],
+    pub moments: [BestConstant; 2],
 }
 
 impl SegmentConstant {
@@ -60,10 +60,11 @@ impl SegmentConstant {
     /// ```
     ///
     /// # Errors
-    /// As for [`MomentConstant::bounds`].
+    /// As for [`BestConstant::bounded`].
     pub fn bounds(&self) -> Result<[f64; 2]> {
-        let [on_contact, on_gap] = [self.moments[0].bounds()?, self.moments[1].bounds()?];
-        Ok([on_contact[0] * on_gap[0], on_contact[1] * on_gap[1]])
+        let [on_contact, on_gap] = [self.moments[0].bounded()?, self.moments[1].bounded()?];
+        let upper = |moment: &BestConstant| moment.upper.map_or(f64::NAN, |upper| upper.value);
+        Ok([on_contact.lower.value * on_gap.lower.value, upper(&on_contact) * upper(&on_gap)])
     }
 
     /// The larger of the distances of the two [`SegmentConstant::bounds`] from the value, plus its error,
@@ -195,7 +196,7 @@ fn product(
     moments: (Moment, Moment),
     length: f64,
     tolerance: Tolerance,
-) -> Result<(Estimate, [MomentConstant; 2])> {
+) -> Result<(Estimate, [BestConstant; 2])> {
     let factors = [
         moment(order, length..1.0, moments.0, tolerance)?,
         moment(order, 0.0..length, moments.1, tolerance)?,

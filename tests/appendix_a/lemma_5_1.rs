@@ -18,11 +18,11 @@ fn statement_is_confirmed() {
             let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8).unwrap();
             let alpha = 1.0 / found.constant.value.hypot(1.0);
             // the extremal function attains it, its matrices are those of another discretisation
-            let u = found.extremal().interpolate(2, 6, &[theta]).unwrap();
+            let u = found.extremal().unwrap().interpolate(2, 6, &[theta]).unwrap();
             assert!((quotient(&u, nu) / alpha - 1.0).abs() < 1e-3, "nu {nu}, theta {theta}");
             // α is bounded away from zero without the eigenvalue
             assert!(
-                alpha >= (1.0 - 1e-9) / found.bounds().unwrap().upper.hypot(1.0),
+                alpha >= (1.0 - 1e-9) / found.bounded().unwrap().upper.unwrap().value.hypot(1.0),
                 "nu {nu}, theta {theta}"
             );
             alphas.push(alpha);

@@ -6,7 +6,7 @@
 pub mod example;
 
 use example::{Constants, factors};
-use fractional_sobolev::{Function, Order, Tolerance, Triangles, closed_forms};
+use fractional_sobolev::{CornerFunction, Function, Order, Tolerance, Triangles, closed_forms};
 use signorini::cone::Cone;
 use signorini::contact::Solver;
 use signorini::fem::Lame;
@@ -130,5 +130,5 @@ fn what_is_not_in_the_space_is_an_error() {
         assert!(known.body_seminorm(1.75, Tolerance::fast()).is_err());
         assert!(known.body_seminorm(2.0, Tolerance::fast()).is_err());
     }
-    assert!(Function::elastic_corner(1.5, 0.0, 1.0).is_err());
+    assert!(CornerFunction::elastic(1.5, 0.0, 1.0).is_err());
 }

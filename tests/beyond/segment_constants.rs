@@ -21,7 +21,7 @@ fn the_constants_are_known_by_two_computations() {
         let tolerance = Tolerance::new(1e-9).unwrap();
         let [product, kappa, midpoint] = [product_constant, consistency_constant, midpoint_bound]
             .map(|of| of(nu, tolerance).unwrap());
-        for found in [product, kappa, midpoint] {
+        for found in [&product, &kappa, &midpoint] {
             assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
         }
         assert!((product.contact - 0.5).abs() < 1e-4, "{nu}: {product:?}");

@@ -31,15 +31,15 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// ρ^{-2n} < 1e-24.
 const SQUARE_POINTS: usize = 20;
 
-/// |x^a|²_ν on (0, 1) = 2/(2a−2ν+1) [B(1,−2ν) − 2B(a+1,−2ν) + B(2a+1,−2ν)], B the analytically continued Beta function.
+/// |x^a|²_s on (0, 1) = 2/(2a−2s+1) [B(1,−2s) − 2B(a+1,−2s) + B(2a+1,−2s)], B the analytically continued Beta function.
 ///
-/// The bracket equals ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a
+/// The bracket equals ∫₀¹ (1−t^a)² (1−t)^{-1-2s} dt. It is split at ε = max(1/2, 1 − 1/(1+a)); with E = ε^a
 /// − 1,
-/// - below: Σ_k (1+2ν)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all
+/// - below: Σ_k (1+2s)_k/k! ε^{k+1} [2a²/((k+1)(k+1+a)(k+1+2a)) − 2aE/((k+1+a)(k+1+2a)) + E²/(k+1+2a)], all
 ///   terms positive;
-/// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated with the weight τ^{1-2ν}.
+/// - above: the power series of ((1−(1−τ)^a)/τ)² in τ = 1 − t, integrated with the weight τ^{1-2s}.
 ///
-/// Neither part suffers from cancellation at ν = 1/2, a = 0 or ν = 1. Cost about 100 terms, 40 (1 + a) for large a.
+/// Neither part suffers from cancellation at s = 1/2, a = 0 or s = 1. Cost about 100 terms, 40 (1 + a) for large a.
 ///
 /// ```
 /// use fractional_sobolev::{Order, closed_forms};
@@ -50,10 +50,10 @@ const SQUARE_POINTS: usize = 20;
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for a ≤ ν − 1/2 (a ≠ 0); [`Error::OutOfRange`] unless 0 < ν < 1 and a is finite
+/// [`Error::InfiniteNorm`] for a ≤ s − 1/2 (a ≠ 0); [`Error::OutOfRange`] unless 0 < s < 1 and a is finite
 /// and at most 1e4.
-pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub fn power_seminorm_squared(a: f64, s: impl Given<Order>) -> Result<Estimate> {
+    let order = s.given()?;
     Error::require("exponent a", a, "(-inf, 1e4]", a.is_finite() && a <= 1e4)?;
     if a == 0.0 {
         return Estimate::new(0.0, 0.0, Work::default());
@@ -76,8 +76,8 @@ pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estima
     Estimate::new(value, value * (ROUNDING + f64::EPSILON * conditioning) + f64::MIN_POSITIVE, work)
 }
 
-/// |x^a|_ν on (0, 1), accurate also where its square underflows: for small |a|,
-/// |x^a|_ν √(a − ν + 1/2) / |a| is constant up to relative terms of order a.
+/// |x^a|_s on (0, 1), accurate also where its square underflows: for small |a|,
+/// |x^a|_s √(a − s + 1/2) / |a| is constant up to relative terms of order a.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;
@@ -88,8 +88,8 @@ pub fn power_seminorm_squared(a: f64, order: impl Given<Order>) -> Result<Estima
 ///
 /// # Errors
 /// As [`power_seminorm_squared`].
-pub fn power_seminorm(a: f64, order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub fn power_seminorm(a: f64, s: impl Given<Order>) -> Result<Estimate> {
+    let order = s.given()?;
     const TINY: f64 = 1e-30;
     if a == 0.0 || a.abs() >= TINY || a <= order.offset() {
         return power_seminorm_squared(a, order)?.sqrt();
@@ -100,7 +100,7 @@ pub fn power_seminorm(a: f64, order: impl Given<Order>) -> Result<Estimate> {
     Estimate::new(found.value, found.error + f64::MIN_POSITIVE * f64::EPSILON, found.work)
 }
 
-/// ∫₀^ε (1−t^a)² (1−t)^{-1-2ν} dt and the number of terms of its series.
+/// ∫₀^ε (1−t^a)² (1−t)^{-1-2s} dt and the number of terms of its series.
 fn power_below(a: f64, order: Order, end: f64) -> (f64, u64) {
     let e = (a * end.ln()).exp_m1();
     let (mut sum, mut coefficient, mut terms) = (0.0, end, 0);
@@ -120,7 +120,7 @@ fn power_below(a: f64, order: Order, end: f64) -> (f64, u64) {
     (sum, terms)
 }
 
-/// ∫₀^η (1−(1−τ)^a)² τ^{-1-2ν} dτ and the number of terms of its series.
+/// ∫₀^η (1−(1−τ)^a)² τ^{-1-2s} dτ and the number of terms of its series.
 fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
     // (1 − (1−τ)^a)/τ = Σ c_j τ^j, c_0 = a, c_j = c_{j-1} (j − a)/(j + 1); here c_j η^j
     let mut series = vec![a];
@@ -137,8 +137,8 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
     (sum * end.powf(exponent), series.len() as u64)
 }
 
-/// |u|²_ν on (0, p+q) for u = 0 on (0, p), 1 on (p, p+q):
-/// 2 [p^{1-2ν} + q^{1-2ν} − (p+q)^{1-2ν}] / (2ν(1−2ν)).
+/// |u|²_s on (0, p+q) for u = 0 on (0, p), 1 on (p, p+q):
+/// 2 [p^{1-2s} + q^{1-2s} − (p+q)^{1-2s}] / (2s(1−2s)).
 ///
 /// ```
 /// use fractional_sobolev::{Order, closed_forms};
@@ -151,17 +151,17 @@ fn power_above(a: f64, order: Order, end: f64) -> (f64, u64) {
 /// ```
 ///
 /// # Errors
-/// [`Error::InfiniteNorm`] for ν ≥ 1/2; [`Error::OutOfRange`] unless 0 < ν < 1; as [`Mesh::from_lengths`] for
+/// [`Error::InfiniteNorm`] for s ≥ 1/2; [`Error::OutOfRange`] unless 0 < s < 1; as [`Mesh::from_lengths`] for
 /// inadmissible lengths.
-pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub fn jump_seminorm_squared(p: f64, q: f64, s: impl Given<Order>) -> Result<Estimate> {
+    let order = s.given()?;
     require_constants_finite(order)?;
     Mesh::from_lengths(&[p, q])?;
     let value = 2.0 * CellPairs::new(order).touching_constants(p, q);
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |φ|²_ν for the hat function φ that increases from 0 to 1 over the length `rise`, decreases to 0 over the
+/// |φ|²_s for the hat function φ that increases from 0 to 1 over the length `rise`, decreases to 0 over the
 /// length `fall`, and vanishes on intervals of lengths `before` and `after` on either side.
 ///
 /// `before` and `after` may be zero: the support of the hat function then reaches the end of the interval.
@@ -177,15 +177,15 @@ pub fn jump_seminorm_squared(p: f64, q: f64, order: impl Given<Order>) -> Result
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 0 < ν < 1; as [`Mesh::from_lengths`] for inadmissible lengths.
+/// [`Error::OutOfRange`] unless 0 < s < 1; as [`Mesh::from_lengths`] for inadmissible lengths.
 pub fn hat_seminorm_squared(
     before: f64,
     rise: f64,
     fall: f64,
     after: f64,
-    order: impl Given<Order>,
+    s: impl Given<Order>,
 ) -> Result<Estimate> {
-    let order = order.given()?;
+    let order = s.given()?;
     let mut lengths = vec![rise, fall];
     let mut peak = 1;
     if before != 0.0 {
@@ -200,9 +200,9 @@ pub fn hat_seminorm_squared(
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 
-/// |cos kφ|²_ν on the unit circle, with distances in the plane: 2π ∫₀^{2π} (1 − cos kθ) (2 sin(θ/2))^{-1-2ν}
-/// dθ, which for k ≥ 1 is by Cauchy's Beta integral 2π^{3/2} 4^{-ν} Γ(1−ν)/(ν Γ(3/2−ν)) [(1/2+ν) Π_{j=2}^k
-/// (j−1/2+ν)/(j−1/2−ν) − 1/2 + ν]; 2π²k for ν = 1/2. Cost: k products.
+/// |cos kφ|²_s on the unit circle, with distances in the plane: 2π ∫₀^{2π} (1 − cos kθ) (2 sin(θ/2))^{-1-2s}
+/// dθ, which for k ≥ 1 is by Cauchy's Beta integral 2π^{3/2} 4^{-s} Γ(1−s)/(s Γ(3/2−s)) [(1/2+s) Π_{j=2}^k
+/// (j−1/2+s)/(j−1/2−s) − 1/2 + s]; 2π²k for s = 1/2. Cost: k products.
 ///
 /// ```
 /// use fractional_sobolev::closed_forms;
@@ -213,8 +213,8 @@ pub fn hat_seminorm_squared(
 ///
 /// # Errors
 /// [`Error::OutOfRange`] for an order outside (0, 1).
-pub fn cosine_on_circle_seminorm_squared(k: u32, order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub fn cosine_on_circle_seminorm_squared(k: u32, s: impl Given<Order>) -> Result<Estimate> {
+    let order = s.given()?;
     if k == 0 {
         return Estimate::new(0.0, 0.0, Work::default());
     }
@@ -244,8 +244,8 @@ pub fn cosine_on_circle_seminorm_squared(k: u32, order: impl Given<Order>) -> Re
 ///
 /// # Errors
 /// [`Error::OutOfRange`] unless 0 < s < 1.
-pub fn coordinate_on_square_seminorm_squared(order: impl Given<Order>) -> Result<Estimate> {
-    let order = order.given()?;
+pub fn coordinate_on_square_seminorm_squared(s: impl Given<Order>) -> Result<Estimate> {
+    let order = s.given()?;
     let two = 2.0 * order.complement();
     let (p, q) = (1.0 / (two * (1.0 + two)), 1.0 / ((1.0 + two) * (2.0 + two)));
     let part = |k: f64| (p - q * k) * (-order.value() * (k * k).ln_1p()).exp();
@@ -324,9 +324,9 @@ fn zeta(s: f64, s_minus_one: f64) -> f64 {
     tail + (1..12).rev().map(|j| f64::from(j).powf(-s)).sum::<f64>()
 }
 
-/// C(1, ν) = Γ(1 + 2ν) sin(πν)/π = 4^ν Γ(ν + 1/2) / (√π |Γ(−ν)|), the constant of the integral fractional Laplacian on the line:
-/// (−Δ)^ν u(x) = C(1, ν) PV∫ (u(x) − u(y)) / |x − y|^{1+2ν} dy has the Fourier symbol |ξ|^{2ν}, and its weak form is
-/// C(1, ν)/2 times the one of [`Gram::zero_outside`](crate::Gram::zero_outside).
+/// C(1, s) = Γ(1 + 2s) sin(πs)/π = 4^s Γ(s + 1/2) / (√π |Γ(−s)|), the constant of the integral fractional Laplacian on the line:
+/// (−Δ)^s u(x) = C(1, s) PV∫ (u(x) − u(y)) / |x − y|^{1+2s} dy has the Fourier symbol |ξ|^{2s}, and its weak form is
+/// C(1, s)/2 times the one of [`Gram::zero_outside`](crate::Gram::zero_outside).
 ///
 /// ```
 /// use fractional_sobolev::{Order, closed_forms};
@@ -336,10 +336,10 @@ fn zeta(s: f64, s_minus_one: f64) -> f64 {
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] unless 0 < ν < 1.
+/// [`Error::OutOfRange`] unless 0 < s < 1.
 #[doc(alias("fractional Laplacian", "normalization constant", "C(d,s)"))]
-pub fn fractional_laplacian_constant(order: impl Given<Order>) -> Result<Estimate> {
-    let value = 2.0 / symbol_constant(order.given()?);
+pub fn fractional_laplacian_constant(s: impl Given<Order>) -> Result<Estimate> {
+    let value = 2.0 / symbol_constant(s.given()?);
     Estimate::new(value, ROUNDING * value, Work::default())
 }
 

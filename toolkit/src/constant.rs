@@ -1,7 +1,7 @@
 //! Best constants: their domains, norms and bounds.
 
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::{Estimate, Tolerance, Work};
 use crate::function::Function;
 use crate::mesh::Mesh;
 use crate::order::{Order, SobolevOrder};
@@ -84,7 +84,8 @@ impl ErrorNorm {
     }
 }
 
-/// A best constant: its value, its lower and upper bounds, and a function that attains it.
+/// A best constant: its value, its lower and upper bounds, and a function that attains it. The one result of
+/// every function that computes a best constant.
 ///
 /// ```
 /// use fractional_sobolev::{BestConstant, Domain, ErrorNorm, interpolation_constant};
@@ -99,16 +100,21 @@ impl ErrorNorm {
 /// ```
 #[derive(Clone)]
 pub struct BestConstant {
-    /// The constant, to the requested tolerance; for an embedding the midpoint between `lower` and `upper`,
-    /// with half their distance as error unless `upper` is 1.
+    /// The constant, to the requested tolerance; for an embedding and for [`Law::bracket`](crate::Law::bracket) the
+    /// midpoint between `lower` and `upper`, with half their distance as error unless `upper` is 1.
     pub constant: Estimate,
-    /// A lower bound: the quotient for a particular function, up to quadrature and rounding errors.
+    /// A lower bound: the quotient for a particular function. Its error is that of quadrature and rounding.
     pub lower: Estimate,
-    /// A proved upper bound, where one is known.
+    /// A proved upper bound, where one is known; that of `gamma` and `moment` is computed by
+    /// [`bounded`](Self::bounded). Its error is that of rounding.
     pub upper: Option<Estimate>,
-    extremal: Option<Extremal>,
+    extremal: Option<OnRequest<Extremal>>,
     others: Option<Others>,
+    bounds: Option<OnRequest<[f64; 2]>>,
 }
+
+/// Computed where it is asked for.
+type OnRequest<T> = Arc<dyn Fn() -> Result<T> + Send + Sync>;
 
 /// The constant in another norm, computed on request.
 type Others = Arc<dyn Fn(ErrorNorm) -> Result<BestConstant> + Send + Sync>;
@@ -125,7 +131,7 @@ impl fmt::Debug for BestConstant {
 
 impl BestConstant {
     pub(crate) fn new(constant: Estimate, lower: Estimate, upper: Option<Estimate>) -> Self {
-        Self { constant, lower, upper, extremal: None, others: None }
+        Self { constant, lower, upper, extremal: None, others: None, bounds: None }
     }
 
     /// A constant in closed form.
@@ -137,7 +143,31 @@ impl BestConstant {
         self,
         value: impl Fn(&[f64]) -> f64 + Send + Sync + 'static,
     ) -> Self {
-        Self { extremal: Some(Extremal(Kind::Points(Arc::new(value)))), ..self }
+        let extremal = Extremal(Kind::Points(Arc::new(value)));
+        self.with_extremal_by(move || Ok(extremal.clone()))
+    }
+
+    /// The extremal function, computed on request.
+    pub(crate) fn with_extremal_by(
+        self,
+        extremal: impl Fn() -> Result<Extremal> + Send + Sync + 'static,
+    ) -> Self {
+        Self { extremal: Some(Arc::new(extremal)), ..self }
+    }
+
+    /// Lower and upper bound, computed on request.
+    pub(crate) fn with_bounds_by(
+        self,
+        bounds: impl Fn() -> Result<[f64; 2]> + Send + Sync + 'static,
+    ) -> Self {
+        Self { bounds: Some(Arc::new(bounds)), ..self }
+    }
+
+    /// The constant between two proved bounds: their midpoint, with half their distance as error.
+    pub(crate) fn between(lower: f64, upper: f64, work: Work) -> Result<Self> {
+        let exactly = |value| Estimate::new(value, 0.0, work);
+        let constant = Estimate::new(0.5 * (lower + upper), 0.5 * (upper - lower), work)?;
+        Ok(Self::new(constant, exactly(lower)?, Some(exactly(upper)?)))
     }
 
     pub(crate) fn with_others(
@@ -182,12 +212,59 @@ impl BestConstant {
         self.others.as_ref().ok_or_else(refused)?(norm)
     }
 
-    /// A function that attains the constant (for the embedding constant, the lower bound); `None` if none is
-    /// known.
-    #[doc(alias("eigenfunction", "worst function"))]
-    pub fn extremal(&self) -> Option<&Extremal> {
-        self.extremal.as_ref()
+    /// The same constant with a lower and an upper bound by an independent computation, for the constants of
+    /// [`gamma`](crate::gamma) and [`moment`](crate::moment), where the method and its cost are described; a constant
+    /// that has its bounds already is returned as it is.
+    ///
+    /// ```
+    /// use fractional_sobolev::{Constraint, gamma};
+    /// let found = gamma(0.3, Constraint::mean_zero_on(0.25..0.26), 1e-4)?.bounded()?;
+    /// let (gamma, upper) = (found.constant.value, found.upper.map_or(f64::NAN, |upper| upper.value));
+    /// assert!(found.lower.value <= gamma && gamma <= upper && upper < 1.5 * gamma);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of the computation; [`Error::Incompatible`] if no upper bound is known.
+    pub fn bounded(&self) -> Result<Self> {
+        if let Some(bounds) = &self.bounds {
+            let [lower, upper] = bounds()?;
+            let exactly = |value| Estimate::new(value, 0.0, self.constant.work);
+            return Ok(Self {
+                lower: exactly(lower)?,
+                upper: Some(exactly(upper)?),
+                bounds: None,
+                ..self.clone()
+            });
+        }
+        match self.upper {
+            Some(_) => Ok(self.clone()),
+            None => Err(unknown("upper bound", "a constant with a known upper bound")),
+        }
     }
+
+    /// A function that attains the constant (for the embedding constant, the lower bound).
+    ///
+    /// ```
+    /// use fractional_sobolev::{Constraint, gamma};
+    /// let u = gamma(0.5, Constraint::vanishing_on(0.0..0.01), 1e-4)?.extremal()?;
+    /// assert!(u.value(&[0.005]).abs() < 1e-12 && u.value(&[1.0]) > 1.0);
+    /// # Ok::<(), fractional_sobolev::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::Incompatible`] if no such function is known; those of [`moment`](crate::moment), whose function is
+    /// computed on request.
+    #[doc(alias("eigenfunction", "minimiser", "worst function"))]
+    pub fn extremal(&self) -> Result<Extremal> {
+        let known = "a constant whose extremal function is known";
+        self.extremal.as_ref().ok_or_else(|| unknown("extremal function", known))?()
+    }
+}
+
+/// [`Error::Incompatible`] for what is not known of a constant.
+fn unknown(what: &'static str, expected: &'static str) -> Error {
+    Error::Incompatible { what, given: "on request".to_owned(), with: "this constant", expected }
 }
 
 /// A function of the coordinates of a point.
@@ -222,13 +299,13 @@ pub(crate) trait OnInterval: fmt::Debug + Send + Sync {
 /// ```
 /// use fractional_sobolev::{Constraint, Domain, ErrorNorm, Extremal, Tolerance, gamma, interpolation_constant};
 /// let found = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, 0.5, 1e-8)?;
-/// let error: Option<Vec<f64>> =
-///     found.extremal().map(|e: &Extremal| [0.0, 0.25, 0.5].map(|x| e.value(&[x]).abs()).to_vec());
-/// assert!(error.is_some_and(|e| e[0] < 1e-12 && e[1] < e[2])); // zero at the nodes, largest in the middle
+/// let error: Extremal = found.extremal()?;
+/// let e = [0.0, 0.25, 0.5].map(|x| error.value(&[x]).abs());
+/// assert!(e[0] < 1e-12 && e[1] < e[2]); // zero at the nodes, largest in the middle
 ///
 /// let asked = Tolerance::fast();
 /// let found = gamma(0.5, Constraint::mean_zero_on(0.0..0.01), asked)?;
-/// let u: Extremal = found.extremal();
+/// let u = found.extremal()?;
 /// assert!(u.profile(4).iter().all(|&(x, value)| (value - u.value(&[x])).abs() < 1e-9));
 /// // its interpolant nearly has the quotient γ
 /// let u = u.interpolate(3, 1, &[0.01])?;

@@ -1,16 +1,14 @@
 //! Functions on intervals, polygons and triangulations, and their norms of order −1 < s < 2.
 
 use super::boundary::{BoundaryFunction, Curve, CurveFormula};
-use super::dual::{DualOf, MeshFunctional};
+use super::dual::DualOf;
 use super::fields::FieldError;
 use super::functions::{Position, SingularFunction};
 use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
 use super::order::{Order, SobolevOrder};
 use super::piecewise::PiecewisePolynomial;
-use super::plane::{
-    ElasticCorner, PlaneFunction, PlanePosition, SectorPower, SingularPlaneFunction, Triangles,
-};
+use super::plane::{PlaneFunction, PlanePosition, SingularPlaneFunction, Triangles};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::root::root_of_squares;
@@ -22,10 +20,8 @@ use std::ops::Range;
 /// | --- | --- |
 /// | a formula with breakpoints | [`from_fn`](Self::from_fn), [`from_positions`](Self::from_positions), [`power`](Self::power) |
 /// | values on a mesh of an interval | [`linears`](Self::linears), [`piecewise`](Self::piecewise), [`interpolate`](Self::interpolate) |
-/// | values ⟨f, φ_i⟩ on the hat functions of a mesh | [`load`](Self::load) |
 /// | values on a triangulation | [`on_triangles`](Self::on_triangles) |
 /// | a formula on a triangulation, with singular corners | [`from_plane_positions`](Self::from_plane_positions) |
-/// | a corner singularity on a sector | [`sector_power`](Self::sector_power), [`elastic_corner`](Self::elastic_corner) |
 /// | values on a polygonal curve | [`on_curve`](Self::on_curve) |
 /// | a formula on the boundary of a polygon | [`on_polygon`](Self::on_polygon) |
 ///
@@ -40,7 +36,6 @@ use std::ops::Range;
 /// | --- | --- | --- | --- |
 /// | formula | (−1, 1), below 2 with its derivative | rules graded towards the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
-/// | load | (−1, 0) | supremum over the piecewise linear functions on the mesh | O(N) per step of an iteration |
 /// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
@@ -85,12 +80,9 @@ enum Kind<'a> {
     /// x^a for small |a|: its seminorms are computed by another integral.
     NearlyOne(NearlyOne, SingularFunction<'a>),
     Piecewise(PiecewisePolynomial),
-    Load(MeshFunctional),
     Difference(FieldError<'a>),
     Plane(PlaneFunction),
     PlaneFormula(SingularPlaneFunction<'a>),
-    Sector(SectorPower),
-    Elastic(ElasticCorner),
     Curve(BoundaryFunction),
     CurveFormula(CurveFormula<'a>),
 }
@@ -242,24 +234,6 @@ impl<'a> Function<'a> {
         PiecewisePolynomial::interpolate(mesh.clone(), degree, f).map(Self::from)
     }
 
-    /// The functional with the values ⟨f, φ_i⟩ on the hat functions of a mesh. Only its norms of order −1 < s <
-    /// 0 are defined, as suprema over the piecewise linear functions on the mesh.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// // v ↦ ∫ v over (0, 1)
-    /// let f = Function::load(&Mesh::uniform(2, 1.0)?, &[0.25, 0.5, 0.25])?;
-    /// assert!((f.norm(-0.5, 1e-8)?.value - 1.0).abs() < 1e-8);
-    /// assert!(f.norm(0.5, 1e-8).is_err());
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::LengthMismatch`], [`Error::NotFinite`].
-    pub fn load(mesh: &Mesh, values: &[f64]) -> Result<Self> {
-        MeshFunctional::new(mesh.clone(), values).map(Kind::Load).map(Self::of)
-    }
-
     /// The function on a triangulation with the given values: continuous and linear with one value per node (degree
     /// 1), or constant on every triangle (degree 0).
     ///
@@ -308,50 +282,6 @@ impl<'a> Function<'a> {
         f: impl Fn(&PlanePosition<'_>) -> f64 + Sync + 'a,
     ) -> Result<Self> {
         SingularPlaneFunction::new(mesh.clone(), corners, f).map(Kind::PlaneFormula).map(Self::of)
-    }
-
-    /// The function r^a sin(bφ) on the sector 0 < r < R, 0 < φ < ω. Only its seminorms of order 0 < s < 1
-    /// and, for a = b, where it is harmonic, those of order 1 < s < 2, |∇u|\_{s−1}, are computed. They scale
-    /// like R^{a+1−s}.
-    ///
-    /// ```
-    /// use fractional_sobolev::Function;
-    /// // the corner singularity of the L-shape
-    /// let corner = Function::sector_power(2.0 / 3.0, 2.0 / 3.0, 1.5 * std::f64::consts::PI, 1.0)?;
-    /// assert!(corner.seminorm(0.9, 1e-12)?.relative_error() <= 1e-12);
-    /// assert!(corner.seminorm(1.6, 1e-12)?.relative_error() <= 1e-12); // finite for s < 5/3
-    /// assert!(corner.seminorm(1.7, 1e-12).is_err());
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless −1 < a ≤ 20, 0 < b ≤ 20, 0 < ω ≤ 7π/4, R > 0.
-    #[doc(alias("corner singularity", "L-shape"))]
-    pub fn sector_power(exponent: f64, frequency: f64, angle: f64, radius: f64) -> Result<Self> {
-        SectorPower::new(exponent, frequency, angle, radius).map(Kind::Sector).map(Self::of)
-    }
-
-    /// The elastic displacement v = (α Re z^p − p y Im z^{p−1}, (1+α) Im z^p − p y Re z^{p−1}), z = x + iy,
-    /// on the half disc |z| < R, y > 0, with zero shear on y = 0. Only its seminorms of order 1 < s <
-    /// 2, |∇v|\_{s−1} of all four derivatives, are computed. They scale like R^{p+1−s}. α = μ/(λ+μ), λ, μ the
-    /// Lamé constants; the displacement of a body is v/(2μ).
-    ///
-    /// ```
-    /// use fractional_sobolev::Function;
-    /// use std::f64::consts::PI;
-    /// // p = 2, α = 1: v = (x² − 3y², 2xy), |∇v|²_{1/2} = 8 |x|²_{1/2} + 40 |y|²_{1/2}
-    /// let norm = Function::elastic_corner(2.0, 1.0, 1.0)?.seminorm(1.5, 1e-12)?.value;
-    /// let y = Function::sector_power(1.0, 1.0, PI, 1.0)?.seminorm(0.5, 1e-12)?.value;
-    /// let both = Function::sector_power(2.0, 2.0, PI, 1.0)?.seminorm(1.5, 1e-12)?.value;
-    /// assert!((norm / (2.0 * both.powi(2) + 32.0 * y.powi(2)).sqrt() - 1.0).abs() < 1e-12);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] unless 0 < p ≤ 20, α > 0, R > 0.
-    #[doc(alias("Westergaard"))]
-    pub fn elastic_corner(power: f64, alpha: f64, radius: f64) -> Result<Self> {
-        ElasticCorner::new(power, alpha, radius).map(Kind::Elastic).map(Self::of)
     }
 
     /// The function on a polygonal curve with the given values: continuous and linear with one value per node (degree
@@ -475,9 +405,6 @@ impl<'a> Function<'a> {
                 Kind::PlaneFormula(u) => u.norm(order, tolerance),
                 Kind::Curve(u) => u.norm(order, tolerance),
                 Kind::CurveFormula(u) => u.norm(order, tolerance),
-                Kind::Load(_) | Kind::Sector(_) | Kind::Elastic(_) => {
-                    Err(self.refused("norm of positive order"))
-                }
             },
             SobolevOrder::One => {
                 let mut parts = vec![self.lp(2.0, tolerance)?];
@@ -531,10 +458,8 @@ impl<'a> Function<'a> {
             Kind::Difference(u) => u.seminorm(order, tolerance),
             Kind::Plane(u) => u.seminorm(order, tolerance),
             Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
-            Kind::Sector(u) => u.seminorm(order, tolerance),
             Kind::Curve(u) => u.seminorm(order, tolerance),
             Kind::CurveFormula(u) => u.seminorm(order, tolerance),
-            Kind::Load(_) | Kind::Elastic(_) => Err(self.refused("seminorm of order below 1")),
         }
     }
 
@@ -616,7 +541,6 @@ impl<'a> Function<'a> {
             Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
             Kind::Difference(u) => u.dual_norm(of, order, tolerance),
             Kind::Curve(u) => u.dual_norm(of, order, tolerance),
-            Kind::Load(u) if of == DualOf::Slobodeckij => u.dual_norm(order, tolerance),
             _ => Err(self.refused("dual norm")),
         }
     }
@@ -787,10 +711,6 @@ impl<'a> Function<'a> {
                 let [x, y] = u.gradient()?.map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&[x?, y?])
             }
-            Kind::Elastic(u) => u.gradient_seminorm(order, tolerance),
-            Kind::Sector(u) => {
-                u.gradient_seminorm(order, tolerance)?.ok_or_else(|| self.refused("gradient"))
-            }
             _ if !self.gradient.is_empty() => {
                 let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
@@ -803,12 +723,9 @@ impl<'a> Function<'a> {
         match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => "a formula on an interval",
             Kind::Piecewise(_) => "a piecewise polynomial",
-            Kind::Load(_) => "a functional on hat functions",
             Kind::Difference(_) => "a formula minus a piecewise polynomial",
             Kind::Plane(_) => "values on a triangulation",
             Kind::PlaneFormula(_) => "a formula on a triangulation",
-            Kind::Sector(_) => "a power on a sector",
-            Kind::Elastic(_) => "an elastic displacement at a corner",
             Kind::Curve(_) => "values on a polygonal curve",
             Kind::CurveFormula(_) => "a formula on the boundary of a polygon",
         }
@@ -823,16 +740,11 @@ impl<'a> Function<'a> {
             Kind::Piecewise(_) => {
                 "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
             }
-            Kind::Load(_) => "norms of order in (-1, 0)",
             Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
             Kind::PlaneFormula(_) => {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
             }
-            Kind::Sector(_) => {
-                "seminorms of order in (0, 1); of order in (1, 2) where it is harmonic"
-            }
-            Kind::Elastic(_) => "seminorms of order in (1, 2)",
             Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
             Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
         };

@@ -485,7 +485,7 @@ impl KnownSolution {
     /// # Errors
     /// [`ToolkitError::InfiniteNorm`] for τ ≥ p + 1; [`ToolkitError::OutOfRange`] unless 1 < τ ≤ 2;
     /// [`ToolkitError::Incompatible`] unless u is [`KnownSolution::power`]; and the errors of
-    /// [`Function::elastic_corner`](fractional_sobolev::Function::elastic_corner).
+    /// [`CornerFunction::elastic`](fractional_sobolev::CornerFunction::elastic).
     pub fn body_seminorm(&self, tau: f64, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match self.formula {

@@ -18,7 +18,7 @@ use super::moduli;
 use crate::error::{Error, Result, ToolkitError};
 use crate::fem::Lame;
 use crate::mesh::Point;
-use fractional_sobolev::{Estimate, Function, Order, Position, Tolerance, Work};
+use fractional_sobolev::{CornerFunction, Estimate, Function, Order, Position, Tolerance, Work};
 use std::f64::consts::PI;
 
 /// The transition a, not a node of uniform dyadic meshes.
@@ -121,10 +121,10 @@ impl Power {
         let order = Order::new(tau - 1.0)?;
         Ok(match material {
             None => {
-                Function::sector_power(p, p, PI, radius)?.seminorm(order.plus_one(), tolerance)?
+                CornerFunction::power(p, p, PI, radius)?.seminorm(order.plus_one(), tolerance)?
             }
             Some((alpha, double)) => {
-                let corner = Function::elastic_corner(p, alpha, radius)?;
+                let corner = CornerFunction::elastic(p, alpha, radius)?;
                 corner.seminorm(order.plus_one(), tolerance)?.times(double.recip())?
             }
         })

@@ -9,7 +9,7 @@
 //! | f given by its values on hat functions | the piecewise linear functions on the mesh, (1.1) | [`MeshFunctional`] |
 //!
 //! For ∫ (u − u_h) v see `fields`, for ∫_Γ f v on the boundary of a polygon `boundary`. Two related suprema are
-//! computed elsewhere: the largest ratio of norm to seminorm under a constraint, [`crate::GammaBounds`], and
+//! computed elsewhere: the largest ratio of norm to seminorm under a constraint, [`crate::gamma`], and
 //! moments under a constraint, [`crate::moment`]. In the plane there is no method for dual norms.
 
 mod cells;

@@ -15,10 +15,10 @@ use super::Result;
 /// // a function of one's own that takes what the toolkit takes
 /// fn energy(
 ///     u: &Function<'_>,
-///     order: impl Given<Order>,
+///     s: impl Given<Order>,
 ///     tolerance: impl Given<Tolerance>,
 /// ) -> Result<f64> {
-///     Ok(u.seminorm(order.given()?, tolerance)?.value.powi(2))
+///     Ok(u.seminorm(s.given()?, tolerance)?.value.powi(2))
 /// }
 /// let x = Function::from_fn(&[0.0, 1.0], |x| x)?; // |x|² = 1 at order 1/2
 /// assert!((energy(&x, 0.5, 1e-8)? - energy(&x, Order::HALF, Tolerance::fast())?).abs() < 1e-4);

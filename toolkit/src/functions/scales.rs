@@ -128,8 +128,15 @@ impl Profile {
     pub(super) fn unit_in_lq(&self, q: f64) -> f64 {
         let logs = self.densities(q);
         let evenly = |(arm, values): (&Arm, &Vec<f64>)| {
-            let at = |(j, value): (usize, &f64)| distance(arm, j).ln() + q * value.abs().ln();
-            values.iter().enumerate().map(at).fold(f64::NEG_INFINITY, f64::max)
+            // Towards the breakpoint δ decreases, so that only larger values count.
+            let (mut largest, mut log) = (0.0_f64, f64::NEG_INFINITY);
+            for (j, value) in values.iter().enumerate().rev() {
+                if value.abs() > largest {
+                    largest = value.abs();
+                    log = log.max(distance(arm, j).ln() + q * largest.ln());
+                }
+            }
+            log
         };
         let evenly = self.arms.iter().zip(&self.evenly).map(evenly);
         let largest =
@@ -149,7 +156,13 @@ impl Profile {
         };
         let logs: Vec<Vec<f64>> = self.arms.iter().zip(&self.values).map(of).collect();
         let sum = |(arm, values): (&Arm, &Vec<f64>)| {
-            arm.length / LOOKS as f64 * values.iter().map(|value| value.abs().powf(q)).sum::<f64>()
+            // powf costs as much as all other work on a sample.
+            let power = |value: &f64| match q {
+                1.0 => value.abs(),
+                2.0 => value * value,
+                _ => value.abs().powf(q),
+            };
+            arm.length / LOOKS as f64 * values.iter().map(power).sum::<f64>()
         };
         let evenly: f64 = self.arms.iter().zip(&self.evenly).map(sum).sum();
         Logs { whole: log_sum(&logs).max(evenly.ln()), arms: logs }

@@ -281,14 +281,19 @@ impl SingularFunction<'_> {
             residual = residual.max((found - piece.value(t)).abs());
             (low, high) = (low.min(found), high.max(found));
         }
-        let (places, samples) = self.seen_in_cell(arm, near, far);
-        for (found, value) in samples.iter().zip(piece.values(&places)) {
-            residual = residual.max((found - value).abs());
-            (low, high) = (low.min(*found), high.max(*found));
+        let noise = |low: f64, high: f64| {
+            let slope = (high - low) / (far - near);
+            FLOOR * (low.abs().max(high.abs()) + slope * (arm.start.abs() + far))
+        };
+        // A cell that is bisected for its points between need not be compared with the samples.
+        if UNSEEN * residual <= fit.accuracy.max(noise(low, high)) {
+            let (places, samples) = self.seen_in_cell(arm, near, far);
+            for (found, value) in samples.iter().zip(piece.values(&places)) {
+                residual = residual.max((found - value).abs());
+                (low, high) = (low.min(*found), high.max(*found));
+            }
         }
-        let residual = UNSEEN * residual;
-        let slope = (high - low) / (far - near);
-        let noise = FLOOR * (low.abs().max(high.abs()) + slope * (arm.start.abs() + far));
+        let (residual, noise) = (UNSEEN * residual, noise(low, high));
         match fault.into_inner() {
             Some(error) => Err(error),
             None => Ok(Cell { near, far, ends, bubbles: piece.bubbles, residual, noise }),

@@ -19,8 +19,8 @@ use std::f64::consts::FRAC_1_PI;
 /// Number of cells per element of the first mesh.
 const FIRST: usize = 4;
 
-/// The best constant in ‖φ − π φ‖ ≤ C |φ|_r, where πφ is the mean of φ on the interval or on every element of
-/// the mesh, 0 ≤ r ≤ 1; on the left the norm is the given [`ErrorNorm`]; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
+/// The best constant in ‖φ − π φ‖ ≤ C |φ|_s, where πφ is the mean of φ on the interval or on every element of
+/// the mesh, 0 ≤ s ≤ 1; on the left the norm is the given [`ErrorNorm`]; |φ|₀ = ‖φ‖ and |φ|₁ = ‖φ'‖.
 ///
 /// # Method
 ///
@@ -29,28 +29,28 @@ const FIRST: usize = 4;
 /// [`gamma`](crate::gamma) for mean zero on (0, 1):
 ///
 /// ```text
-/// (4.6)  L2      C(r) h^r,  C(r) = γ₁(r) for 0 < r < 1, C(0) = 1, C(1) = 1/π
-/// (4.7)  Dual    C*(r) h^{r+1/2},  C*(r) = sup ∫ (φ − φ̄) ψ / (|φ|_r |ψ|_{1/2}) on (0, 1)
-/// (6.2)  At(x)   κ(x/h) h^{1/2},  κ(t)² = (t³ + (1−t)³)/3, for r = 1
+/// (4.6)  L2      C(s) h^s,  C(s) = γ₁(s) for 0 < s < 1, C(0) = 1, C(1) = 1/π
+/// (4.7)  Dual    C*(s) h^{s+1/2},  C*(s) = sup ∫ (φ − φ̄) ψ / (|φ|_s |ψ|_{1/2}) on (0, 1)
+/// (6.2)  At(x)   κ(x/h) h^{1/2},  κ(t)² = (t³ + (1−t)³)/3, for s = 1
 /// ```
 ///
 /// The dual norm on an interval is dual to the seminorm |ψ|\_{1/2}, so that (4.7) follows element by element:
-/// Σ_I |·|²_{r,I} ≤ |·|²_{r,Γ}, I the elements, Γ the interval of the mesh. The square of C* is the largest
+/// Σ_I |·|²_{s,I} ≤ |·|²_{s,Γ}, I the elements, Γ the interval of the mesh. The square of C* is the largest
 /// eigenvalue of A_{1/2}⁻¹ x = λ A_r x, A_r the matrix of
-/// |·|²_r in an L²-orthonormal basis; the chain of estimates in the paper gives γ₁(r) γ₁(1/2) instead, which is equal
-/// at r = 1/2.
+/// |·|²_s in an L²-orthonormal basis; the chain of estimates in the paper gives γ₁(s) γ₁(1/2) instead, which is equal
+/// at s = 1/2.
 ///
 /// On a mesh `Dual` is dual to the full norm (1.1) of order 1/2 on the whole interval. The value is a lower
 /// bound from piecewise linear functions on cells, and the best constant exceeds it by at most `error`; the
-/// matrices are dense, with at most 4096 cells. On N equal elements the constant decreases like N^{-r}, in
-/// the dual norm like N^{-r-1/2}.
+/// matrices are dense, with at most 4096 cells. On N equal elements the constant decreases like N^{-s}, in
+/// the dual norm like N^{-s-1/2}.
 ///
 /// ```
 /// use fractional_sobolev::{Domain, ErrorNorm, Mesh, projection_constant};
-/// let of = |norm, r| projection_constant(Domain::Interval(1.0), norm, r, 1e-8).map(|found| found.constant.value);
+/// let of = |norm, s| projection_constant(Domain::Interval(1.0), norm, s, 1e-8).map(|found| found.constant.value);
 /// assert!((of(ErrorNorm::L2, 1.0)? - std::f64::consts::FRAC_1_PI).abs() < 1e-15);
 /// assert!((of(ErrorNorm::Dual, 0.5)? - of(ErrorNorm::L2, 0.5)?.powi(2)).abs() < 1e-8);
-/// // four elements, r = 1: h/π, attained by cos(4πx)
+/// // four elements, s = 1: h/π, attained by cos(4πx)
 /// let mesh = Domain::Mesh(Mesh::uniform(4, 1.0)?);
 /// let found = projection_constant(mesh, ErrorNorm::L2, 1.0, 1e-3)?.constant;
 /// assert!((found.value - 0.25 * std::f64::consts::FRAC_1_PI).abs() <= found.error);
@@ -58,23 +58,23 @@ const FIRST: usize = 4;
 /// ```
 ///
 /// # Errors
-/// [`Error::OutOfRange`] for r outside [0, 1], a length outside [1e-150, 1e150] or a point outside the
+/// [`Error::OutOfRange`] for s outside [0, 1], a length outside [1e-150, 1e150] or a point outside the
 /// interval; [`Error::Incompatible`] for another domain or norm; [`Error::CountOutOfRange`] for more than
 /// 1024 elements; [`Error::ToleranceNotMet`].
 #[doc(alias("L2 projection", "Poincare-Wirtinger"))]
 pub fn projection_constant(
     domain: Domain,
     norm: ErrorNorm,
-    r: impl Given<SobolevOrder>,
+    s: impl Given<SobolevOrder>,
     tolerance: impl Given<Tolerance>,
 ) -> Result<BestConstant> {
-    let (r, tolerance) = (UnitOrder::new(r.given()?)?, tolerance.given()?);
+    let (s, tolerance) = (UnitOrder::new(s.given()?)?, tolerance.given()?);
     let found = match &domain {
-        Domain::Interval(h) => on_one(require_length(*h)?, norm, r, tolerance),
-        Domain::Mesh(mesh) => on_mesh(mesh, norm, r, tolerance),
+        Domain::Interval(h) => on_one(require_length(*h)?, norm, s, tolerance),
+        Domain::Mesh(mesh) => on_mesh(mesh, norm, s, tolerance),
         _ => return Err(domain.refused("projection", "Interval or Mesh")),
     }?;
-    let order = match r {
+    let order = match s {
         UnitOrder::Zero => SobolevOrder::Zero,
         UnitOrder::Inner(order) => SobolevOrder::Fractional(order),
         UnitOrder::One => SobolevOrder::One,

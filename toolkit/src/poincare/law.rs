@@ -7,32 +7,33 @@ use super::mellin::end_limit;
 use super::uniform::UniformLaw;
 use super::zones::Zones;
 use crate::Order;
+use crate::constant::BestConstant;
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::numeric::parallel;
 use std::f64::consts::PI;
 
 /// Distance below 1/2 within which the law through 1/2 is used: there the power law is the leading term of one whose
-/// second term is larger by θ^{1−2ν} only.
+/// second term is larger by θ^{1−2s} only.
 const NEAR_HALF: f64 = 0.1;
 
-/// The asymptotic law of the constant γ_θ(ν) of [`gamma`] as θ → 0 for fixed ν, for functions with mean zero
-/// on zones of length θ that shrink to the point `place` of \[0, 1\]; for ν > 1/2 also for functions that
-/// vanish there. It is not uniform in ν.
+/// The asymptotic law of the constant γ_θ(s) of [`gamma`] as θ → 0 for fixed s, for functions with mean zero
+/// on zones of length θ that shrink to the point `place` of \[0, 1\]; for s > 1/2 also for functions that
+/// vanish there. It is not uniform in s.
 ///
 /// # Method
 ///
-/// | ν | printed in Lemma 5.2 | correct, zone at an end | correct, zone in the interior |
+/// | s | printed in Lemma 5.2 | correct, zone at an end | correct, zone in the interior |
 /// | --- | --- | --- | --- |
-/// | < 1/2 | C θ^{ν−1/2} | B θ^{ν−1/2}, B by a Mellin transform | √(tan πν / (2π(1+2ν))) θ^{ν−1/2} |
+/// | < 1/2 | C θ^{s−1/2} | B θ^{s−1/2}, B by a Mellin transform | √(tan πs / (2π(1+2s))) θ^{s−1/2} |
 /// | = 1/2 | C ln(1/θ) | γ² = A L + c + d/γ² + e/γ⁴ + O(L⁻³) | γ² ~ L/(2π²) |
-/// | > 1/2 | C | γ₀(ν), `Constraint::vanishing_at` | the same at the point |
+/// | > 1/2 | C | γ₀(s), `Constraint::vanishing_at` | the same at the point |
 ///
-/// A = 3/(2π²), L = ln(1/θ). At ν = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u,
-/// E the zone: with its representer r in the inner product ⟨·, ·⟩ of |·|_ν, γ² = λ solves λ = N² + ‖r‖₀²/λ +
-/// ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on functions of mean zero). For 0.4 ≤ ν < 1/2, and for ν > 1/2
-/// if γ₀ cannot be computed in binary64, the same expansion is used with L replaced by (θ^{2ν−1} − 1)/(1 −
-/// 2ν) and A by A(ν) = (1 − 2ν) B(ν)², continued analytically to ν > 1/2.
+/// A = 3/(2π²), L = ln(1/θ). At s = 1/2, c, d, e are computed from the dual norm N of u ↦ mean_E u − mean u,
+/// E the zone: with its representer r in the inner product ⟨·, ·⟩ of |·|_s, γ² = λ solves λ = N² + ‖r‖₀²/λ +
+/// ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on functions of mean zero). For 0.4 ≤ s < 1/2, and for s > 1/2
+/// if γ₀ cannot be computed in binary64, the same expansion is used with L replaced by (θ^{2s−1} − 1)/(1 −
+/// 2s) and A by A(s) = (1 − 2s) B(s)², continued analytically to s > 1/2.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -47,8 +48,8 @@ const NEAR_HALF: f64 = 0.1;
 /// [`Error::OutOfRange`] for a point outside [0, 1]; those of [`gamma`]; [`Error::ToleranceNotMet`] if B or the
 /// dual norms do not meet the tolerance.
 #[doc(alias("asymptotics", "limit law"))]
-pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
-    let (order, tolerance) = (order.given()?, tolerance.given()?);
+pub fn law(s: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -> Result<Law> {
+    let (order, tolerance) = (s.given()?, tolerance.given()?);
     Error::require("position", place, "[0, 1]", (0.0..=1.0).contains(&place))?;
     let at_end = place == 0.0 || place == 1.0;
     let uniform = || UniformLaw::new(order, tolerance).map(|law| Form::Uniform(Box::new(law)));
@@ -77,14 +78,14 @@ pub fn law(order: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance
     Ok(Law { exponent: order.offset().min(0.0), expansion, order, place, tolerance, form })
 }
 
-/// The asymptotic law of γ_θ(ν) as θ → 0, for one order and one position of the zone.
+/// The asymptotic law of γ_θ(s) as θ → 0, for one order and one position of the zone.
 ///
 /// Returned by [`law`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Law {
-    /// The power of θ: ν − 1/2 if that is negative, 0 for ν ≥ 1/2.
+    /// The power of θ: s − 1/2 if that is negative, 0 for s ≥ 1/2.
     pub exponent: f64,
-    /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, L as for [`law`], for a zone at an end and ν at or near 1/2.
+    /// A, c, d, e of γ² = A L + c + d/γ² + e/γ⁴, L as for [`law`], for a zone at an end and s at or near 1/2.
     pub expansion: Option<[Estimate; 4]>,
     order: Order,
     place: f64,
@@ -94,13 +95,13 @@ pub struct Law {
 
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
-    /// The law B θ^{ν−1/2} for ν < 1/2.
+    /// The law B θ^{s−1/2} for s < 1/2.
     Power(Estimate),
     /// The constant γ₀ of the point.
     Constant(Estimate),
-    /// The law through ν = 1/2.
+    /// The law through s = 1/2.
     Uniform(Box<UniformLaw>),
-    /// A zone in the interior and ν at or near 1/2: no expansion is known.
+    /// A zone in the interior and s at or near 1/2: no expansion is known.
     Unknown,
 }
 
@@ -122,8 +123,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1, or nearly 1 where the expansion for ν near 1/2 has no value, and
-    /// for a zone in the interior of (0,1) with ν = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known; those
+    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1, or nearly 1 where the expansion for s near 1/2 has no value, and
+    /// for a zone in the interior of (0,1) with s = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known; those
     /// of [`gamma`].
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         let value = self.leading(theta)?;
@@ -170,16 +171,16 @@ impl Law {
         self.place == 0.0 || self.place == 1.0
     }
 
-    /// The limit of θ^{−exponent} γ_θ as θ → 0: B for ν < 1/2, γ₀ for ν > 1/2.
+    /// The limit of θ^{−exponent} γ_θ as θ → 0: B for s < 1/2, γ₀ for s > 1/2.
     ///
     /// # Method
     ///
-    /// At an end B² = (1/π) ∫₀^∞ dt / ( ((ν+1/2)² + t²) C(t) ), C the symbol of the seminorm on (0,∞); in the
-    /// interior B² = tan(πν) / (2π(1+2ν)).
+    /// At an end B² = (1/π) ∫₀^∞ dt / ( ((s+1/2)² + t²) C(t) ), C the symbol of the seminorm on (0,∞); in the
+    /// interior B² = tan(πs) / (2π(1+2s)).
     ///
     /// ```
     /// use fractional_sobolev::{Order, law};
-    /// // B² (1 − 2ν) → 3/(2π²) as ν → 1/2
+    /// // B² (1 − 2s) → 3/(2π²) as s → 1/2
     /// let order = Order::half_plus(-1e-5)?;
     /// let limit = law(order, 0.0, 1e-8)?.factor()?.value.powi(2) * (-2.0 * order.offset());
     /// assert!((limit * std::f64::consts::PI.powi(2) / 1.5 - 1.0).abs() < 1e-3);
@@ -187,9 +188,9 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] for ν = 1/2, where no such limit exists, and for ν so little above 1/2 that γ₀
-    /// cannot be computed in binary64; [`Error::ToleranceNotMet`] if the rounding error of 1 − 2ν, in
-    /// relative terms 9e-16/(1 − 2ν), exceeds the tolerance.
+    /// [`Error::OutOfRange`] for s = 1/2, where no such limit exists, and for s so little above 1/2 that γ₀
+    /// cannot be computed in binary64; [`Error::ToleranceNotMet`] if the rounding error of 1 − 2s, in
+    /// relative terms 9e-16/(1 − 2s), exceeds the tolerance.
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
@@ -200,29 +201,30 @@ impl Law {
         }
     }
 
-    /// A lower and an upper bound of γ_θ(1/2)², with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`,
-    /// which may exceed ln of the largest binary64 number.
+    /// γ_θ(1/2) between two bounds with explicit constants, for the zone (0,θ) with ln(1/θ) = `log`, which may exceed
+    /// ln of the largest binary64 number.
     ///
-    /// The lower bound is the squared quotient of a ramp in ln x, the upper bound is γ₁² + N², γ₁ the
-    /// constant of (0,1), where the dual norm N of u ↦ mean u − mean_(0,θ) u is bounded by the Cauchy-Schwarz
+    /// The lower bound is the quotient of a ramp in ln x, the upper bound is √(γ₁² + N²), γ₁ the constant of (0,1), where the dual norm N of u ↦ mean u − mean_(0,θ) u is bounded by the Cauchy-Schwarz
     /// inequality along chains of equal steps in ln x. Cost: about a thousand evaluations per bisection step.
     ///
     /// ```
     /// use fractional_sobolev::law;
     /// let end = law(0.5, 0.0, 1e-3)?;
     /// let slope = 3.0 / (2.0 * std::f64::consts::PI.powi(2));
-    /// let [lower, upper] = end.bracket(1e10)?;
-    /// assert!(upper / (slope * 1e10) < 1.001 && lower / (slope * 1e10) > 0.999);
+    /// let between = end.bracket(1e10)?;
+    /// let (lower, upper) = (between.lower.value, between.upper.map_or(f64::NAN, |upper| upper.value));
+    /// assert!(upper.powi(2) / (slope * 1e10) < 1.001 && lower.powi(2) / (slope * 1e10) > 0.999);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, ν = 1/2 and the zone is at an end; those of [`gamma`].
-    pub fn bracket(&self, log: f64) -> Result<[f64; 2]> {
+    /// [`Error::OutOfRange`] unless 1 ≤ `log` ≤ 1e15, s = 1/2 and the zone is at an end; those of [`gamma`].
+    pub fn bracket(&self, log: f64) -> Result<BestConstant> {
         if self.order.offset() != 0.0 || !self.is_at_end() {
             return Err(self.no_formula("{1/2}, for a zone at an end"));
         }
-        bracket(log)
+        let [lower, upper] = bracket(log)?;
+        BestConstant::between(lower.sqrt(), upper.sqrt(), Work::default())
     }
 
     fn no_formula(&self, range: &'static str) -> Error {
@@ -230,10 +232,10 @@ impl Law {
     }
 }
 
-/// Relative rounding error of a tangent, two products and a square root; 1/2 − ν is known exactly.
+/// Relative rounding error of a tangent, two products and a square root; 1/2 − s is known exactly.
 const CLOSED_FORM: f64 = 8.0 * f64::EPSILON;
 
-/// The limit of θ^{1/2−ν} γ_θ for a zone in the interior of (0,1), ν < 1/2: √( tan(πν) / (2π(1+2ν)) ).
+/// The limit of θ^{1/2−s} γ_θ for a zone in the interior of (0,1), s < 1/2: √( tan(πs) / (2π(1+2s)) ).
 fn interior_limit(order: Order) -> Result<Estimate> {
     Error::require("nu", order.value(), "(0, 1/2)", order.is_below_half())?;
     // tan(πν) = cot(π(1/2 − ν))

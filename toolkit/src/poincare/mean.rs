@@ -1,16 +1,48 @@
 //! The largest mean of a function relative to its seminorm under a constraint: N in γ² ≤ γ₁² + N², γ the
 //! constant of Lemma 5.2, γ₁ that of the whole interval.
 
+use super::constant::reachable;
 use super::constraint::Constraint;
 use super::discrete::Discrete;
 use super::mesh::MeshModel;
 use super::rounding::ROUNDING;
 use super::spaces::supremum;
 use crate::Order;
-use crate::error::Result;
+use crate::constant::BestConstant;
+use crate::error::{Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 
-/// N = sup |mean of u| / |u|_ν over the same functions as in `gamma`. If the mean over E is zero, it is the
+/// The best constant N = sup |∫ u| / |u|_s on (0, 1) over the functions that satisfy a constraint.
+///
+/// If the mean over the zone E is zero, it is the dual norm of the functional 1_E/|E| − 1 with respect to the
+/// seminorm, and max(γ₁, N)² ≤ γ² ≤ γ₁² + N² for the constant γ of [`gamma`](crate::gamma), γ₁ that of the whole
+/// interval. Method and accuracy as for `gamma`, with one linear solve in place of the eigenvalue.
+///
+/// ```
+/// use fractional_sobolev::{Constraint, gamma, mean_constant};
+/// let zone = Constraint::mean_zero_on(0.0..1e-3)?;
+/// let [whole, best] = [Constraint::mean_zero(), zone.clone()].map(|of| gamma(0.5, of, 1e-6));
+/// let n = mean_constant(0.5, zone, 1e-6)?.constant.value;
+/// let (whole, best) = (whole?.constant.value, best?.constant.value);
+/// assert!(n.max(whole) <= best && best <= n.hypot(whole));
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
+///
+/// # Errors
+/// As for [`gamma`](crate::gamma).
+#[doc(alias("dual norm of the mean"))]
+pub fn mean_constant(
+    s: impl Given<Order>,
+    constraint: impl Given<Constraint>,
+    tolerance: impl Given<Tolerance>,
+) -> Result<BestConstant> {
+    let (order, constraint, tolerance) = (s.given()?, constraint.given()?, tolerance.given()?);
+    reachable(order, &constraint, tolerance)?;
+    let found = largest_mean(order, &constraint, tolerance)?;
+    Ok(BestConstant::new(found, found, None))
+}
+
+/// N = sup |mean of u| / |u|_s over the same functions as in `gamma`. If the mean over E is zero, it is the
 /// dual norm of the functional 1_E/|E| − 1 with respect to the seminorm; for dual norms with respect to (1.1)
 /// see [`crate::dual`].
 pub(super) fn largest_mean(

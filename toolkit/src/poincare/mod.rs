@@ -24,9 +24,9 @@ mod two_sided;
 mod uniform;
 mod zones;
 
-pub use constant::{Gamma, gamma};
+pub use constant::gamma;
 pub use constraint::Constraint;
 pub use law::{Law, law};
-pub use moments::{Moment, MomentConstant, moment};
-pub use two_sided::GammaBounds;
+pub use mean::mean_constant;
+pub use moments::{Moment, moment};
 pub use zones::Zones;

@@ -384,7 +384,7 @@ mod tests {
             let constraint = Constraint::on_zones(&zones, condition);
             let norm = largest_mean(order, &constraint, tolerance).unwrap();
             let found = gamma(order, constraint, tolerance).unwrap();
-            let function = found.extremal();
+            let function = found.extremal().unwrap();
             assert!(norm.value > 0.0 && norm.value < found.constant.value);
             let mean: f64 = zones
                 .intervals()

@@ -37,9 +37,9 @@ const FAR: f64 = 690.0;
 /// constant. The extremal function (per period) is cos(x) φ(y), φ(y) = 2^{1−σ}/Γ(σ) y^σ K_σ(y), σ = s − 1/2,
 /// K_σ the modified Bessel function.
 ///
-/// **Corner.** C² is the supremum over τ ≥ 0 of the [`trace_quotient`] of the mode r^{s−1+iτ}, which tends to
-/// that of the half-plane as τ → ∞. The square root of the larger of the latter and the largest quotient
-/// found for τ ≤ 16 is returned: a lower bound up to the error of the finite elements; `upper` is `None`.
+/// **Corner.** C is the supremum over μ ≥ 0 of the constant of the mode r^{s−1+iμ}, [`trace_constant_of_mode`], which
+/// tends to that of the half-plane as μ → ∞. The larger of the latter and the largest constant found for μ ≤ 16 is
+/// returned: a lower bound up to the error of the finite elements; `upper` is `None`.
 ///
 /// **Square.** C(s) of the half-plane: proved to be the best constant for s = 1, and proved to be a lower bound for s
 /// < 1, where no function with a larger quotient is known and `upper` is `None`.
@@ -84,68 +84,62 @@ pub fn trace_constant(
     )
 }
 
-/// The quotient |f|²\_{s−1/2}/|w|²_s for the boundary values f = r^{s−1+iτ} of a corner of angle ω or, even
-/// in x, of the half-plane, and the extension w of least energy, 1/2 < s ≤ 1, 0 ≤ τ ≤ 100: a lower bound of
-/// the square of [`trace_constant`].
+/// The best constant in |f|\_{s−1/2} ≤ C |w|_s for the boundary values f = r^{s−1+iμ} of a corner of angle ω or, even
+/// in x, of the half-plane, and all their extensions w, 1/2 < s ≤ 1, 0 ≤ μ ≤ 100: a lower bound of [`trace_constant`].
 ///
 /// # Method
 ///
-/// For w = r^{s−1+iτ} ψ(θ), ψ(0) = 1, and s < 1 the quotient is C(τ)/min E_τ. Per unit of ln r the squared seminorm
-/// is C(τ), the Mellin symbol of the half line, on the edge and E_τ(ψ) on the wedge, where u runs over ℝ and
+/// For w = r^{s−1+iμ} ψ(θ), ψ(0) = 1, and s < 1 the square of the constant is C(μ)/min E_μ. Per unit of ln r the squared seminorm
+/// is C(μ), the Mellin symbol of the half line, on the edge and E_μ(ψ) on the wedge, where u runs over ℝ and
 /// ψ' = ψ(θ'):
 ///
 /// ```text
-/// E_τ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_τ(θ−θ') + (ψ²+ψ'²) D_τ(θ−θ') dθ dθ',
-/// K_τ(a) = ∫ cos(τu) (2 cosh u − 2 cos a)^{−1−s} du,
-/// D_τ(a) = ∫ (cosh((1−s)u) − cos(τu)) (2 cosh u − 2 cos a)^{−1−s} du.
+/// E_μ(ψ) = ∫₀^ω∫₀^ω (ψ−ψ')² K_μ(θ−θ') + (ψ²+ψ'²) D_μ(θ−θ') dθ dθ',
+/// K_μ(a) = ∫ cos(μu) (2 cosh u − 2 cos a)^{−1−s} du,
+/// D_μ(a) = ∫ (cosh((1−s)u) − cos(μu)) (2 cosh u − 2 cos a)^{−1−s} du.
 /// ```
 ///
 /// The minimum over ψ is approximated from above by finite elements: up to quadrature the value is a lower
-/// bound of the quotient. The half-plane is ω = π with an axis of symmetry at π/2; there the quotient equals
-/// the closed form for *every* τ, as two independent computations confirm. For s = 1 the quotient of a corner
-/// is 2(πτ coth(πτ) − 1)/(τ tanh(ωτ)). Cost: 1e6 operations.
+/// bound of it. The half-plane is ω = π with an axis of symmetry at π/2; there it equals
+/// the closed form for *every* μ, as two independent computations confirm. For s = 1 the square of a corner
+/// is 2(πμ coth(πμ) − 1)/(μ tanh(ωμ)). Cost: 1e6 operations.
 ///
 /// ```
-/// use fractional_sobolev::{Domain, trace_constant, trace_quotient};
-/// let square = trace_constant(Domain::HalfPlane, 0.75, 1e-8)?.constant.value.powi(2);
-/// let flat = trace_quotient(Domain::HalfPlane, 0.75, 2.0, 1e-4)?;
-/// assert!((flat.value - square).abs() <= flat.error);
-/// let right = trace_quotient(Domain::Corner(std::f64::consts::FRAC_PI_2), 0.75, 1.0, 1e-4)?;
-/// assert!(right.value < 0.7 * square);
+/// use fractional_sobolev::{Domain, trace_constant, trace_constant_of_mode};
+/// let best = trace_constant(Domain::HalfPlane, 0.75, 1e-8)?.constant.value;
+/// let flat = trace_constant_of_mode(Domain::HalfPlane, 0.75, 2.0, 1e-4)?.constant;
+/// assert!((flat.value - best).abs() <= flat.error);
+/// let right = Domain::Corner(std::f64::consts::FRAC_PI_2);
+/// assert!(trace_constant_of_mode(right, 0.75, 1.0, 1e-4)?.constant.value < 0.84 * best);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] outside these ranges and unless 0.1 ≤ ω ≤ π; [`Error::Incompatible`] for another domain;
 /// [`Error::ToleranceNotMet`].
-pub fn trace_quotient(
+pub fn trace_constant_of_mode(
     domain: Domain,
     s: impl Given<SobolevOrder>,
-    tau: f64,
+    mu: f64,
     tolerance: impl Given<Tolerance>,
-) -> Result<Estimate> {
+) -> Result<BestConstant> {
     let (s, tolerance) = (UnitOrder::new(s.given()?)?, tolerance.given()?);
     let found = match (&domain, s) {
-        (Domain::Corner(angle), _) => mode(*angle, s, tau)?,
+        (Domain::Corner(angle), _) => mode(*angle, s, mu)?.sqrt()?,
         (Domain::HalfPlane, UnitOrder::Inner(order)) => {
-            WedgeTrace::half_plane(order)?.quotient(tau)?
+            WedgeTrace::half_plane(order)?.quotient(mu)?.sqrt()?
         }
         (Domain::HalfPlane, _) => {
-            let flat = half_plane(s)?;
-            Error::require("tau", tau, "[0, 100]", (0.0..=100.0).contains(&tau))?;
-            Estimate::new(flat.value * flat.value, 2.0 * flat.value * flat.error, flat.work)?
+            Error::require("mu", mu, "[0, 100]", (0.0..=100.0).contains(&mu))?;
+            half_plane(s)?
         }
         _ => return Err(domain.refused("modes of the trace", "HalfPlane or Corner")),
     };
-    if found.relative_error() <= tolerance.relative() {
-        return Ok(found);
-    }
-    Err(Error::not_met(
-        "trace quotient",
-        tolerance.relative(),
-        found,
+    BestConstant::new(found, found, None).met(
+        "trace constant of a mode",
+        tolerance,
         "the fixed degree of the finite elements limits the accuracy",
-    ))
+    )
 }
 
 /// The constant C(s) of the half-plane.
@@ -215,8 +209,9 @@ mod tests {
         let of = |domain, s| trace_constant(domain, s, 1e-4).unwrap().constant.value;
         for s in [0.6, 0.9] {
             assert_eq!(of(Domain::Corner(0.5 * PI), s), of(Domain::HalfPlane, s), "{s}");
-            let acute = trace_quotient(Domain::Corner(PI / 6.0), s, 0.0, 1e-4).unwrap().value;
-            assert!((of(Domain::Corner(PI / 6.0), s).powi(2) / acute - 1.0).abs() < 1e-9, "{s}");
+            let acute = trace_constant_of_mode(Domain::Corner(PI / 6.0), s, 0.0, 1e-4).unwrap();
+            let best = of(Domain::Corner(PI / 6.0), s);
+            assert!((best / acute.constant.value - 1.0).abs() < 1e-9, "{s}");
         }
         // s = 1: 2π²/(3ω) at τ = 0 where the angle is acute
         let exact = (2.0 * PI * PI / 1.5).sqrt();
@@ -231,9 +226,9 @@ mod tests {
         }
         assert!(trace_constant(Domain::Interval(1.0), 0.75, 1e-4).is_err());
         assert!(trace_constant(Domain::Corner(0.01), 0.75, 1e-4).is_err());
-        assert!(trace_quotient(Domain::Square, 0.75, 0.0, 1e-4).is_err());
+        assert!(trace_constant_of_mode(Domain::Square, 0.75, 0.0, 1e-4).is_err());
         for s in [0.75, 1.0] {
-            assert!(trace_quotient(Domain::HalfPlane, s, 1e4, 1e-4).is_err(), "{s}");
+            assert!(trace_constant_of_mode(Domain::HalfPlane, s, 1e4, 1e-4).is_err(), "{s}");
         }
         assert!(matches!(
             trace_constant(Domain::Corner(0.5), 0.75, 1e-14),

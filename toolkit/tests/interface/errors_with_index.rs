@@ -1,6 +1,6 @@
 //! A bad entry of a list is named by its index and its value, wherever the toolkit takes lists.
 
-use fractional_sobolev::{Curve, Error, Function, Gram, Mesh, Result, Triangles, Zones};
+use fractional_sobolev::{Curve, Error, Function, Gram, Load, Mesh, Result, Triangles, Zones};
 
 /// (index, value) that the error names, in its fields and in its words.
 fn named(result: Result<()>) -> (usize, f64) {
@@ -41,7 +41,7 @@ fn entries_that_are_no_numbers_are_named() {
         (2, Function::linears(&two(), &[0.0, 1.0, nan]).map(drop)),
         (0, Function::piecewise(&two(), 0, &[nan, 1.0]).map(drop)),
         (2, Function::piecewise(&two(), 1, [[0.0, 1.0], [nan, 1.0]].as_flattened()).map(drop)),
-        (1, Function::load(&two(), &[0.0, nan, 1.0]).map(drop)),
+        (1, Load::new(&two(), &[0.0, nan, 1.0]).map(drop)),
         (2, Gram::new(&two(), 0.5, 1e-8).unwrap().apply(&[0.0, 0.0, nan]).map(drop)),
         (1, Function::from_fn(&[0.0, nan, 1.0], |x| x).map(drop)),
         (5, Function::on_curve(&curve(), 1, &values).map(drop)),
@@ -81,7 +81,7 @@ fn lengths_of_lists_are_named_with_what_was_expected() {
     let short = Function::linears(&two(), &[0.0]).unwrap_err();
     assert_eq!(short.to_string(), "nodal values: length 1, expected 3");
     assert!(matches!(
-        Function::load(&two(), &[0.0]),
+        Load::new(&two(), &[0.0]),
         Err(Error::LengthMismatch { given: 1, expected: 3, .. })
     ));
     assert!(matches!(Mesh::uniform(3, -1.0), Err(Error::OutOfRange { value: -1.0, .. })));

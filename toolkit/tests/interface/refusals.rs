@@ -96,7 +96,7 @@ fn constants_carry_theirs() {
     });
     let attained = |t| {
         gamma(order(0.4), Constraint::mean_zero_on(zone()), t)
-            .map(|found| (found.constant, found.extremal()))
+            .map(|found| (found.constant, found.extremal().unwrap()))
             .map(|found| found.0)
     };
     assert_carries("gamma with its function", SHARPEST, 1e-11, attained);

@@ -1,6 +1,6 @@
 //! Dual norms of order ν: exact values, two solvers, and the order between the three norms.
 
-use fractional_sobolev::{DualOf, Function, Mesh, Order, Tolerance};
+use fractional_sobolev::{DualOf, Function, Load, Mesh, Order, Tolerance};
 
 #[test]
 fn dense_and_iterative_solves_agree() {
@@ -11,7 +11,7 @@ fn dense_and_iterative_solves_agree() {
     let small = Mesh::geometric(298, 0.9, 1.0).unwrap();
     let large = Mesh::geometric(300, 0.9, 1.0).unwrap();
     let dual = |mesh: &Mesh, values: &[f64]| {
-        Function::load(mesh, values).unwrap().norm(-order, 1e-9).unwrap()
+        Load::new(mesh, values).unwrap().dual_norm(order, 1e-9).unwrap()
     };
     let dense = dual(&small, &functional(&small));
     // Two more elements of length 1e-14 at the end change nothing that can be seen; the solver changes.

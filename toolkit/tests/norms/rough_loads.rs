@@ -3,7 +3,9 @@
 
 use crate::common::SplitMix;
 use crate::hard::cases;
-use fractional_sobolev::{DualOf, Estimate, Function, Mesh, Order, Tolerance, gauss_legendre};
+use fractional_sobolev::{
+    DualOf, Estimate, Function, Load, Mesh, Order, Tolerance, gauss_legendre,
+};
 use std::f64::consts::PI;
 
 fn order(nu: f64) -> Order {
@@ -168,7 +170,7 @@ fn from_graded_meshes(pieces: &Pieces, nu: f64) -> (Estimate, f64) {
                 load[i + 1] += w * h * f * t;
             }
         }
-        let found = Function::load(&mesh, &load).unwrap().norm(-order(nu), tolerance(1e-11));
+        let found = Load::new(&mesh, &load).unwrap().dual_norm(order(nu), tolerance(1e-11));
         Estimate::or_best(found).unwrap()
     };
     let (coarse, fine) = (value(16, 0.5), value(32, 0.5f64.sqrt()));

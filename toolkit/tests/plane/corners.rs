@@ -1,6 +1,6 @@
 //! Section 1 in the plane: corner singularities on sectors, by two methods.
 
-use fractional_sobolev::{Error, Function, Order, Tolerance, gauss_legendre};
+use fractional_sobolev::{CornerFunction, Error, Order, Tolerance, gauss_legendre};
 use std::f64::consts::PI;
 
 /// Two methods.
@@ -62,7 +62,7 @@ fn two_methods_agree_up_to_the_limit_of_finiteness() {
             (-0.299, 0.7, 0.7),
             (2.0 / 3.0, 2.0 / 3.0, 0.6),
         ] {
-            let w = Function::sector_power(a, b, angle, 1.0).unwrap();
+            let w = CornerFunction::power(a, b, angle, 1.0).unwrap();
             let found = w.seminorm(Order::new(s).unwrap(), Tolerance::new(1e-10).unwrap()).unwrap();
             let other = by_cells(a, b, angle, s);
             let difference = (found.value.powi(2) / other - 1.0).abs();
@@ -81,7 +81,7 @@ fn two_methods_agree_up_to_the_limit_of_finiteness() {
 fn scaling_and_infinite_norms() {
     let order = Order::new(0.7).unwrap();
     let norm = |a: f64, radius: f64| {
-        Function::sector_power(a, 1.0, 2.0, radius).unwrap().seminorm(order, Tolerance::balanced())
+        CornerFunction::power(a, 1.0, 2.0, radius).unwrap().seminorm(order, Tolerance::balanced())
     };
     let quotient = norm(0.4, 1e-100).unwrap().value / norm(0.4, 1.0).unwrap().value;
     assert!((quotient / 1e-100f64.powf(0.7) - 1.0).abs() < 1e-12);
@@ -96,9 +96,9 @@ fn scaling_and_infinite_norms() {
         );
     }
     for bad in
-        [Function::sector_power(-1.0, 1.0, 1.0, 1.0), Function::sector_power(0.5, 1.0, 6.0, 1.0)]
+        [CornerFunction::power(-1.0, 1.0, 1.0, 1.0), CornerFunction::power(0.5, 1.0, 6.0, 1.0)]
     {
         assert!(matches!(bad, Err(Error::OutOfRange { .. })));
     }
-    assert!(Function::sector_power(0.5, f64::NAN, 1.0, 1.0).is_err());
+    assert!(CornerFunction::power(0.5, f64::NAN, 1.0, 1.0).is_err());
 }

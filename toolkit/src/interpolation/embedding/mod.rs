@@ -20,8 +20,9 @@ use upper::upper_bound;
 /// ```
 /// use fractional_sobolev::{Target, embedding_bound};
 /// // Hölder's inequality: C(1/2) ≤ C(q) with q = 1/(1 − 1/2)
-/// assert_eq!(embedding_bound(1.5, Target::Hoelder(0.5))?, embedding_bound(0.5, Target::Lq(2.0))?);
-/// assert_eq!(embedding_bound(0.5, 2.0)?, 1.0);
+/// let upper = |s: f64, into| embedding_bound(s, into).map(|found| found.upper);
+/// assert_eq!(upper(1.5, Target::Hoelder(0.5))?, upper(0.5, Target::Lq(2.0))?);
+/// assert_eq!(embedding_bound(0.5, 2.0)?.constant.value, 1.0);
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -70,6 +71,14 @@ impl Embedding {
         }
     }
 
+    /// The quotient of u = 1.
+    fn of_one(self) -> f64 {
+        match self {
+            Self::Lq(..) => 1.0,
+            Self::Hoelder(_) => 0.0,
+        }
+    }
+
     fn bound(self) -> Result<Estimate> {
         match self {
             Self::Lq(order, q) => upper_bound(order, q),
@@ -79,22 +88,27 @@ impl Embedding {
     }
 }
 
-/// An upper bound of C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or,
-/// with s = 3/2, in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α ≤ 1 − 1e-6; it is rounded up. It is the
-/// upper bound of [`embedding_constant`]: max_k (m_k/w_k)^{1/2} over the Fourier index k, with m_k, w_k in
-/// closed form.
+/// The best constant between quick bounds: C in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), 0 < s ≤ 1/2, 2 ≤ q ≤ 2/(1−2s), q ≤ 1e6, or,
+/// with s = 3/2, in |u(x) − u(y)| ≤ C |x − y|^α ‖u‖\_{3/2}, 0 < α ≤ 1 − 1e-6. `upper`, rounded up, is that of
+/// [`embedding_constant`]: max_k (m_k/w_k)^{1/2} over the Fourier index k, with m_k, w_k in closed form; `lower` is the
+/// quotient of u = 1, which is 1 (0 for the Hölder constant).
 ///
 /// ```
-/// let bound = fractional_sobolev::embedding_bound(0.5, 100.0)?;
-/// assert!((bound - 3.532_235).abs() < 1e-6);
+/// let upper = fractional_sobolev::embedding_bound(0.5, 100.0)?.upper;
+/// assert!(upper.is_some_and(|upper| (upper.value - 3.532_235).abs() < 1e-6));
 /// # Ok::<(), fractional_sobolev::Error>(())
 /// ```
 ///
 /// # Errors
 /// [`Error::OutOfRange`] and [`Error::Incompatible`] for all other embeddings.
 #[doc(alias("Sobolev inequality"))]
-pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) -> Result<f64> {
-    Embedding::new(s.given()?, into.given()?)?.bound().map(|bound| bound.value)
+pub fn embedding_bound(
+    s: impl Given<SobolevOrder>,
+    into: impl Given<Target>,
+) -> Result<BestConstant> {
+    let embedding = Embedding::new(s.given()?, into.given()?)?;
+    let (lower, upper) = (embedding.of_one(), embedding.bound()?);
+    BestConstant::between(lower, upper.value, upper.work)
 }
 
 /// The best constant in ‖u‖_q ≤ C ‖u‖_s for all u ∈ H^s(0, 1), with the full norm (1.1), 0 < s ≤ 1/2, 2 ≤ q ≤
@@ -125,7 +139,8 @@ pub fn embedding_bound(s: impl Given<SobolevOrder>, into: impl Given<Target>) ->
 /// use fractional_sobolev::{Target, embedding_constant};
 /// let found = embedding_constant(0.5, 24.0, 1e-8)?; // ‖u‖_{L^24} ≤ C ‖u‖_{1/2}
 /// assert!(found.lower.value > 1.07 && found.upper.is_some_and(|upper| upper.value < 1.71));
-/// assert!(found.extremal().is_some_and(|u| u.value(&[0.0]) > 2.0 * u.value(&[1.0])));
+/// let u = found.extremal()?;
+/// assert!(u.value(&[0.0]) > 2.0 * u.value(&[1.0]));
 /// assert_eq!(embedding_constant(0.25, 4.0, 1e-8)?.constant.value, 1.0); // attained by u = 1
 /// let hoelder = embedding_constant(1.5, Target::Hoelder(0.9), 1e-8)?;
 /// assert!(hoelder.upper.is_some_and(|upper| hoelder.lower.value < upper.value));

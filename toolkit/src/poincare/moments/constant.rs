@@ -3,9 +3,9 @@
 use super::strong_form::strong_bounds;
 use super::weight::Moment;
 use crate::Order;
-use crate::constant::Extremal;
+use crate::constant::{BestConstant, Extremal};
 use crate::error::{Error, Given, Result};
-use crate::estimate::{Estimate, Tolerance};
+use crate::estimate::Tolerance;
 use crate::poincare::constraint::{Condition, Constraint};
 use crate::poincare::discrete::Discrete;
 use crate::poincare::extremal::SlopeSum;
@@ -15,7 +15,7 @@ use crate::poincare::spaces::supremum;
 use crate::poincare::zones::Zones;
 use crate::quadrature::Rule;
 
-/// The moment M = sup ∫ m w / |w|_ν over the functions w that vanish on a zone at one end of (0,1).
+/// The moment M = sup ∫ m w / |w|_s over the functions w that vanish on a zone at one end of (0,1).
 ///
 /// x is the distance from the free end, e the length of the complement of the zone, and m is 1, x or e − x
 /// ([`Moment`]). The zone is a range at either end: `e..1.0` represents a short length e to full relative
@@ -23,14 +23,37 @@ use crate::quadrature::Rule;
 ///
 /// # Method
 ///
-/// M² = ∫ m w for the function w with (w, v)_ν = ∫ m v for all such v, (·, ·)_ν the inner product of |·|_ν,
+/// M² = ∫ m w for the function w with (w, v)_s = ∫ m v for all such v, (·, ·)_s the inner product of |·|_s,
 /// by one linear solve on the spaces of [`gamma`](crate::gamma). The space is conforming, so that every value
-/// is a lower bound up to rounding, and the error of M² is the square of the approximation error in |·|_ν;
+/// is a lower bound up to rounding, and the error of M² is the square of the approximation error in |·|_s;
 /// the error estimate compares two spaces, as for `gamma`.
 ///
-/// As ν → 1, |w|²_ν (1 − ν) → ‖w'‖²: M/√(1−ν) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of a given length
+/// As s → 1, |w|²_s (1 − s) → ‖w'‖²: M/√(1−s) → √(e³/3), √(e⁵/20), √(2e⁵/15). Of all zones of a given length
 /// the zone at an end has the largest moment for m = 1 (by rearrangement). Cost: one factorization for a few
-/// hundred unknowns.
+/// hundred unknowns, and another one for the extremal function.
+///
+/// **Bounds** ([`BestConstant::bounded`]) from the strong form of the equation for w, computed independently of the
+/// Gram matrices: on the complement of the zone, scaled to (0, 1), the squared seminorm is (v, Av) with an integral
+/// operator A, and k(x) = ∫ |x−t|^{−1−2s} dt over the scaled zone; for every v, with the residual r = m − A v,
+/// ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. The gap between the bounds is
+/// 1e-15 to 3e-9 of M in experiments. Cost: a million evaluations of basis functions for each s; those for the last s
+/// are cached. [`Error::OutOfRange`] for s outside [1e-3, 1 − 1e-3], and unless the length of the complement lies in
+/// [0.01, 0.99].
+///
+/// ```
+/// use fractional_sobolev::{Moment, moment};
+/// let found = moment(0.5, 0.5..1.0, Moment::Mass, 1e-9)?;
+/// // M² at e = 1/2, computed independently with forty digits
+/// let exact = 0.051_868_428_388_348_907f64.sqrt();
+/// assert!((found.constant.value / exact - 1.0).abs() < 1e-9);
+/// // the bounds of the strong form enclose it
+/// let (lower, upper) = (found.bounded()?.lower.value, found.bounded()?.upper.map_or(f64::NAN, |m| m.value));
+/// assert!(lower <= exact && exact <= upper && upper < (1.0 + 1e-8) * lower);
+/// // the function that attains it
+/// let w = moment(0.5, 0.0..0.5, Moment::Mass, 1e-3)?.extremal()?;
+/// assert!(w.value(&[0.25]).abs() < 1e-12 && w.value(&[1.0]).abs() > 0.0);
+/// # Ok::<(), fractional_sobolev::Error>(())
+/// ```
 ///
 /// ```
 /// use fractional_sobolev::{Moment, moment};
@@ -47,12 +70,12 @@ use crate::quadrature::Rule;
 /// lengths of the zone and of its complement lie in [1e-300, 1 − 1e-15]; [`Error::ToleranceNotMet`] as for
 /// [`gamma`](crate::gamma).
 pub fn moment(
-    order: impl Given<Order>,
+    s: impl Given<Order>,
     zone: impl Given<Zones>,
     moment: Moment,
     tolerance: impl Given<Tolerance>,
-) -> Result<MomentConstant> {
-    let (order, zones, tolerance) = (order.given()?, zone.given()?, tolerance.given()?);
+) -> Result<BestConstant> {
+    let (order, zones, tolerance) = (s.given()?, zone.given()?, tolerance.given()?);
     let Some((zone, length, at_right)) = zones.at_one_end() else {
         let (what, given, with) = ("zone", zones.to_string(), "moments");
         return Err(Error::Incompatible {
@@ -74,32 +97,9 @@ pub fn moment(
         let (value, _) = solve(&discrete, moment, model)?;
         Ok((value, discrete.work))
     })?;
-    Ok(MomentConstant { constant, order, place, moment, tolerance })
-}
-
-/// The largest moment over |w|_ν = 1, with the extremal function and bounds by an independent computation.
-///
-/// Returned by [`moment`].
-///
-/// ```
-/// use fractional_sobolev::{Moment, MomentConstant, moment};
-/// let found: MomentConstant = moment(0.5, 0.5..1.0, Moment::Mass, 1e-9)?;
-/// // M² at e = 1/2, computed independently with forty digits
-/// let exact = 0.051_868_428_388_348_907f64.sqrt();
-/// assert!((found.constant.value / exact - 1.0).abs() < 1e-9);
-/// // the bounds of the strong form enclose it
-/// let [lower, upper] = found.bounds()?;
-/// assert!(lower <= exact && exact <= upper && upper < (1.0 + 1e-8) * lower);
-/// # Ok::<(), fractional_sobolev::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct MomentConstant {
-    /// The moment M.
-    pub constant: Estimate,
-    order: Order,
-    place: Place,
-    moment: Moment,
-    tolerance: Tolerance,
+    Ok(BestConstant::new(constant, constant, None)
+        .with_extremal_by(move || extremal(order, &place, moment, tolerance))
+        .with_bounds_by(move || strong_bounds(order, place.length, moment)))
 }
 
 /// The length of a zone at one end, the length of its complement, and whether that end is 1.
@@ -121,50 +121,20 @@ impl Place {
     }
 }
 
-impl MomentConstant {
-    /// The function w with |w|_ν = 1 that attains the moment, to the requested tolerance.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Moment, moment};
-    /// let w = moment(0.5, 0.0..0.5, Moment::Mass, 1e-3)?.extremal()?;
-    /// assert!(w.value(&[0.25]).abs() < 1e-12 && w.value(&[1.0]).abs() > 0.0);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`moment`].
-    pub fn extremal(&self) -> Result<Extremal> {
-        let model = MeshModel::new(self.order, self.tolerance.relative());
-        let discrete = Discrete::new(self.order, &self.place.constraint(), &model)?;
-        let (_, coefficients) = solve(&discrete, self.moment, &model)?;
-        let found = SlopeSum::new(&discrete, coefficients);
-        Ok(Extremal::on_interval(if self.place.at_right { found.mirrored() } else { found }))
-    }
-
-    /// A lower and an upper bound of M from the strong form of the equation for w, computed independently of the Gram
-    /// matrices.
-    ///
-    /// # Method
-    ///
-    /// On the complement of the zone, scaled to (0, 1), the squared seminorm is (v, Av) with an integral
-    /// operator A, and k(s) = ∫ |s−t|^{−1−2ν} dt over the scaled zone; for every v, with the residual r = m −
-    /// A v, ∫(m + r) v ≤ M² ≤ ∫(m + r) v + ½ ∫ r²/k. v is the least squares solution of r = 0. The gap
-    /// between the bounds is 1e-15 to 3e-9 of M in experiments. Cost: a million evaluations of basis
-    /// functions for each ν; those for the last ν are cached.
-    ///
-    /// # Errors
-    /// [`Error::OutOfRange`] for ν outside [1e-3, 1 − 1e-3], and unless the length of the complement lies
-    /// in [0.01, 0.99].
-    pub fn bounds(&self) -> Result<[f64; 2]> {
-        strong_bounds(self.order, self.place.length, self.moment)
-    }
+/// The function w with |w|_s = 1 that attains the moment, to the requested tolerance.
+fn extremal(order: Order, place: &Place, moment: Moment, tolerance: Tolerance) -> Result<Extremal> {
+    let model = MeshModel::new(order, tolerance.relative());
+    let discrete = Discrete::new(order, &place.constraint(), &model)?;
+    let (_, coefficients) = solve(&discrete, moment, &model)?;
+    let found = SlopeSum::new(&discrete, coefficients);
+    Ok(Extremal::on_interval(if place.at_right { found.mirrored() } else { found }))
 }
 
 /// Lengths that are represented to full relative accuracy, with a complement of positive length.
 const SHORTEST: f64 = 1e-300;
 const LONGEST: f64 = 1.0 - 1e-15;
 
-/// M and the coefficients of its function with |w|_ν = 1.
+/// M and the coefficients of its function with |w|_s = 1.
 fn solve(discrete: &Discrete, moment: Moment, model: &MeshModel) -> Result<(f64, Vec<f64>)> {
     let load = load(&discrete.space, moment, model.points() + 4)?;
     let solution = discrete.factored.solve(&load);
@@ -209,6 +179,7 @@ fn load(space: &SlopeSpace, moment: Moment, points: usize) -> Result<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::estimate::Estimate;
     use crate::poincare::mean::largest_mean;
 
     fn moment_norm(order: Order, length: f64, m: Moment, tolerance: Tolerance) -> Result<Estimate> {
@@ -266,8 +237,7 @@ mod tests {
         ] {
             let norm = moment_norm(order, e, moment, tolerance).unwrap();
             let place = Place { zone: 1.0 - e, length: e, at_right: false };
-            let found = MomentConstant { constant: norm, order, place, moment, tolerance };
-            let w = found.extremal().unwrap();
+            let w = extremal(order, &place, moment, tolerance).unwrap();
             let right =
                 super::moment(order, e..1.0, moment, tolerance).unwrap().extremal().unwrap();
             assert!(

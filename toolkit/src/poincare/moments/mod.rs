@@ -5,5 +5,5 @@ mod strong_basis;
 mod strong_form;
 mod weight;
 
-pub use constant::{MomentConstant, moment};
+pub use constant::moment;
 pub use weight::Moment;
