@@ -46,6 +46,7 @@
 //! Triangles that carry half of this bound are bisected until it is 1 % of |||u||| (example
 //! `two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
 //! above; or if the resultants do not add up.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
 //! --files DIR`
@@ -123,7 +124,8 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
             ));
         }
         let is_again = |one: &Given| one.place == place;
-        // Loads and tractions by name add up; two without a name are a comma that became a semicolon.
+        // Loads and tractions by name add up; two without a name are a comma that became a
+        // semicolon.
         let add_up = matches!(option, "load" | "traction") && place.is_some();
         if all.iter().any(is_again) && !add_up {
             let on = place.map_or("everywhere".to_owned(), |name| format!("on '{name}'"));

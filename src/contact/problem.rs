@@ -45,7 +45,7 @@ pub struct ContactProblem {
     /// Prescribed values of the frame; zero elsewhere.
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
-    pub(super) gap: Vec<f64>,
+    pub(crate) gap: Vec<f64>,
     /// Whether some body has no Dirichlet edge, so that only its floors keep it in place.
     pub(crate) floats: bool,
     /// Time in seconds for the edge, the load, and the part of the operator that is set up immediately.
