@@ -356,7 +356,7 @@ impl<'a> Body<'a> {
 
     /// f at a point of a triangle of the region.
     pub(crate) fn load_at(&self, region: usize, point: Point) -> Result<Point> {
-        sum(acting_on(&self.loads, &region), point)
+        sum("load", acting_on(&self.loads, &region), point)
     }
 
     /// The part of f that acts everywhere, without regard to regions, also off the body.
@@ -373,17 +373,17 @@ impl<'a> Body<'a> {
 
     /// F at a point of a group of Γ_N.
     pub(crate) fn traction_at(&self, group: &str, point: Point) -> Result<Point> {
-        sum(acting_on(&self.tractions, group), point)
+        sum("traction", acting_on(&self.tractions, group), point)
     }
 
     /// u_D at a point of a group of Γ_D.
     pub(crate) fn displacement_at(&self, group: &str, point: Point) -> Result<Point> {
-        sum(one_on(&self.displacements, group), point)
+        sum("prescribed displacement", one_on(&self.displacements, group), point)
     }
 
     /// g at a point of a group of Γ_C.
     pub(crate) fn gap_at(&self, group: &str, point: Point) -> Result<f64> {
-        sum(one_on(&self.gaps, group), point).map(|[gap, _]| gap)
+        sum("gap", one_on(&self.gaps, group), point).map(|[gap, _]| gap)
     }
 }
 
@@ -411,14 +411,15 @@ fn one_on<'s, 'a>(
     own.or_else(|| all.iter().rfind(|one| one.place.is_none())).map(|one| &one.density).into_iter()
 }
 
-fn sum<'s, 'a: 's>(acting: impl Iterator<Item = &'s Density<'a>>, point: Point) -> Result<Point> {
+fn sum<'s, 'a: 's>(
+    name: &'static str,
+    acting: impl Iterator<Item = &'s Density<'a>>,
+    point: Point,
+) -> Result<Point> {
     let total =
         acting.map(|density| density(point)).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
     match total.into_iter().find(|v| !v.is_finite()) {
-        Some(value) => {
-            let name = "value of a load or of a function";
-            Err(Error::Toolkit(ToolkitError::NotFiniteAt { name, point, value }))
-        }
+        Some(value) => Err(Error::Toolkit(ToolkitError::NotFiniteAt { name, point, value })),
         None => Ok(total),
     }
 }

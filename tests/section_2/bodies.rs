@@ -197,8 +197,20 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         (load("x y, 0"), "operator missing"),
         (load("1, 2, 3"), "3 components"),
         (Options { mesh, ..Default::default() }, "--mesh requires --load"),
-        (load("ln(x - 1), 0"), "is not finite: NaN at ("),
-        (load("0, 1/(x - x)"), "is not finite: inf at ("),
+        (load("ln(x - 1), 0"), "load is not finite: NaN at ("),
+        (load("0, 1/(x - x)"), "load is not finite: inf at ("),
+        (
+            Options { traction: "0, 1/(x - x)".to_owned(), ..Default::default() },
+            "traction is not finite: inf at (",
+        ),
+        (
+            Options { displacement: "0, ln(-1)".to_owned(), ..Default::default() },
+            "prescribed displacement is not finite: NaN at (",
+        ),
+        (
+            Options { gap: "sqrt(-1)".to_owned(), ..Default::default() },
+            "gap is not finite: NaN at (",
+        ),
         (Options { poisson: "0.5".to_owned(), ..Default::default() }, "Poisson's ratio"),
         (
             Options { young: "1, 2".to_owned(), ..Default::default() },
