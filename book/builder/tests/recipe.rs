@@ -4,7 +4,7 @@
 //! The copy shares the target directory and the times of the files, so that of all programs only the new example and
 //! the test target of its section are compiled. `cargo test --package book-builder --test recipe`
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -156,7 +156,9 @@ fn run(root: &Path, target: &Path, command: &str) -> String {
         let name = name.to_string_lossy();
         name.starts_with("CARGO_PKG") || name.starts_with("CARGO_MANIFEST") || name == "CARGO"
     });
-    of_cargo.for_each(|name| drop(command.env_remove(name)));
+    for name in of_cargo {
+        command.env_remove(name);
+    }
     let output = command
         .args(&words[1..])
         .current_dir(root)
@@ -177,6 +179,9 @@ fn a_statement_is_added_by_the_recipe() {
     let copied = tempfile::tempdir().unwrap();
     let root = copied.path().canonicalize().unwrap();
     copy(&original, &root);
+    let contents = |file: &PathBuf| std::fs::read(root.join(file)).ok();
+    let before: BTreeMap<PathBuf, Option<Vec<u8>>> =
+        files(&root).into_iter().map(|file| (file.clone(), contents(&file))).collect();
     let readme = std::fs::read_to_string(root.join("book/README.md")).unwrap();
     let (steps, commands) = recipe(&readme);
     assert!(steps.len() == 6 && commands.len() == 5, "{steps:?} {commands:?}");
@@ -203,9 +208,7 @@ fn a_statement_is_added_by_the_recipe() {
         let is_step = steps.iter().any(|step| *name == filled(step));
         is_step || written.iter().any(|start| name.starts_with(start))
     };
-    let same = |file: &&PathBuf| {
-        std::fs::read(root.join(file)).ok() == std::fs::read(original.join(file)).ok()
-    };
+    let same = |file: &&PathBuf| before.get(*file) == Some(&contents(file));
     let now = files(&root);
     let other: Vec<&PathBuf> = now.iter().filter(|f| !same(f)).filter(|f| !is_written(f)).collect();
     assert!(other.is_empty(), "{other:?}");
