@@ -59,6 +59,7 @@
 //! 1.001; if |u − u^h|_a/|u − G|_a at n = 64 is above 1.01, or its excess over 1 falls slower than
 //! h^(2/3) from n = 32 to 64; or if (|u − u^h|² − |G − u^h|²)/|u − G|², which is 1 by Pythagoras,
 //! differs from 1 by more than 0.2 %, the error of the cubature.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example contact_costs_nothing -- --finest 17`
 

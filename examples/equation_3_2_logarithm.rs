@@ -27,6 +27,7 @@
 //! Refuted if for an α > 1/2 the quotient e/(h |ln h|^(1/2)) keeps growing: its last increment has
 //! to be at most half of the one before, while those of a power of |ln h| fall by a factor near 1.
 //! The paper is loose if q, with its ±, is at most 0 for every α > 1/2: no logarithm.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! **The problems.** On the edge y = 0 of the unit square a displacement g ≤ 0 and a pressure λ ≥ 0
 //! with g λ = 0 are chosen. u is harmonic inside, g on the edge, 0 at y = 1, and ∂u/∂n = 0 at the

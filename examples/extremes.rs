@@ -27,6 +27,7 @@
 //! calls for. Why 1e-9: γ is requested to 1e-10, and Poisson's ratio 1/2 − 1e-6 loses six digits;
 //! the others have twelve and more. Refuted too if for θ from 1e-20 to 1e-290 γ of order 1/2,
 //! requested to 1e-3, differs from its law by more than 2e-3.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example extremes`
 

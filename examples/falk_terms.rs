@@ -24,6 +24,7 @@
 //! in the nodal cone −∫ σ_N u^h ≤ 0 is dropped. Refuted if F(u^h) is above F(I^h u), or C above 2;
 //! or if (4.8) fails: its right less its left side is −∫ πσ_N u^h, so that it asks the sign of the
 //! means of u^h.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Test problem: as in Theorem 3.1 (`theorem_3_1_rates`), u is harmonic on the unit square, 0 on
 //! top, ∂u/∂n = 0 on the sides, with the values g ≤ 0 and the pressure λ = −σ_N ≥ 0, g λ = 0,

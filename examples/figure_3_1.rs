@@ -28,6 +28,7 @@
 //! printed exponent that applies. Where ± is above 0.1 the order decides nothing and is only shown.
 //! The paper is loose if for one transition the order less its ± is above (N1). Expected is
 //! min(τ − 1, 1).
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! **The problems.** On the edge y = 0 of the unit square a displacement g ≤ 0 and a pressure λ ≥ 0
 //! with g λ = 0 are chosen. u is harmonic inside, g on the edge, 0 at y = 1, and ∂u/∂n = 0 at the
@@ -43,7 +44,8 @@
 //!                 taken at the middle of a cell: just inside H²
 //! fat-cantor:30   at τ = 7/4, q = 1 and λ = 1, a Cantor set: for k = 1, .. 30 a gap of length
 //!                 4^(−k) is taken out of the middle of each of the 2^(k−1) intervals that are
-//!                 left, so that gaps and contact are 1/2 long each
+//!                 left, so that gaps and contact are 1/2 long each; the function that is one on
+//!                 such a set is in H^s for s < 1/4 only, hence τ = 3/2 + 1/4
 //! ```
 //!
 //! On N = 32 · 2^finest cells g is taken at the nodes, and the integral of λ over a cell is given
@@ -75,7 +77,8 @@
 //!
 //! The order is p for the finest h there is, at most 1. Its ± is the largest difference from the p
 //! of the three h before, so that it shows a drift, plus the effect of the ± of the squares, which
-//! is that of conjugate gradients to 1e-13. An order cut off at 1 has the ± that reaches below 1.
+//! is that of conjugate gradients to 1e-13. An order p ± e with p > 1 is replaced by 1 ± max(0, 1 −
+//! p + e).
 //!
 //! One regularity on finer meshes:
 //!

@@ -16,9 +16,10 @@
 //!
 //! ```text
 //! block, ..        the unit square in plane strain, λ = μ = 1, held at y = 1, contact edge y = 0,
-//!                  load (0, −cos πx), linear between nodes; u_N = −u₂ ≤ 0 at the nodes. u is the
-//!                  P1 solution on 8n × 8n squares, n the largest of the list, each cut from
-//!                  bottom left to top right; at each node of the edge there is a force
+//!                  volume load (0, −cos πx), linear between nodes; the sides x = 0 and x = 1 are
+//!                  free, and σ_T = 0 on the contact edge; u_N = −u₂ ≤ 0 at the nodes. u is the P1
+//!                  solution on 8n × 8n squares, n the largest of the list, each cut from bottom
+//!                  left to top right; at each node of the edge there is a force
 //!                  l(φ) − a(u, φ) ≥ 0
 //! transition:a, .. a prescribed pair on 64n cells, at least 2^16: u_N = −δ^p in a gap (a, b), with
 //!                  δ = (x − a)(b − x)/(b − a), or x − a if b = 1; in contact the density of the
@@ -44,9 +45,13 @@
 //! ```
 //!
 //! with constants on (0, 1): C_q is 1 for τ ≤ 7/4 and else Beckner's bound (example
-//! `theta_balance`), the other two are roots of largest eigenvalues (Lemmas 5.2, 6.1), their errors
-//! added. The largest term over its bound is the share of the bound that is used; refuted if it is
-//! above 1. There is none at τ = 2, where σ_N, constant on cells, has no |σ_N|_ν.
+//! `theta_balance`). γ_θ² is the largest eigenvalue of ‖v‖₀² against |v|²_ν among functions with
+//! mean zero on (0, θ) whose slopes are polynomials in ln r, r the distance to the nearest of 0, θ
+//! and 1; C_I² is that of ‖v − I v‖₀² against |v'|²_ν, where v' runs through a Legendre series.
+//! Their errors are added, so that the bounds are upper bounds. In the norms the force of a node is
+//! spread over its cells: σ_N is constant on a cell. The largest term over its bound is the share
+//! of the bound that is used; refuted if it is above 1. There is none at τ = 2, where such a σ_N
+//! has no |σ_N|_ν.
 //!
 //! Another contact set (for the other cone see example `figure_4_1_alternative`):
 //!

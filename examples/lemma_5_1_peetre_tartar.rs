@@ -24,6 +24,7 @@
 //! from the infimum over piecewise linear functions (`by_definition`); if the extremal function of
 //! (5.4) has another quotient |u|_ν / ‖u‖_X, by more than 0.1 %; or if one of the extremal
 //! functions of the other orders, which lie in X, has a smaller one, by more than 0.1 %.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_5_1_peetre_tartar -- --nu 0.45,0.5,0.55`
 

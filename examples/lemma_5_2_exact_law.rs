@@ -21,6 +21,7 @@
 //! formulas of L alone, so that they reach zones without a number. Refuted if γ² is outside of
 //! them, or if they differ by more than 1e-4 at the largest L. Computed and not proved: γ² = A L +
 //! c + d/γ² + e/γ⁴ + ..; what A L + c leaves is of order 1/L.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 

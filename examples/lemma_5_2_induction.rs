@@ -27,6 +27,7 @@
 //! γ(θ)/γ(θ²), is √2 to 0.02 in the last step: there γ² grows like ln(1/θ) (example
 //! `lemma_5_2_exact_law`), hence γ by √2 in a step, while the factor in (5.8) is 2. That is why
 //! (5.2) has ln(1/θ) and not its root.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_5_2_induction -- --nu 0.5 --steps 7`
 

@@ -24,6 +24,7 @@
 //!
 //! Refuted if C₀ or C₁ is above 1, if the constant of the full norm is above 1 at h = 0.99 h₁, or
 //! if the two computations of C₀ or of C₁ differ by 0.3 %. Loose if C₀ ≤ 0.16 and C₁ ≤ 0.51.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Other orders:
 //!

@@ -22,6 +22,7 @@
 //! Refuted if C₀, C₁ or the constant of the full norm at h = 1 is above 1, if the best constant of
 //! a mesh is above that of one element, or if `of_mesh` and the library differ by more than 3 %.
 //! False as printed if the full norm at h = 2/C₀ is above 1.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_6_2_global_estimate -- --nu 0.1,0.4`
 

@@ -38,6 +38,7 @@
 //! Refuted if a bound is below the term: if term/bound, less its ±, is above 1. Refuted too if more
 //! segments carry a term, above 1e-12 of the largest one, than the contact set has ends inside the
 //! edge, which is one.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Longer segments, another regularity:
 //!

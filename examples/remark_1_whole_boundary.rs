@@ -37,6 +37,7 @@
 //! a(u, u) − l(u), for the load f = 4 cos πx + 4 cos πy with g = 0, by more than 1e-8 of it. The
 //! theorems are loose if for τ < 2 the error over h^q does not grow either, with q half way from
 //! the printed exponent to τ − 1.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_1_whole_boundary -- --meshes 9`
 

@@ -29,6 +29,7 @@
 //! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of
 //! all functions (Lemma 6.2) or is less than half its limit, or if the dual norm is not between the
 //! two bounds above.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_2_dual_norm_counterexample -- --elements 5`
 

@@ -25,6 +25,7 @@
 //! off `by_definition` by 0.3 %; if q falls between the last two L for any α; if γ grows
 //! there like another power of L than 1/2 ± 0.02; or if the slope of q² over L for α = 1 is off
 //! 3/(2π²) by more than 0.001.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
 

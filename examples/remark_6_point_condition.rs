@@ -35,6 +35,7 @@
 //! θ^(2ν−1); if the point inside has a larger constant than the end; or if (2ν − 1) γ₀²/A, for
 //! ν ≤ 0.6, differs from 1 by more than 2ν − 1. Two constants are known to 1e-8 each, so their
 //! quotient is compared to 4e-8 at best.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_6_point_condition -- --nu 0.7,0.8 --point 0.1`
 

@@ -36,6 +36,7 @@
 //! more than the tolerances requested (1e-7 for intervals; 2e-3 for unions, two γ to 1e-3 each); if
 //! a random sequence, sorted, has a larger sum; or if a random function, sorted, has a larger
 //! seminorm.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 

@@ -32,6 +32,7 @@
 //! if −σ_N over the formula, for four decades below ℓ/4, differs from its mean by more than the
 //! width of a ring, both in logarithms; or if without contact the number of sign changes of u_N
 //! differs by more than one from the phase ε ln(1/r) over π.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_clamped_end -- --angles 12 --poisson 0.1`
 

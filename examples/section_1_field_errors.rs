@@ -17,6 +17,7 @@
 //!
 //! Refuted if an order between the last two N is off p by more than 0.02, or C by more than 0.5 %
 //! where `limit` gives it.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! ```text
 //! cargo run --release --example section_1_field_errors -- \

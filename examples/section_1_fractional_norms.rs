@@ -21,6 +21,7 @@
 //! finite one is further from its closed form than asked or than the error that it states, or, for
 //! ν at least 0.1 below the last finite order, if the second formula above, by a composite Gauss
 //! rule, is off by 0.5 %: what it leaves out decays slowly near that order.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_fractional_norms -- --power 0.3 --nu 0.7,0.79,0.8`
 

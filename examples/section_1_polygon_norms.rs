@@ -16,6 +16,7 @@
 //!
 //! Refuted if 2|x₁|²/L² is off 1 by 1e-6; if |φ|², extrapolated by c/n from the last two n, is off
 //! its limit by 0.2 %; or if area/(‖n₁‖ ‖x₁‖) exceeds 1 by more than the error of ‖n₁‖.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_polygon_norms -- --nu 0.3`
 

@@ -29,6 +29,7 @@
 //! Refuted if finite elements and closed form differ by 1e-5; if (2s − 1) C(s) at s = 1/2 + 1e-7 is
 //! off its limit √3/π by 1e-5; or if a mode of a corner of 90° or more exceeds C(s)². Below 90°
 //! nothing is checked (at 45° some exceed it).
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_trace_constants -- --s 0.51,0.999 --angle 60`
 

@@ -44,13 +44,14 @@
 //! ```
 //!
 //! Triangles that carry half of this bound are bisected until it is 1 % of |||u||| (example
-//! `two_sided_energies`). Refuted if two meshes contradict each other: J from below above J from
-//! above.
+//! `two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
+//! above; or if the resultants do not add up.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
 //! --files DIR`
 
-use example_report::{Expression, prelude::*};
+use example_report::{Expression, floor_names, prelude::*};
 use signorini::bounds::{Enclosure, Ended, Refinement};
 use signorini::cone::Cone;
 use signorini::contact::{Body, ContactProblem, ContactSolution, Solver, npy};
@@ -112,7 +113,8 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
             Some((name, text)) => (Some(name.trim().to_owned()), text),
             None => (None, piece),
         };
-        let parts = Expression::parse_list(text)?;
+        let parts =
+            Expression::parse_list(text).map_err(|why| Error::option(option, &why.to_string()))?;
         let most = if option == "gap" { 1 } else { 2 };
         if parts.len() > most {
             let expected = if most == 1 { "one" } else { "\"fx, fy\" or \"f\"" };
@@ -122,9 +124,13 @@ fn given(option: &'static str, text: &str) -> Result<Vec<Given>> {
             ));
         }
         let is_again = |one: &Given| one.place == place;
-        if all.iter().any(is_again) && matches!(option, "displacement" | "gap") {
+        // Loads and tractions by name add up; two without a name are a comma that became a
+        // semicolon.
+        let add_up = matches!(option, "load" | "traction") && place.is_some();
+        if all.iter().any(is_again) && !add_up {
             let on = place.map_or("everywhere".to_owned(), |name| format!("on '{name}'"));
-            return Err(Error::option(option, &format!("given twice {on}")));
+            let what = format!("given twice {on}: components are separated by a comma");
+            return Err(Error::option(option, &what));
         }
         all.push(Given { place, parts });
     }
@@ -209,6 +215,10 @@ fn body(options: &Options) -> Result<Body<'static>> {
         }
         load = given("load", "0.015, 0.02 - 0.03*x")?;
     }
+    let is_scalar = refuse_ignored(
+        options,
+        [("load", &load), ("traction", &traction), ("displacement", &displacement)],
+    )?;
     // A curve on which something acts needs no other name.
     let places = |all: &[Given], part: Part| -> Vec<(String, Part)> {
         let names = all.iter().filter_map(|one| one.place.clone());
@@ -226,8 +236,13 @@ fn body(options: &Options) -> Result<Body<'static>> {
     };
     for (part, of) in [(Part::Dirichlet, "clamped"), (Part::Contact, "in contact")] {
         if !mesh.boundary().iter().any(|edge| edge.part == part) {
+            let by = match part {
+                Part::Dirichlet => "--displacement \"NAME=0, 0\"",
+                _ => "--gap NAME=0",
+            };
             let what = format!(
-                "no curve is {of}: add Physical Curve(\"{}\") = {{..}}; the groups are {}",
+                "no curve is {of}: add Physical Curve(\"{}\") = {{..}}, or choose one by {by}; \
+                the groups are {}",
                 part.name(),
                 mesh.groups().join(", ")
             );
@@ -240,11 +255,6 @@ fn body(options: &Options) -> Result<Body<'static>> {
     let poisson = by_region("poisson", &options.poisson, &regions)?;
     let materials = young.iter().zip(&poisson).map(|(&e, &nu)| lame(e, nu));
     let materials = materials.collect::<std::result::Result<_, _>>()?;
-    let is_scalar = [&load, &traction, &displacement]
-        .into_iter()
-        .flatten()
-        .next()
-        .is_some_and(|one| one.parts.len() == 1);
     let form = if is_scalar { Form::LAPLACE } else { Form::Elastic { materials } };
     let body = act!(Body::new(mesh, form), load, load, load_on);
     let body = act!(body, traction, traction, traction_on);
@@ -255,9 +265,52 @@ fn body(options: &Options) -> Result<Body<'static>> {
     }))
 }
 
+/// Whether the problem is scalar: all that acts has one component. Refuses what differs, and
+/// options that would be ignored.
+fn refuse_ignored(options: &Options, acting: [(&'static str, &Vec<Given>); 3]) -> Result<bool> {
+    let of = |one: &Given| match &one.place {
+        Some(name) => format!("that of '{name}'"),
+        None => "what is given".to_owned(),
+    };
+    let (mut first, defaults) = (None, Options::default());
+    for (option, one) in acting.into_iter().flat_map(|(o, all)| all.iter().map(move |g| (o, g))) {
+        let count = one.parts.len();
+        let (before, expected) = *first.get_or_insert((option, count));
+        if count != expected {
+            let what = format!(
+                "{} has {count} component{}, expected {expected} as --{before} has: {}",
+                of(one),
+                if count == 1 { "" } else { "s" },
+                if expected == 2 { "0 is \"0, 0\"" } else { "the problem is scalar" },
+            );
+            return Err(Error::option(option, &what));
+        }
+    }
+    let is_scalar = first.is_some_and(|(_, count)| count == 1);
+    let ignored = [
+        ("young", options.young != defaults.young),
+        ("poisson", options.poisson != defaults.poisson),
+        ("plane-stress", options.plane_stress),
+    ];
+    for (option, is_given) in ignored {
+        let what = "a load of one component makes the problem scalar, without a material: \
+            write \"fx, fy\" for a force";
+        Error::unless(!(is_scalar && is_given), option, what)?;
+    }
+    let is_guaranteed = !options.tolerance.is_empty();
+    let what = "with --tolerance the program chooses the meshes";
+    Error::unless(!is_guaranteed || options.levels == defaults.levels, "levels", what)?;
+    let what = "limits the meshes of --tolerance, which is not given";
+    Error::unless(is_guaranteed || options.unknowns == defaults.unknowns, "unknowns", what)?;
+    Ok(is_scalar)
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let body = body(options)?;
     let mut remarks = body.mesh().remarks().to_vec();
+    if body.form().components() == 1 {
+        remarks.push("one component: the scalar problem −Δu = f, u ≤ g on the floor".to_owned());
+    }
     let (problem, u, vtu) = if options.tolerance.is_empty() {
         let (problem, u) = on_refinements(&body, options, out, &mut remarks)?;
         let vtu = problem.to_vtu(&u)?;
@@ -314,9 +367,20 @@ fn on_refinements(
             meshes.refine()?;
         }
         let problem = body.problem_on(meshes.finest())?;
+        // Every mesh has four times the unknowns of the one before.
+        let done = (4f64.powi(level as i32) - 1.0) / (4f64.powi(options.levels as i32) - 1.0);
+        let unknowns = problem.free_unknowns();
+        let progress = |solver: &str| {
+            let of = format!("mesh {} of {}", level + 1, options.levels);
+            (done, format!("{of}, {unknowns} unknowns, {solver}"))
+        };
+        let (share, words) = progress("active set");
+        out.progress(share, words);
         // Guess which constraints are active, solve the linear equations, correct the guess by the
         // signs of gap and force.
         let u = problem.solve(options.cone, Solver::ActiveSet)?;
+        let (share, words) = progress("interior point");
+        out.progress(share, words);
         // Primal-dual path through the interior of the cone (Clarabel): a duality gap of 1e-13.
         let other = problem.attempt(options.cone, Solver::InteriorPoint)?;
         let segments = problem.edge().segment_lengths().len();
@@ -326,7 +390,7 @@ fn on_refinements(
             out.remark(format!("{segments} segments: {what}, J ± {missed:.1e}"));
         }
         out.row(cells! { segments =>
-        unknowns: problem.free_unknowns(), touching: u.contact_set.count(),
+        unknowns, touching: u.contact_set.count(),
         force: u.contact_force, J: Measured::new(u.energy, u.energy_rounding + missed),
         second: other.status.to_string() });
         // ε (Σᵢ uᵢ² (|K||u| + |F|)ᵢ²)^(1/2)/|J|, ε = 2^-52: what rounding of K and F leaves in J,
@@ -398,7 +462,7 @@ fn to_tolerance(
     out.column(
         "force",
         "contact force",
-        "−∫ σ_N(u) of every floor, in an interval; none where a floor meets a clamp",
+        "−∫ σ_N(u), of all floors together, in an interval; none where a floor meets a clamp",
     );
     let refinement = Refinement {
         cone: options.cone,
@@ -407,28 +471,42 @@ fn to_tolerance(
         ..Refinement::default()
     };
     let (mut highest, mut lowest) = (f64::NEG_INFINITY, f64::INFINITY);
-    let mut failed = None;
+    let (mut failed, mut first, mut forces_on) = (None, None, Vec::new());
+    out.progress(0.0, format!("{} triangles", body.mesh().triangles().len()));
     let each = |found: &Enclosure| {
         let floors = 0..found.problem.edge().pieces().len();
-        let forces = floors.map(|floor| {
-            let force = body.contact_force(found, floor)?;
-            Ok(force.map_or("none".to_owned(), |f| format!("{:.4e} .. {:.4e}", f.lower, f.upper)))
-        });
-        let force = match forces.collect::<signorini::Result<Vec<_>>>() {
-            Ok(forces) => forces.join("; "),
+        let forces = floors.map(|floor| body.contact_force(found, floor));
+        forces_on = match forces.collect::<signorini::Result<Vec<_>>>() {
+            Ok(forces) => forces,
             Err(error) => {
                 failed.get_or_insert(error);
                 return;
             }
         };
-        let (triangles, percent) = (found.shares.len(), 100.0 * found.relative_error());
-        out.progress(format!("{triangles} triangles, error ≤ {percent:.2} % of |||u|||"));
+        let all = forces_on.iter().try_fold([0.0; 2], |[lower, upper], force| {
+            force.as_ref().map(|force| [lower + force.lower, upper + force.upper])
+        });
+        let force =
+            all.map_or("none".to_owned(), |[lower, upper]| format!("{lower:.4e} .. {upper:.4e}"));
+        let (triangles, error) = (found.shares.len(), found.relative_error());
+        let percent = 100.0 * error;
+        let at_first = *first.get_or_insert(error);
+        // The share of the digits of the error that are gained.
+        let done = if at_first.is_finite() { (at_first / error).ln() } else { 0.0 }
+            / (at_first.clamp(tolerance, 10.0) / tolerance).ln().max(f64::MIN_POSITIVE);
+        let required = 100.0 * tolerance;
+        let words = format!("error ≤ {percent:.3} %, {required} % required");
+        out.progress(done, format!("{triangles} triangles, {words}"));
         (highest, lowest) = (highest.max(found.energy.lower), lowest.min(found.energy.upper));
         let energy = found.energy;
         out.row(cells! { triangles =>
         lower: energy.lower, upper: energy.upper, error: found.error, percent, force });
+        let u = &found.solution;
         let claim = out.check("conditions of contact and equations, scaled");
-        claim.at_most(found.solution.kkt.worst(), 1e-10, "(2.5)");
+        claim.at_most(u.kkt.worst(), 1e-10, "(2.5)");
+        let rounding = if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
+        let claim = out.check("resultant of load and reactions, scaled");
+        claim.at_most(u.balance, 1e-8 + 10.0 * rounding, "eight digits");
         let apart = (highest - lowest) / lowest.abs();
         let claim = out.check("(highest J from below − lowest J from above)/|J|");
         claim.at_most(apart, 0.0, "J*(q) ≤ J(u) ≤ J(v) on every mesh");
@@ -447,14 +525,27 @@ fn to_tolerance(
             perhaps more than |||u|||"
         )
     });
-    if ended != Ended::Tolerance {
-        remarks.push(format!("the tolerance is not reached: {ended}"));
+    for (name, force) in floor_names(&found.problem).iter().zip(&forces_on) {
+        if let (Some(force), true) = (force, forces_on.len() > 1) {
+            remarks.push(format!(
+                "guaranteed: the contact force of {name} is in {:.4e} .. {:.4e}",
+                force.lower, force.upper
+            ));
+        }
+    }
+    match ended {
+        Ended::Tolerance => {}
+        Ended::Unknowns => remarks.push(format!(
+            "the tolerance is not reached with {} unknowns: --unknowns allows more",
+            options.unknowns
+        )),
+        _ => remarks.push(format!("the tolerance is not reached: {ended}")),
     }
     Ok(found)
 }
 
 /// contact_edge.csv has one line for each node of the contact edges: number of the edge, arc
-/// length, node, u_N and σ_N.
+/// length, node, u_N and σ_N, name of the floor.
 fn write_files(
     directory: &Path,
     problem: &ContactProblem,
@@ -462,12 +553,13 @@ fn write_files(
     vtu: String,
 ) -> Result<()> {
     let edge = problem.edge();
-    let mut text = "edge,s,x,y,u_N,sigma_N\n".to_owned();
-    for (number, piece) in edge.pieces().into_iter().enumerate() {
+    let mut text = "edge,s,x,y,u_N,sigma_N,floor\n".to_owned();
+    let names = floor_names(problem).into_iter().map(|name| name.replace([',', '"'], " "));
+    for (number, (piece, name)) in edge.pieces().into_iter().zip(names).enumerate() {
         for i in piece.clone() {
             let ([x, y], s) = (edge.points()[i], edge.arc()[i] - edge.arc()[piece.start]);
             let (normal, stress) = (u.normal_displacement[i], 0.0 - u.pressure[i]);
-            text += &format!("{},{s},{x},{y},{normal},{stress}\n", number + 1);
+            text += &format!("{},{s},{x},{y},{normal},{stress},{name}\n", number + 1);
         }
     }
     let components = problem.form().components();

@@ -59,6 +59,7 @@
 //! more than 1e-6 (double zeros have no more digits); if D-N on one line (ω = 180°) has an
 //! imaginary part other than ln κ/(2π), or the supremum at a transition is other than τ = 5/2 (both
 //! 1e-12); if `λ read` differs from λ by more than its ±; or if that ± is above 0.05.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Another opening:
 //!

@@ -45,6 +45,7 @@
 //! from that of the active set, or one constraint is active for only one of them; if |u^h − v|_a,
 //! u^h by the active set, is above the estimate of multigrid; or if |u − v|_a from its definition
 //! differs by 0.3 %. Other bodies, materials and meshes: `tests/section_2/multigrid.rs`.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! ```text
 //! cargo run --release --example section_2_speed_for_accuracy -- \

@@ -25,6 +25,7 @@
 //! Refuted if a function exceeds an upper bound; if these quotients leave their interval for one q;
 //! if the constant function does not attain a bound of 1; or if `ascent` and `circle` are off the
 //! library's bounds by 1e-3.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`
 

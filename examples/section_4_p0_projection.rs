@@ -33,6 +33,7 @@
 //! Refuted if S(N) h^(−r) or S(N) h^(−r−1/2) is above its constant, C* is above C(r) C(1/2), an
 //! order of S(N) with its ± is off r or r + 1/2 by 0.05, that of x^a off 1 by 0.02 + 4096^(−q), or
 //! its error off h ‖φ'‖₀/√12 by the part h^min(q, 1).
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Other orders, up to 1 and above:
 //!

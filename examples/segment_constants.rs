@@ -42,6 +42,7 @@
 //!
 //! Refuted if κ ≤ κ̄ ≤ K ≤ c or κ̄ ≤ c₂ fails, if a constant is off the bounds of the strong form
 //! by more than 1e-8, or off the maximum of `scan` by more than 1 %.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example segment_constants -- --nu 0.49,0.5,0.51`
 

@@ -35,9 +35,10 @@
 //! another program in ball arithmetic; for A x the dense matrix (there |v − v*| is the largest
 //! difference of two entries over the largest entry, e is ε, and no work is counted).
 //!
-//! Refuted if an error is above its ε; if |v − v*| is above the stated e, v* being exact to 1e-14;
-//! or if a looser tolerance does more work, counted in evaluations, factorizations and iterations.
-//! The milliseconds are medians; they are shown and decide nothing.
+//! Refuted if an error is above its ε; if |v − v*| less 1e-14 |v*|, to which v* is exact, is above
+//! the larger one of the stated e and 2e-14 |v*|; or if a looser tolerance does more work, counted
+//! in evaluations, factorizations and iterations. The milliseconds are medians; they are shown and
+//! decide nothing. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example speed_for_accuracy -- --case γ`
 

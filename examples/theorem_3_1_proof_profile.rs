@@ -72,6 +72,7 @@
 //! of the last row, 2τ² − 5τ + 4, and its h² ln(1/h) at τ = 2 follow from the choice of θ: these
 //! two checks test this file and not the paper. Without the mesh the pair is in H^s for s < ν only,
 //! so that ‖σ_N‖_ν on the whole edge has no limit as `finest` grows.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Another regularity:
 //!

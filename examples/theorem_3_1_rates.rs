@@ -21,6 +21,7 @@
 //! halving of h to the next; increments that shrink by a fixed factor add up to a bound. So the
 //! last increment over the one before must be at most 0.95. Refuted too if `by_definition` differs
 //! by 1e-6.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Loose if the order of e, less its ±, is above p. Expected is τ − 1, the best possible for this
 //! u. The order q is computed from e² ≈ A h^(2q) + B h² + const:

@@ -56,6 +56,7 @@
 //! differs from `by_definition` by 0.5 %. The paper is loose if every error is at most E h^(τ−1),
 //! and at τ = 2 at most C h |u|₂. The error is an integral by cubature, good to 0.1 %: that is its
 //! ±.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example theorem_3_1_with_numbers -- --lambda 20 --tau 1.75 --finest 7`
 

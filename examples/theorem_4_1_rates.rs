@@ -22,6 +22,7 @@
 //! halving of h to the next; increments that shrink by a fixed factor add up to a bound. So the
 //! last increment over the one before must be at most 0.95. Refuted too if `by_definition` differs
 //! by 1e-6.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! Loose if, for τ < 2, the order of e, less its ±, is above p. Expected is min(τ − 1, 1). The
 //! order q is computed from e² ≈ A h^(2q) + B h² + const, and is at most 1:

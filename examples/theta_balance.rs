@@ -42,10 +42,12 @@
 //!
 //! Refuted, for τ < 2, if S/F at the printed θ depends on h; if the θ where F = S has an exponent
 //! of h other than 2τ − 3; or if the bound, at the printed θ or where F = S, has an exponent other
-//! than 2τ² − 5τ + 4. Exponents are those between the finest two h, and all these comparisons are
-//! to 1e-9. At τ = 2 S/F may grow like ln(1/h). Refuted too, for every τ, if κ h^(2τ−2) with its
-//! error is above a bound where F = S; if the W of a zone θ = 2^−1, .. 2^−10 is above κ; or if the
-//! κ of this file and that of the library differ by 0.5 %.
+//! than 2τ² − 5τ + 4. An exponent is the slope of logarithms between the finest two h; as F and S
+//! are formulas, it has no ± but rounding, and all these comparisons are to 1e-9. At τ = 2 S/F may
+//! grow like ln(1/h). Refuted too, for every τ, if κ h^(2τ−2) less the ± of κ is above a bound
+//! where F = S; if W(θ) less its ± is above (1 + 1e-6) κ for a zone θ = 2^−1, .. 2^−10, where 1e-6
+//! is the tolerance of W; or if the κ of this file and that of the library differ by 0.5 %.
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! The paper's bound can be improved, so the statement is loose: u_N' has mean zero between its two
 //! zeros in the first case, so that for θ ≤ 1/4, with γ = γ_(1/2),
@@ -150,7 +152,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let c_p =
         zones.iter().zip(&gammas).fold(0.0, |c: f64, (&theta, gamma)| c.max(gamma / law(theta)));
     let half = gammas[0];
-    let c_q = embedding_bound(nu, q)?.upper.map_or(f64::NAN, |upper| upper.value); // the formula of the header
+    // The formula of the header.
+    let c_q = embedding_bound(nu, q)?.upper.map_or(f64::NAN, |upper| upper.value);
     // A largest eigenvalue too, its error added: v a series of Legendre polynomials.
     let c_i = interpolation_constant(Domain::Interval(1.0), ErrorNorm::L2, nu, 1e-8)?.constant;
     let c_i = c_i.value + c_i.error;

@@ -42,6 +42,7 @@
 //! On one segment, κ is the largest quotient with one gap at an end. Refuted if a share is above 1,
 //! if κ is above c₂, or if a random contact set has a larger quotient than the best gap at an end
 //! on the same 48 cells (which is below κ).
+//! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --sets 10000`
 

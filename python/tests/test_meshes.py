@@ -155,6 +155,28 @@ def test_second_order_and_regions(body):
         fs.contact.solve(second, LOAD, lame={"arm": (1.0, 1.0), "foto": (2.0, 3.0)})
 
 
+def test_what_is_missing_is_refused_with_what_to_do(body):
+    mesh, _ = body
+    p, t, lines = mesh.points[:, :2], mesh.cells_dict["triangle"], mesh.cells_dict["line"]
+    floor, held = (lines[mesh.cell_sets_dict[name]["line"]] for name in ("contact", "clamped"))
+    with pytest.raises(ValueError, match=r"no boundary edge is clamped: groups={'clamped': .*displacement={.*the groups are contact, free"):
+        fs.contact.solve((p, t), LOAD, groups={"contact": floor})
+    with pytest.raises(ValueError, match=r"no boundary edge is in contact: .*gap={'NAME': 0}; the groups are clamped, free"):
+        fs.contact.solve((p, t), LOAD, groups={"clamped": held})
+    # A group on which something acts is clamped or in contact, whatever its name.
+    given = {"wall": held, "floor": floor}
+    found = fs.contact.solve((p, t), LOAD, displacement={"wall": (0, 0)}, gap={"floor": 0}, groups=given)
+    assert found.energy == fs.contact.solve((p, t), LOAD, groups={"contact": floor, "clamped": held}).energy
+    with pytest.raises(ValueError, match="no boundary group 'flor': it has"):
+        fs.contact.solve((p, t), LOAD, displacement={"wall": (0, 0)}, gap={"flor": 0}, groups=given)
+    with pytest.raises(ValueError, match="no triangles: Gmsh meshes a body by gmsh -2"):
+        fs.contact.solve(meshio.Mesh(mesh.points, [("line", lines)]), LOAD)
+    with pytest.raises(ValueError, match=f"load: 1 number, expected 2, or 2 at each of the {len(p)} nodes"):
+        fs.contact.solve((p, t), -1, groups={"contact": floor, "clamped": held})
+    with pytest.raises(ValueError, match="displacement: 1 component, expected 2"):
+        fs.contact.solve((p, t), LOAD, displacement={"clamped": 0}, groups={"contact": floor, "clamped": held})
+
+
 def test_what_is_not_a_plane_body_is_refused(body):
     mesh, _ = body
     p, t = mesh.points, mesh.cells_dict["triangle"]

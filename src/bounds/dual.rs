@@ -34,6 +34,9 @@ use rayon::prelude::*;
 
 /// Forces on one triangle at most: three on each side.
 const FORCES: usize = 9;
+/// Values of a field at the corners of its pieces, and with the sums over each piece.
+const NODAL: usize = 27;
+const TERMS: usize = NODAL + 9;
 /// Edges of one task of the assembly.
 const CHUNK: usize = 4096;
 
@@ -81,7 +84,8 @@ pub(super) struct Dual {
 
 impl Setting<'_, '_> {
     fn basis(&self, t: usize) -> Equilibrated {
-        Equilibrated::new(self.components, self.reaction() > 0.0, self.mesh.corners(t))
+        let is_inside = self.sides[t].iter().all(|side| self.border_of[side.edge].is_none());
+        Equilibrated::new(self.components, self.reaction() > 0.0, !is_inside, self.mesh.corners(t))
     }
 
     /// Forces of a field on the sides, in the order and orientation of the edges.
@@ -109,25 +113,28 @@ impl Setting<'_, '_> {
     fn local(&self, t: usize) -> Result<Local> {
         let basis = self.basis(t);
         let (known, left_over) = self.known_field(t, &basis.slopes)?;
-        let (corners, inner) = (self.mesh.corners(t), self.compliance(t));
+        let (corners, root) = (self.mesh.corners(t), self.compliance_root(t));
         let fields = basis.fields();
         let (count, rows) = (fields.len(), 3 * self.per_edge());
         let area = 0.5 * doubled_area(corners);
-        let mut compliance = [[0.0; FIELDS]; FIELDS];
-        let mut totals = [[[0.0; 3]; 3]; FIELDS];
-        for (totals, field) in totals.iter_mut().zip(fields) {
-            *totals = field.map(|v| [0, 1, 2].map(|c| v[0][c] + v[1][c] + v[2][c]));
+        // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the triangle.
+        let mut rooted = [[0.0; TERMS]; FIELDS];
+        for (terms, field) in rooted.iter_mut().zip(fields) {
+            let (values, totals) = terms.split_at_mut(NODAL);
+            for (k, piece) in field.iter().enumerate() {
+                for (m, value) in piece.iter().enumerate() {
+                    let value = root(value);
+                    for c in 0..3 {
+                        values[9 * k + 3 * m + c] = value[c];
+                        totals[3 * k + c] += value[c];
+                    }
+                }
+            }
         }
+        let mut compliance = [[0.0; FIELDS]; FIELDS];
         for i in 0..count {
             for j in 0..=i {
-                // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the triangle.
-                let mut sum = 0.0;
-                for k in 0..3 {
-                    let (a, b) = (&fields[i][k], &fields[j][k]);
-                    sum += inner(&a[0], &b[0]) + inner(&a[1], &b[1]) + inner(&a[2], &b[2]);
-                    sum += inner(&totals[i][k], &totals[j][k]);
-                }
-                compliance[i][j] = area / 36.0 * sum;
+                compliance[i][j] = area / 36.0 * dot(&rooted[i], &rooted[j]);
             }
         }
         // ∫ of the known stress against the barycentric coordinates of the pieces.
@@ -140,11 +147,10 @@ impl Setting<'_, '_> {
                 (0..3).for_each(|m| moments[*piece][m][c] += shares[m] * value);
             }
         }
-        let mut shift = [0.0; FIELDS];
-        for (shift, field) in shift.iter_mut().zip(fields) {
-            let pairs = field.as_flattened().iter().zip(moments.as_flattened());
-            *shift = pairs.map(|(value, moment)| inner(value, moment)).sum();
-        }
+        let mut against = [0.0; TERMS];
+        let terms = against.as_chunks_mut::<3>().0;
+        terms.iter_mut().zip(moments.as_flattened()).for_each(|(term, value)| *term = root(value));
+        let mut shift: [f64; FIELDS] = std::array::from_fn(|i| dot(&rooted[i], &against));
         let reaction = self.reaction();
         if reaction > 0.0 {
             // ½‖f + div q‖²/c: div of the last field is 2, of the others 0.
@@ -163,12 +169,18 @@ impl Setting<'_, '_> {
         let what = "compliance of the stresses on one triangle";
         let root =
             factor(compliance, count).ok_or_else(|| Error::not_positive_definite(what, t))?;
-        let mut response = [[0.0; FORCES]; FIELDS];
-        for row in 0..rows {
-            let column = solve(&root, count, std::array::from_fn(|i| forces[i][row]));
-            (0..count).for_each(|i| response[i][row] = column[i]);
+        let mut columns = [[0.0; FORCES + 1]; FIELDS];
+        for i in 0..count {
+            columns[i][..FORCES].copy_from_slice(&forces[i]);
+            columns[i][FORCES] = shift[i];
         }
-        let offset = solve(&root, count, shift);
+        solve(&root, count, &mut columns);
+        let mut response = [[0.0; FORCES]; FIELDS];
+        let mut offset = [0.0; FIELDS];
+        for i in 0..count {
+            response[i].copy_from_slice(&columns[i][..FORCES]);
+            offset[i] = columns[i][FORCES];
+        }
         Ok(Local { count, rows, forces, response, offset, known_forces, left_over })
     }
 
@@ -416,15 +428,31 @@ fn factor(mut a: [[f64; FIELDS]; FIELDS], count: usize) -> Option<[[f64; FIELDS]
     Some(a)
 }
 
-/// The solution of L Lᵀ x = b.
-fn solve(root: &[[f64; FIELDS]; FIELDS], count: usize, mut b: [f64; FIELDS]) -> [f64; FIELDS] {
+/// The solutions of L Lᵀ X = B, in the place of B.
+fn solve<const N: usize>(
+    root: &[[f64; FIELDS]; FIELDS],
+    count: usize,
+    columns: &mut [[f64; N]; FIELDS],
+) {
+    let take = |columns: &mut [[f64; N]; FIELDS], i: usize, factor: f64, k: usize| {
+        let other = columns[k];
+        (0..N).for_each(|c| columns[i][c] -= factor * other[c]);
+    };
     for i in 0..count {
-        let sum: f64 = (0..i).map(|k| root[i][k] * b[k]).sum();
-        b[i] = (b[i] - sum) / root[i][i];
+        (0..i).for_each(|k| take(columns, i, root[i][k], k));
+        columns[i].iter_mut().for_each(|value| *value /= root[i][i]);
     }
     for i in (0..count).rev() {
-        let sum: f64 = (i + 1..count).map(|k| root[k][i] * b[k]).sum();
-        b[i] = (b[i] - sum) / root[i][i];
+        (i + 1..count).for_each(|k| take(columns, i, root[k][i], k));
+        columns[i].iter_mut().for_each(|value| *value /= root[i][i]);
     }
-    b
+}
+
+/// Σ a_k b_k, in four sums beside each other.
+fn dot(a: &[f64; TERMS], b: &[f64; TERMS]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (a, b) in a.as_chunks::<4>().0.iter().zip(b.as_chunks::<4>().0) {
+        (0..4).for_each(|k| sums[k] += a[k] * b[k]);
+    }
+    sums.iter().sum()
 }

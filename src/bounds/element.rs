@@ -95,8 +95,14 @@ pub(super) struct Equilibrated {
 }
 
 impl Equilibrated {
-    pub(super) fn new(components: usize, reaction: bool, corners: [Point; 3]) -> Self {
-        if components == 1 { scalar(reaction, corners) } else { elastic(corners) }
+    /// The fields of a triangle; the slopes only if wanted, otherwise zero.
+    pub(super) fn new(
+        components: usize,
+        reaction: bool,
+        slopes: bool,
+        corners: [Point; 3],
+    ) -> Self {
+        if components == 1 { scalar(reaction, corners) } else { elastic(slopes, corners) }
     }
 
     pub(super) fn fields(&self) -> &[Linear] {
@@ -139,7 +145,7 @@ struct Airy {
     bulge: [f64; 3],
 }
 
-fn elastic(corners: [Point; 3]) -> Equilibrated {
+fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
     // Lengths in units of the longest side; stresses are divided by its square at the end, which is a factor of the
     // unknowns only. Corner 0 is the origin, where φ and its gradient vanish.
     let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
@@ -154,6 +160,9 @@ fn elastic(corners: [Point; 3]) -> Equilibrated {
         geometry.stress(&airy)
     });
     let slopes = [0, 1, 2].map(|k| {
+        if !with_slopes {
+            return ZERO;
+        }
         // q_T = −(∂_n φ)_s = s − ½ in coordinates without unit: ∂_n φ = l s(1 − s)/2, l the local length; the second
         // Bézier ordinate of s(1 − s) is ½.
         let mut airy = Airy::default();
@@ -258,7 +267,7 @@ mod tests {
     #[test]
     fn stresses_are_in_equilibrium_with_linear_normal_and_constant_tangential_traction() {
         for components in [1, 2] {
-            let found = Equilibrated::new(components, false, CORNERS);
+            let found = Equilibrated::new(components, false, true, CORNERS);
             for (number, field) in found.fields().iter().chain(&found.slopes).enumerate() {
                 let mut resultant = [0.0; 3];
                 for k in 0..3 {
@@ -297,7 +306,7 @@ mod tests {
 
     #[test]
     fn normal_components_are_continuous_across_the_pieces() {
-        let found = Equilibrated::new(2, false, CORNERS);
+        let found = Equilibrated::new(2, false, true, CORNERS);
         let centre = middle(CORNERS);
         for field in found.fields().iter().chain(&found.slopes) {
             for i in 0..3 {

@@ -22,6 +22,16 @@
 //!
 //! (scalar: K = 1 and without the last factor), because what is left over of f and of F on a triangle has no resultant
 //! and no moment.
+//!
+//! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q is paired with w beside
+//! d, and A² has the further terms ‖r‖_T²/c. Where it is better only its mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T²,
+//! the rest may be oscillation,
+//!
+//! ```text
+//! |∫_T (r − r̄) w| ≤ (π²/h² + c)^(−1/2) ‖r − r̄‖_T |||w|||_T,
+//! ```
+//!
+//! and is where ‖d‖_T and this factor add up to less than (‖d‖_T² + ‖r − r̄‖_T²/c)^(1/2).
 
 use super::dual::Dual;
 use super::element::{Linear, Value, combine, pieces, traction};
@@ -66,8 +76,12 @@ pub(super) struct Lifted {
 impl Parts {
     /// |||d|||* + osc.
     pub(super) fn reach(&self) -> f64 {
-        let osc: f64 = self.oscillation.iter().map(|v| v * v).sum();
-        self.distance.iter().sum::<f64>().max(0.0).sqrt() + osc.sqrt()
+        self.distance.iter().sum::<f64>().max(0.0).sqrt() + self.osc()
+    }
+
+    /// osc.
+    pub(super) fn osc(&self) -> f64 {
+        self.oscillation.iter().map(|v| v * v).sum::<f64>().sqrt()
     }
 
     /// b.
@@ -170,32 +184,55 @@ impl Setting<'_, '_> {
         })
     }
 
-    /// d = σ(v) − q at a point for v with the constant stress σ(v), and c v − f − div q with a reaction term.
-    pub(super) fn distance_at(
+    /// d = σ(v) − q at the samples of a triangle for v with the constant stress σ(v); with a reaction term also what is
+    /// carried of r = c v − f − div q, and the oscillation of the rest.
+    pub(super) fn distances(
         &self,
         t: usize,
-        sample: &Sample,
+        samples: &[Sample],
         (displacement, stress): (&[f64], &Value),
         field: &Linear,
-    ) -> Result<(Value, f64)> {
-        let value = sample.stress(field);
-        let mut off = [stress[0] - value[0], stress[1] - value[1], stress[2] - value[2]];
+    ) -> Result<(Vec<(Value, f64)>, f64)> {
         let reaction = self.reaction();
-        if self.lifts[t].is_empty() && reaction == 0.0 {
-            return Ok((off, 0.0));
-        }
+        let mut found = Vec::with_capacity(samples.len());
+        let is_plain = self.lifts[t].is_empty() && reaction == 0.0;
         let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
         let element = Element::new(corners);
-        let at = element.barycentric(corners, sample.point);
-        let mut v =
-            if reaction > 0.0 { (0..3).map(|i| at[i] * displacement[nodes[i]]).sum() } else { 0.0 };
-        if let Some((own, values)) = self.lifted_at(t, at, &element) {
-            (0..3).for_each(|c| off[c] += own[c]);
-            v += values[0];
+        for sample in samples {
+            let value = sample.stress(field);
+            let mut off = [stress[0] - value[0], stress[1] - value[1], stress[2] - value[2]];
+            let mut residual = 0.0;
+            if !is_plain {
+                let at = element.barycentric(corners, sample.point);
+                let lifted = self.lifted_at(t, at, &element);
+                if let Some((own, _)) = lifted {
+                    (0..3).for_each(|c| off[c] += own[c]);
+                }
+                if reaction > 0.0 {
+                    let linear: f64 = (0..3).map(|i| at[i] * displacement[nodes[i]]).sum();
+                    let v = linear + lifted.map_or(0.0, |(_, values)| values[0]);
+                    residual = reaction * v - self.source(t, sample, field)?;
+                }
+            }
+            found.push((off, residual));
         }
-        let residual =
-            if reaction > 0.0 { reaction * v - self.source(t, sample, field)? } else { 0.0 };
-        Ok((off, residual))
+        if reaction == 0.0 {
+            return Ok((found, 0.0));
+        }
+        let inner = self.compliance(t);
+        let weights = || samples.iter().map(|sample| sample.weight);
+        let area: f64 = weights().sum();
+        let mean = found.iter().zip(weights()).map(|((_, r), w)| w * r).sum::<f64>() / area;
+        let rest: f64 =
+            found.iter().zip(weights()).map(|((_, r), w)| w * (r - mean) * (r - mean)).sum();
+        let own: f64 = found.iter().zip(weights()).map(|((d, _), w)| w * inner(d, d)).sum();
+        let waves = (PI / diameter(corners)).powi(2);
+        let oscillation = (rest / (waves + reaction)).sqrt();
+        if own.sqrt() + oscillation >= (own + rest / reaction).sqrt() {
+            return Ok((found, 0.0));
+        }
+        found.iter_mut().for_each(|(_, r)| *r = mean);
+        Ok((found, oscillation))
     }
 
     /// f + div q at a point, for a problem with reaction term.
@@ -209,20 +246,21 @@ impl Setting<'_, '_> {
         let stress = self.stress_of(t, displacement);
         let mut found = OnTriangle::default();
         let mut area = 0.0;
-        for sample in self.samples(t) {
+        let samples = self.samples(t);
+        let (distances, rest) = self.distances(t, &samples, (displacement, &stress), field)?;
+        for (sample, (off, residual)) in samples.iter().zip(&distances) {
             let (value, weight) = (sample.stress(field), sample.weight);
-            let (off, residual) = self.distance_at(t, &sample, (displacement, &stress), field)?;
-            found.distance += weight * inner(&off, &off);
+            found.distance += weight * inner(off, off);
             found.energy += 0.5 * weight * inner(&value, &value);
             area += weight;
             (0..3).for_each(|c| found.mean[c] += weight * value[c]);
             if reaction > 0.0 {
                 found.distance += weight * residual * residual / reaction;
-                found.energy += 0.5 * weight * self.source(t, &sample, field)?.powi(2) / reaction;
+                found.energy += 0.5 * weight * self.source(t, sample, field)?.powi(2) / reaction;
             }
         }
         found.mean.iter_mut().for_each(|mean| *mean /= area);
-        found.oscillation = self.oscillation_of(t, dual.left_over[t]);
+        found.oscillation = self.oscillation_of(t, dual.left_over[t]) + rest;
         Ok(found)
     }
 
@@ -281,7 +319,7 @@ impl Setting<'_, '_> {
         let corners = self.mesh.corners(t);
         let area = 0.5 * doubled_area(corners);
         let lengths = [0, 1, 2].map(|k| distance(corners[k], corners[(k + 1) % 3]));
-        let diameter = lengths.iter().fold(0.0, |m: f64, l| m.max(*l));
+        let diameter = diameter(corners);
         let (korn, factor) = match self.material(t) {
             None => (1.0, 1.0),
             Some(material) => {
@@ -303,6 +341,11 @@ impl Setting<'_, '_> {
         }
         korn * factor * sum
     }
+}
+
+/// The longest side.
+fn diameter(corners: [Point; 3]) -> f64 {
+    (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])))
 }
 
 /// The divergence of a flux that is linear on the whole triangle.

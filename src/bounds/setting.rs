@@ -63,7 +63,7 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) edge_rule: Rule,
     pub(super) particular: Option<Particular>,
     /// Whether some load is left to the triangles.
-    local: bool,
+    pub(super) local: bool,
     /// Prescribed displacements that are not linear on an edge, by triangle.
     pub(super) lifts: Vec<Vec<Lift>>,
 }
@@ -192,6 +192,20 @@ impl<'s, 'b> Setting<'s, 'b> {
                 let (ds, dt) = (0.5 * (s[0] - s[1]), 0.5 * (t[0] - t[1]));
                 let traces = (s[0] + s[1]) * (t[0] + t[1]);
                 shear * 2.0 * (ds * dt + s[2] * t[2]) + bulk * traces
+            }
+        }
+    }
+
+    /// The linear map after which s : 𝒜⁻¹ t is the dot product: deviator, shear and trace, each times the root of its
+    /// compliance; a flux is kept.
+    pub(super) fn compliance_root(&self, triangle: usize) -> impl Fn(&Value) -> Value + use<> {
+        let roots = self
+            .material(triangle)
+            .map(|m| [m.mu().powf(-0.5), 0.5 * (m.lambda() + m.mu()).powf(-0.5)]);
+        move |s: &Value| match roots {
+            None => [s[0], s[1], 0.0],
+            Some([shear, bulk]) => {
+                [0.5 * shear * (s[0] - s[1]), shear * s[2], bulk * (s[0] + s[1])]
             }
         }
     }

@@ -121,12 +121,12 @@ impl<'a> Body<'a> {
     /// What acts at a place.
     fn acting<V: Value, Place>(
         &mut self,
+        name: &'static str,
         place: Option<Place>,
         density: impl Fn(Point) -> V + Send + Sync + 'a,
     ) -> Acting<'a, Place> {
         let (given, expected) = (V::COMPONENTS, self.form.components());
         if given != expected {
-            let name = "components of a load";
             self.wrong.get_or_insert(Error::Toolkit(ToolkitError::LengthMismatch {
                 name,
                 given,
@@ -154,7 +154,7 @@ impl<'a> Body<'a> {
     /// Adds the volume load f, a force per area (scalar: the right-hand side of −Δu = f).
     #[must_use]
     pub fn load<V: Value>(mut self, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let acting = self.acting(None, f);
+        let acting = self.acting("components of the load", None, f);
         self.loads.push(acting);
         self
     }
@@ -172,7 +172,7 @@ impl<'a> Body<'a> {
             let known: Vec<&str> = names.iter().map(String::as_str).collect();
             self.wrong.get_or_insert(no_group("region", region, &known));
         }
-        let acting = self.acting(number.filter(|_| names.len() > 1), f);
+        let acting = self.acting("components of the load", number.filter(|_| names.len() > 1), f);
         self.loads.push(acting);
         self
     }
@@ -180,7 +180,7 @@ impl<'a> Body<'a> {
     /// Adds the traction F on Γ_N, a force per length.
     #[must_use]
     pub fn traction<V: Value>(mut self, f: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let acting = self.acting(None, f);
+        let acting = self.acting("components of the traction", None, f);
         self.tractions.push(acting);
         self
     }
@@ -193,7 +193,7 @@ impl<'a> Body<'a> {
         f: impl Fn(Point) -> V + Send + Sync + 'a,
     ) -> Self {
         let place = self.group("free boundary group", Part::Neumann, group);
-        let acting = self.acting(place, f);
+        let acting = self.acting("components of the traction", place, f);
         self.tractions.push(acting);
         self
     }
@@ -201,7 +201,7 @@ impl<'a> Body<'a> {
     /// Prescribes u = u_D on Γ_D, on groups for which no other displacement is given.
     #[must_use]
     pub fn displacement<V: Value>(mut self, data: impl Fn(Point) -> V + Send + Sync + 'a) -> Self {
-        let acting = self.acting(None, data);
+        let acting = self.acting("components of the displacement", None, data);
         self.displacements.push(acting);
         self
     }
@@ -216,7 +216,7 @@ impl<'a> Body<'a> {
         data: impl Fn(Point) -> V + Send + Sync + 'a,
     ) -> Self {
         let place = self.group("clamped boundary group", Part::Dirichlet, group);
-        let acting = self.acting(place, data);
+        let acting = self.acting("components of the displacement", place, data);
         self.displacements.push(acting);
         self
     }
@@ -356,7 +356,7 @@ impl<'a> Body<'a> {
 
     /// f at a point of a triangle of the region.
     pub(crate) fn load_at(&self, region: usize, point: Point) -> Result<Point> {
-        sum(acting_on(&self.loads, &region), point)
+        sum("load", acting_on(&self.loads, &region), point)
     }
 
     /// The part of f that acts everywhere, without regard to regions, also off the body.
@@ -373,17 +373,17 @@ impl<'a> Body<'a> {
 
     /// F at a point of a group of Γ_N.
     pub(crate) fn traction_at(&self, group: &str, point: Point) -> Result<Point> {
-        sum(acting_on(&self.tractions, group), point)
+        sum("traction", acting_on(&self.tractions, group), point)
     }
 
     /// u_D at a point of a group of Γ_D.
     pub(crate) fn displacement_at(&self, group: &str, point: Point) -> Result<Point> {
-        sum(one_on(&self.displacements, group), point)
+        sum("prescribed displacement", one_on(&self.displacements, group), point)
     }
 
     /// g at a point of a group of Γ_C.
     pub(crate) fn gap_at(&self, group: &str, point: Point) -> Result<f64> {
-        sum(one_on(&self.gaps, group), point).map(|[gap, _]| gap)
+        sum("gap", one_on(&self.gaps, group), point).map(|[gap, _]| gap)
     }
 }
 
@@ -411,14 +411,15 @@ fn one_on<'s, 'a>(
     own.or_else(|| all.iter().rfind(|one| one.place.is_none())).map(|one| &one.density).into_iter()
 }
 
-fn sum<'s, 'a: 's>(acting: impl Iterator<Item = &'s Density<'a>>, point: Point) -> Result<Point> {
+fn sum<'s, 'a: 's>(
+    name: &'static str,
+    acting: impl Iterator<Item = &'s Density<'a>>,
+    point: Point,
+) -> Result<Point> {
     let total =
         acting.map(|density| density(point)).fold([0.0; 2], |[a, b], [x, y]| [a + x, b + y]);
     match total.into_iter().find(|v| !v.is_finite()) {
-        Some(value) => {
-            let name = "value of a load or of a function";
-            Err(Error::Toolkit(ToolkitError::NotFiniteAt { name, point, value }))
-        }
+        Some(value) => Err(Error::Toolkit(ToolkitError::NotFiniteAt { name, point, value })),
         None => Ok(total),
     }
 }

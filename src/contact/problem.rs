@@ -45,7 +45,7 @@ pub struct ContactProblem {
     /// Prescribed values of the frame; zero elsewhere.
     pub(super) values: Vec<f64>,
     /// Initial gap at the nodes of the contact edge.
-    pub(super) gap: Vec<f64>,
+    pub(crate) gap: Vec<f64>,
     /// Whether some body has no Dirichlet edge, so that only its floors keep it in place.
     pub(crate) floats: bool,
     /// Time in seconds for the edge, the load, and the part of the operator that is set up immediately.
@@ -149,6 +149,18 @@ impl ContactProblem {
     /// ```
     pub fn edge(&self) -> &ContactEdge {
         &self.edge
+    }
+
+    /// The initial gap g in u_N ≤ g at the nodes of the contact edge, in order.
+    ///
+    /// ```
+    /// let mut problem = signorini::problems::TestProblem::Block.problem(2)?;
+    /// problem.set_gap(|[x, _]| 0.1 * x)?;
+    /// assert_eq!(problem.gap(), [0.0, 0.05, 0.1]);
+    /// # Ok::<(), signorini::Error>(())
+    /// ```
+    pub fn gap(&self) -> &[f64] {
+        &self.gap
     }
 
     /// The contact edge as a mesh of (0, length), with its segments as elements.

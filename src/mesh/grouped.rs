@@ -183,7 +183,9 @@ impl Grouped<'_> {
             (None, None) => Err(Error::Toolkit(ToolkitError::UnknownName {
                 what: "boundary part",
                 given: name.chars().take(40).collect(),
-                expected: "clamped (fixed, dirichlet), contact, free (neumann), or a group on which something acts",
+                expected: "clamped (fixed, dirichlet), contact or free (neumann), alone or in front, as in 'free top'; \
+                           under another name by what acts there: a displacement (0 clamps), a gap (0 is a \
+                           floor), a traction (0 is free)",
             })),
         }
     }
@@ -204,13 +206,14 @@ fn turn_clockwise(triangles: &mut [[usize; 3]], nodes: &[Point]) -> usize {
     clockwise.map(|corners| corners.swap(1, 2)).count()
 }
 
+/// The reason why an edge of the boundary without a group is refused.
+pub(super) const NO_GROUP: &str = "is on the boundary but in no physical group: add its curve to one named clamped, contact or free";
+
 /// What to do about a boundary edge without a group.
 fn say_group(cause: Error) -> Error {
     match cause {
         Error::Toolkit(ToolkitError::Edge { nodes, reason }) if reason == NO_LABEL => {
-            let reason = "is on the boundary but in no physical group: add its curve to one named clamped, contact \
-                          or free";
-            Error::Toolkit(ToolkitError::Edge { nodes, reason })
+            Error::Toolkit(ToolkitError::Edge { nodes, reason: NO_GROUP })
         }
         other => other,
     }

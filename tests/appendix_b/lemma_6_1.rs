@@ -43,7 +43,7 @@ fn slope(found: &BestConstant, h: f64) -> Function<'static> {
     let nodes = partition.from_left();
     let slope = |x: f64| {
         let k = nodes.partition_point(|&node| node <= x).clamp(1, partition.len()) - 1;
-        pieces.value(k, ((x - nodes[k]) / partition.lengths()[k]).min(1.0)).unwrap()
+        pieces.value_on(k, ((x - nodes[k]) / partition.lengths()[k]).min(1.0)).unwrap()
     };
     Function::interpolate(&partition, 8, slope).unwrap()
 }
@@ -63,7 +63,7 @@ fn element_constant(norm: ErrorNorm, order: Order, tolerance: Tolerance) -> Resu
 /// ‖u − I u‖₀ / |u|\_{1+ν} and ‖(u − I u)'‖₀ / |u|\_{1+ν} on (0, 1), by the norms of functions and no matrix.
 fn quotients(mesh: &Mesh, slope: &[f64], jumps: bool, nu: Order) -> [Estimate; 2] {
     let u = primitive(mesh, slope, jumps);
-    let end = u.value(mesh.len() - 1, 1.0).unwrap();
+    let end = u.value_on(mesh.len() - 1, 1.0).unwrap();
     let line = Function::interpolate(mesh, 2, |x| end * x).unwrap();
     let error = u.minus(&line).unwrap();
     let slope =

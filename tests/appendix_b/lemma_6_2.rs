@@ -31,7 +31,7 @@ fn interpolant(cells: &Mesh, u: &Function<'_>, elements: &[usize]) -> Function<'
     let (mut values, mut first) = (Vec::new(), 0);
     for &count in elements {
         let (x, last) = (cells.from_left(), first + count - 1);
-        let ends = [u.value(first, 0.0).unwrap(), u.value(last, 1.0).unwrap()];
+        let ends = [u.value_on(first, 0.0).unwrap(), u.value_on(last, 1.0).unwrap()];
         let length = x[last] - x[first] + cells.lengths()[last];
         for k in first..=last {
             values.extend([0.0, 0.5, 1.0].map(|t| {

@@ -80,23 +80,31 @@ fn places_that_cannot_be_written_are_refused() {
 #[cfg(target_os = "linux")]
 #[test]
 fn a_run_of_some_seconds_says_on_a_terminal_that_it_lives() {
-    let line = command("lemma_6_1_local_estimate", &[]);
+    let orders = format!("--nu {}", ["0.5"; 200].join(","));
+    shows_on_a_terminal("lemma_6_1_local_estimate", &orders, "4s");
+    // A body also shows a bar, which mesh it is at, and the size of the mesh.
+    shows_on_a_terminal("section_2_own_body", "--levels 7", "]  mesh ");
+}
+
+/// Runs an example on a terminal until these words are on it.
+#[cfg(target_os = "linux")]
+fn shows_on_a_terminal(example: &str, options: &str, words: &str) {
+    let program = command(example, &[]);
     // With an end of its own, where the hangup of the terminal is not heard.
-    let orders = ["0.5"; 200].join(",");
     let line =
-        format!("timeout --foreground 30 {} --nu {orders}", line.get_program().to_str().unwrap());
+        format!("timeout --foreground 30 {} {options}", program.get_program().to_str().unwrap());
     let mut terminal = Command::new("script");
     terminal.args(["-qec", &line, "/dev/null"]).stdin(Stdio::null()).stdout(Stdio::piped());
     let Ok(mut process) = terminal.spawn() else { return };
     let mut drawn = process.stdout.take().unwrap();
     let (mut said, mut bytes) = (String::new(), [0; 256]);
     let start = Instant::now();
-    while !said.contains("4s") && start.elapsed() < Duration::from_secs(20) {
+    while !said.contains(words) && start.elapsed() < Duration::from_secs(20) {
         let count = std::io::Read::read(&mut drawn, &mut bytes).unwrap();
         assert!(count > 0, "ended: {said}");
         said += &String::from_utf8_lossy(&bytes[..count]);
     }
     process.kill().unwrap();
     process.wait().unwrap();
-    assert!(said.contains("4s"), "{said:?}");
+    assert!(said.contains(words), "{said:?}");
 }

@@ -10,7 +10,7 @@ const ROOMS: [(&str, &str); 2] = [
     (
         "toolkit/src",
         "value error estimate numeric quadrature order root grading mesh nearly_one kernel gram energy closed_forms \
-         piecewise functions dual boundary plane fields function matrix constant trace poincare interpolation",
+         piecewise functions dual resolved boundary plane corner load fields function matrix constant trace poincare interpolation",
     ),
     (
         "src",

@@ -197,8 +197,20 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         (load("x y, 0"), "operator missing"),
         (load("1, 2, 3"), "3 components"),
         (Options { mesh, ..Default::default() }, "--mesh requires --load"),
-        (load("ln(x - 1), 0"), "is not finite: NaN at ("),
-        (load("0, 1/(x - x)"), "is not finite: inf at ("),
+        (load("ln(x - 1), 0"), "load is not finite: NaN at ("),
+        (load("0, 1/(x - x)"), "load is not finite: inf at ("),
+        (
+            Options { traction: "0, 1/(x - x)".to_owned(), ..Default::default() },
+            "traction is not finite: inf at (",
+        ),
+        (
+            Options { displacement: "0, ln(-1)".to_owned(), ..Default::default() },
+            "prescribed displacement is not finite: NaN at (",
+        ),
+        (
+            Options { gap: "sqrt(-1)".to_owned(), ..Default::default() },
+            "gap is not finite: NaN at (",
+        ),
         (Options { poisson: "0.5".to_owned(), ..Default::default() }, "Poisson's ratio"),
         (
             Options { young: "1, 2".to_owned(), ..Default::default() },
@@ -215,7 +227,28 @@ fn bad_bodies_are_refused_in_one_clear_line() {
         ),
         (Options { gap: "0, 1".to_owned(), ..Default::default() }, "2 components, expected one"),
         (Options { gap: "0; 1".to_owned(), ..Default::default() }, "given twice everywhere"),
-        (Options { displacement: "1".to_owned(), ..load("0, 1") }, "length 1, expected 2"),
+        // A semicolon in place of the comma made the problem scalar.
+        (load("0; -1"), "--load: given twice everywhere: components are separated by a comma"),
+        (
+            Options { displacement: "1".to_owned(), ..load("0, 1") },
+            "--displacement: what is given has 1 component, expected 2 as --load has: 0 is \"0, 0\"",
+        ),
+        (
+            Options { traction: "free=1".to_owned(), ..load("0, 1") },
+            "--traction: that of 'free' has 1 component, expected 2",
+        ),
+        (Options { young: "2e11".to_owned(), ..load("-1") }, "--young: a load of one component"),
+        (Options { plane_stress: true, ..load("-1") }, "--plane-stress: a load of one component"),
+        (
+            Options { levels: 2, tolerance: "5%".to_owned(), ..Default::default() },
+            "--levels: with --tolerance the program chooses the meshes",
+        ),
+        (Options { unknowns: 500, ..Default::default() }, "--unknowns: limits the meshes of"),
+        (load("x<1, 0"), "--load: expression 'x<1': unknown character '<'"),
+        (
+            Options { traction: "free=0, z".to_owned(), ..Default::default() },
+            "--traction: expression 'z': unknown name 'z'",
+        ),
         (Options { tolerance: "0".to_owned(), ..Default::default() }, "such as 1% or 0.01"),
         (Options { mesh: Some("no/such.msh".into()), ..load("0, 1") }, "no/such.msh"),
     ] {
@@ -232,11 +265,13 @@ fn a_mesh_without_a_clamp_or_a_floor_is_refused_with_what_to_do() {
     for (group, why) in [
         (
             "clamped",
-            "no curve is clamped: add Physical Curve(\"clamped\") = {..}; the groups are contact, free",
+            "no curve is clamped: add Physical Curve(\"clamped\") = {..}, or choose one by \
+             --displacement \"NAME=0, 0\"; the groups are contact, free",
         ),
         (
             "contact",
-            "no curve is in contact: add Physical Curve(\"contact\") = {..}; the groups are free, clamped",
+            "no curve is in contact: add Physical Curve(\"contact\") = {..}, or choose one by \
+             --gap NAME=0; the groups are free, clamped",
         ),
     ] {
         std::fs::write(&body, L_SHAPE.replace(&format!("\"{group}\""), "\"free\"")).unwrap();
@@ -261,9 +296,14 @@ fn the_file_holds_the_contact_edges() {
     let found = outcome(&options).unwrap();
     let text = std::fs::read_to_string(directory.join("contact_edge.csv")).unwrap();
     let mut rows = text.lines();
-    assert_eq!(rows.next(), Some("edge,s,x,y,u_N,sigma_N"));
-    let numbers: Vec<Vec<f64>> =
-        rows.map(|row| row.split(',').map(|word| word.parse().unwrap()).collect()).collect();
+    assert_eq!(rows.next(), Some("edge,s,x,y,u_N,sigma_N,floor"));
+    let rows: Vec<(&str, &str)> = rows.map(|row| row.rsplit_once(',').unwrap()).collect();
+    let floor = |edge: &str| rows.iter().find(|(row, _)| row.starts_with(edge)).unwrap().1;
+    assert_eq!([floor("1,"), floor("2,")], ["contact right", "contact left"]);
+    let numbers: Vec<Vec<f64>> = rows
+        .iter()
+        .map(|(row, _)| row.split(',').map(|word| word.parse().unwrap()).collect())
+        .collect();
     assert!(numbers.iter().all(|row| row.len() == 6 && row[4] <= 1e-12 && row[5] <= 0.0));
     // The trapezoidal rule of sigma_N on each edge gives the force of the floors back.
     let mut force = 0.0;
@@ -274,4 +314,33 @@ fn the_file_holds_the_contact_edges() {
     assert!((force / expected - 1.0).abs() < 1e-9, "{force} {expected}");
     assert_eq!(numbers.iter().filter(|row| row[1] == 0.0).count(), 2, "two edges begin");
     std::fs::remove_dir_all(&directory).unwrap();
+}
+
+#[test]
+fn two_floors_to_a_tolerance_fit_on_a_screen_by_name() {
+    let options = Options {
+        mesh: Some(repository("examples/data/groove.msh")),
+        load: "0.02*y, -0.05 - 0.03*x".to_owned(),
+        tolerance: "30%".to_owned(),
+        ..Default::default()
+    };
+    let text = outcome(&options).unwrap().text(false);
+    assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
+    // One interval for every floor, by its name, and the balance of forces.
+    for floor in ["contact left", "contact right"] {
+        let line = format!("guaranteed: the contact force of {floor} is in ");
+        assert!(text.contains(&line), "{text}");
+    }
+    assert!(text.contains("✓ resultant of load and reactions, scaled"), "{text}");
+    // What ends early says what allows more.
+    let options = Options { tolerance: "1%".to_owned(), unknowns: 400, ..options };
+    let text = outcome(&options).unwrap().text(false);
+    assert!(text.contains("not reached with 400 unknowns: --unknowns allows more"), "{text}");
+}
+
+#[test]
+fn a_load_of_one_component_is_announced_as_scalar() {
+    let options = Options { load: "-1".to_owned(), levels: 1, ..Default::default() };
+    let text = outcome(&options).unwrap().text(false);
+    assert!(text.contains("one component: the scalar problem −Δu = f"), "{text}");
 }

@@ -35,22 +35,26 @@ fn l_body(mesh: Triangulation) -> Body<'static> {
     Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - x)
 }
 
-/// Largest bound over (distance² + bound²)^(1/2), the bound that of the fine mesh: the error is between the two. With a
-/// reaction term the divergence of the flux is constant on a triangle, the load is not; hence the 3.
-const MOST: f64 = 3.0;
+/// Largest bound over (distance² + bound²)^(1/2), the bound that of the fine mesh: the error is between the two. The worst
+/// are an elastic load with kinks on 8 × 8 squares, 1.93, and a curved gap for a scalar problem, 1.85.
+const MOST: f64 = 2.0;
+
+/// Largest |J(v) − ½ Σ − J*(q)| over |||u|||²: J has its load by a rule of degree 6, u_D is a polynomial of degree 4 on
+/// every edge.
+const IDENTITY: f64 = 1e-7;
 
 /// The bound against the distance to a mesh of 16 times as many triangles, for both cones where both are defined.
 fn check(scene: &Scene) -> Vec<Beside> {
     let mut all = Vec::new();
     for cone in Cone::ALL {
-        let beside = match scene.beside(cone, 2) {
+        let beside = match scene.beside(cone) {
             Ok(beside) => beside,
             Err(error) if cone == Cone::Midpoint && error.to_string().contains("pieces") => {
                 continue;
             }
             Err(error) => panic!("{} {cone}: {error}", scene.name),
         };
-        let Beside { found, fine, distance, forces } = &beside;
+        let Beside { found, fine, distance, forces, .. } = &beside;
         println!(
             "{:32} {cone:9} bound {:.4e} distance {distance:.4e} ratio {:.3} relative {:.3} osc {:.1e} \
              rounding {:.1e} correction {:.1e} fine {:.3e} forces {forces:.5?}",
@@ -63,6 +67,11 @@ fn check(scene: &Scene) -> Vec<Beside> {
             found.correction,
             fine.error,
         );
+        // Without oscillation the lower end, J(v) less half of the sum over triangles and segments, is J*(q).
+        if found.oscillation < 1e-12 * found.error {
+            let apart = (found.energy.lower - found.dual_energy).abs() / found.norm.upper.powi(2);
+            assert!(apart < IDENTITY, "{} {cone}: {apart:e}", scene.name);
+        }
         let wrong = beside.violations(&scene.name);
         assert!(wrong.is_empty(), "{cone}: {wrong:#?}");
         let ratio = found.error / distance.hypot(fine.error);
@@ -135,40 +144,51 @@ fn energies_of_the_scalar_l_are_those_of_the_prototype() {
     }
 }
 
-/// Number of unknowns and bound on every mesh.
-fn history(body: &Body<'_>, share: f64, unknowns: usize) -> Vec<(f64, f64)> {
+/// Number of unknowns and bound on every mesh; every solution is followed by one marking.
+fn history(body: &Body<'_>, share: f64) -> Vec<(f64, f64)> {
     let mut points = Vec::new();
-    let refinement = Refinement { tolerance: 1e-9, unknowns, share, ..Refinement::default() };
+    let refinement = Refinement {
+        tolerance: 1e-9,
+        unknowns: UNKNOWNS,
+        share,
+        growth: 1.0,
+        ..Refinement::default()
+    };
     refinement
         .run(body, |found| points.push((found.problem.free_unknowns() as f64, found.error)))
         .unwrap();
     points
 }
 
-/// The exponents on adaptive and on uniform meshes, the latter at most `uniform`.
-fn orders(name: &str, body: &Body<'_>, unknowns: usize, uniform: [f64; 2]) {
-    let adaptive = history(body, 0.3, unknowns);
-    let whole = history(body, 1.0, unknowns);
-    let late = |points: &[(f64, f64)], from: f64| {
+/// Largest number of unknowns, with which the order has come to its limit to 0.03.
+const UNKNOWNS: usize = 40_000;
+
+/// The order −½ on adaptive meshes, and the order on uniform meshes between the given numbers.
+///
+/// Over the last factor 8 in the number of unknowns, by least squares; ±: the difference between its halves.
+fn orders(name: &str, body: &Body<'_>, uniform: [f64; 2]) {
+    let (adaptive, whole) = (history(body, 0.3), history(body, 1.0));
+    let late = |points: &[(f64, f64)], factor: f64| {
         let last = points[points.len() - 1].0;
-        points.iter().copied().filter(|p| p.0 * from >= last).collect::<Vec<_>>()
+        points.iter().copied().filter(|p| p.0 * factor >= last).collect::<Vec<_>>()
     };
-    let (own, other) = (exponent(&late(&adaptive, 16.0)), exponent(&late(&whole, 17.0)));
-    println!("{name}: adaptive {own:.3}, uniform {other:.3}, {adaptive:.4?} {whole:.4?}");
-    // Strong singularities at N < 10⁵: the meshes are still gaining, the order is above the limit −½.
-    let most = if uniform[1] <= -0.3 { -0.53 } else { -0.58 };
-    assert!(most <= own && own <= -0.47, "{name}: {own}");
+    let last = late(&adaptive, 8.0);
+    let (own, other) = (exponent(&last), exponent(&late(&whole, 17.0)));
+    let half = last.len() / 2;
+    let apart = (exponent(&last[..=half]) - exponent(&last[half..])).abs();
+    println!("{name}: adaptive {own:.4} ± {apart:.3}, uniform {other:.3}, {last:.4?} {whole:.4?}");
+    assert!((own + 0.5).abs() <= 0.03, "{name}: {own} ± {apart}");
     assert!(uniform[0] <= other && other <= uniform[1], "{name}: uniform {other}");
 }
 
 #[test]
 fn adaptive_meshes_have_the_best_order_on_the_block() {
-    orders("block", &block(unit_square(4, SideParts::HANGING).unwrap()), 120_000, [-0.5, -0.4]);
+    orders("block", &block(unit_square(4, SideParts::HANGING).unwrap()), [-0.5, -0.4]);
 }
 
 #[test]
 fn adaptive_meshes_have_the_best_order_on_the_l() {
-    orders("L", &l_body(l_domain()), 60_000, [-0.42, -0.3]);
+    orders("L", &l_body(l_domain()), [-0.42, -0.3]);
 }
 
 /// Dirichlet and Neumann sides at an angle of 10/11 π: r^0.55, u in H^τ for τ < 1.55.
@@ -178,7 +198,7 @@ fn adaptive_meshes_have_the_best_order_at_a_weak_corner() {
     let map = |[x, y]: Point| [x * (1.0 - y) + x * y * place, y * (1.0 - x) + x * y * place];
     let mesh = mapped_grid(4, 4, SideParts::HANGING, map).unwrap();
     let body = Body::new(mesh, Form::LAPLACE).load(|[x, _]: Point| 1.0 - 3.0 * x);
-    orders("corner", &body, 60_000, [-0.35, -0.25]);
+    orders("corner", &body, [-0.35, -0.25]);
 }
 
 /// The square (−1, 1)² with a slit from the left to the middle.
@@ -232,7 +252,7 @@ fn slit(n: usize) -> Triangulation {
 fn adaptive_meshes_have_the_best_order_at_a_slit() {
     let body =
         Body::new(slit(2), elastic(1.0, 1.0)).load(|[x, y]: Point| [0.2 * y, -0.5 - 0.3 * x]);
-    orders("slit", &body, 120_000, [-0.35, -0.22]);
+    orders("slit", &body, [-0.35, -0.22]);
 }
 
 /// A square of 4 × 4 cells without the four in the middle; contact below, clamped above.
@@ -440,6 +460,72 @@ fn remark_1_with_its_reaction_term() {
             check(&scene);
         }
     }
+}
+
+/// r = c v − f − div q is in the bound by ‖r‖²/c, which gives the sum 2 (J − J*), or by its mean r̄, and then
+/// ‖r − r̄‖ (π²/h² + c)^(−½) is oscillation.
+#[test]
+fn the_residual_of_a_reaction_term_adds_up() {
+    for reaction in [1.0, 100.0] {
+        let body =
+            Body::new(unit_square(8, SideParts::HANGING).unwrap(), Form::Scalar { reaction })
+                .load(|[x, y]: Point| 2.0 * x - 1.0 + 0.4 * y * y);
+        let found = body.enclose(Cone::Nodal).unwrap();
+        let waves = PI * PI * 32.0; // h² = 2/64
+        let sum = found.shares.iter().sum::<f64>() + found.oscillation.powi(2) * waves / reaction;
+        let gap = 2.0 * (found.solution.energy - found.dual_energy);
+        println!("c = {reaction}: {sum:.14} {gap:.14}, oscillation {:.3e}", found.oscillation);
+        assert!((sum / gap - 1.0).abs() < 1e-10);
+        // Hardly ever more than with ‖r‖²/c in full, and for a small c much less.
+        assert!(found.error < if reaction == 1.0 { 0.6 } else { 1.01 } * gap.sqrt());
+        assert!(found.oscillation > 0.0 || reaction > 1.0);
+    }
+}
+
+/// u_D = x² on top, u ≤ 0 touches everywhere: u^h and −½ Σ give |||u − u^h − z|||, and z = −h² λ_a λ_b on the triangles at the
+/// top has |||z|||² = h⁴/6 on each of n.
+#[test]
+fn the_lift_of_a_prescribed_displacement_is_in_the_bound() {
+    let body = Body::new(unit_square(8, SideParts::HANGING).unwrap(), Form::LAPLACE)
+        .displacement(|[x, _]: Point| x * x);
+    let found = body.enclose(Cone::Nodal).unwrap();
+    let lift = (1.0_f64 / 8.0).powi(3) / 6.0;
+    let expected = (2.0 * found.energy.width()).sqrt() + lift.sqrt();
+    println!("{} {expected}", found.error);
+    assert_eq!(found.solution.contact_set.count(), 9);
+    assert!((found.error / expected - 1.0).abs() < 1e-9);
+}
+
+/// The middle of the interval of the force is the mean of the two forces, Σ λ_i of u^h and −∫ q_N; half of its width is
+/// |||w||| (¼ A² + b)^½ with b = ∫ |q_N| (g − v_N) and A² + 2b the sum over triangles and segments. w = 1 − y; the gap is
+/// concave, so that u^h does not penetrate, and ∫ g over a segment is that of its interpolant plus 0.2 h³/12.
+#[test]
+fn the_interval_of_the_force_by_hand() {
+    let (n, gap) = (16, |x: f64| 0.02 + 0.1 * x * (1.0 - x));
+    let body = Body::new(unit_square(n, SideParts::HANGING).unwrap(), Form::LAPLACE)
+        .load(|[x, _]: Point| 1.5 - 2.0 * x)
+        .gap(|[x, _]| gap(x));
+    let found = body.enclose(Cone::Nodal).unwrap();
+    let force = body.contact_force(&found, 0).unwrap().unwrap();
+    let h = 1.0 / n as f64;
+    let dual: f64 = found.pressure.iter().map(|[p, r]| 0.5 * h * (p + r)).sum();
+    let normal = found.problem.normal_displacement(&found.solution.displacement).unwrap();
+    let room: Vec<f64> = (0..=n).map(|i| gap(i as f64 * h) - normal[i]).collect();
+    let work: f64 = (found.pressure.iter().zip(room.windows(2)))
+        .map(|([p, _], room)| p * (0.5 * h * (room[0] + room[1]) + 0.2 * h.powi(3) / 12.0))
+        .sum();
+    let square: f64 = found.shares.iter().sum::<f64>() - 2.0 * work;
+    let radius = (0.25 * square + work).sqrt();
+    let middle = 0.5 * (force.lower + force.upper);
+    println!(
+        "{force:?}: {middle} beside {}, {radius}",
+        0.5 * (found.solution.contact_force + dual)
+    );
+    assert!(work > 1e-6 * square && found.correction == 0.0, "{work} {square}");
+    assert!((middle - 0.5 * (found.solution.contact_force + dual)).abs() < 1e-11);
+    assert!((0.5 * force.width() - radius).abs() < 1e-10 * radius);
+    // Where the body is off the floor by more than δ: (A² + 2b)/(2δ).
+    assert!((found.force_beyond(0.1) - (square + 2.0 * work) / 0.2).abs() < 1e-10 * square);
 }
 
 #[test]

@@ -2,8 +2,7 @@
 
 use super::boundary::{BoundaryFunction, Curve, CurveFormula};
 use super::dual::DualOf;
-use super::fields::FieldError;
-use super::functions::{Position, SingularFunction};
+use super::functions::{Position, SingularFunction, whole};
 use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
 use super::order::{Order, SobolevOrder};
@@ -11,8 +10,11 @@ use super::piecewise::PiecewisePolynomial;
 use super::plane::{PlaneFunction, PlanePosition, SingularPlaneFunction, Triangles};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
+use crate::resolved::Resolved;
 use crate::root::root_of_squares;
-use std::ops::Range;
+use std::sync::OnceLock;
+
+mod verbs;
 
 /// A real function on an interval, a polygonal curve or a triangulation, given by a formula or by values.
 ///
@@ -34,13 +36,14 @@ use std::ops::Range;
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
-/// | formula | (−1, 1), below 2 with its derivative | rules graded towards the breakpoints in logarithmic coordinates | 10⁵ values per pair of one-sided neighbourhoods at 1e-8 |
+/// | formula | (−1, 2) | polynomials on cells if few are enough; else rules graded towards the breakpoints in logarithmic coordinates | 10³ values for all norms; 10⁵ per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
-/// | formula minus values | (−1, 1) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
+/// | formula minus values | (−1, 2) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
 /// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded towards the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
-/// | values on a curve | (−1, 1) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
+/// | sum, product, derivative | (−1, 2) | polynomials on common cells | as values on a mesh |
+/// | values on a curve | (−1, 2) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
 /// The error of an estimate is obtained by comparing two levels of accuracy, plus rounding; infinite norms are
 /// detected at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of
@@ -72,6 +75,10 @@ pub struct Function<'a> {
     kind: Kind<'a>,
     /// the partial derivatives, if they were given
     gradient: Vec<Function<'a>>,
+    /// the polynomials of a function on an interval, made once
+    resolved: OnceLock<Result<Resolved>>,
+    /// true if few of them are enough
+    is_short: OnceLock<bool>,
 }
 
 #[derive(Debug)]
@@ -80,7 +87,10 @@ enum Kind<'a> {
     /// x^a for small |a|: its seminorms are computed by another integral.
     NearlyOne(NearlyOne, SingularFunction<'a>),
     Piecewise(PiecewisePolynomial),
-    Difference(FieldError<'a>),
+    /// A formula minus a piecewise polynomial.
+    Difference(Box<SingularFunction<'a>>, Box<PiecewisePolynomial>),
+    /// Polynomials with their errors, of sums, products and derivatives.
+    Resolved(Resolved),
     Plane(PlaneFunction),
     PlaneFormula(SingularPlaneFunction<'a>),
     Curve(BoundaryFunction),
@@ -89,7 +99,7 @@ enum Kind<'a> {
 
 impl<'a> Function<'a> {
     fn of(kind: Kind<'a>) -> Self {
-        Self { kind, gradient: Vec::new() }
+        Self { kind, gradient: Vec::new(), resolved: OnceLock::new(), is_short: OnceLock::new() }
     }
 
     /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
@@ -101,7 +111,7 @@ impl<'a> Function<'a> {
     /// [`Error::CountOutOfRange`] for fewer than two breakpoints; [`Error::NotFinite`];
     /// [`Error::EntryOutOfRange`] unless the breakpoints increase by at least 1e-290 and by at least 1e-290
     /// times the length of the interval.
-    pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn from_fn(breaks: &[f64], f: impl Fn(f64) -> f64 + Send + Sync + 'a) -> Result<Self> {
         SingularFunction::new(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
@@ -131,7 +141,10 @@ impl<'a> Function<'a> {
     ///
     /// # Errors
     /// As [`Function::from_fn`].
-    pub fn from_positions(breaks: &[f64], f: impl Fn(Position) -> f64 + Sync + 'a) -> Result<Self> {
+    pub fn from_positions(
+        breaks: &[f64],
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
+    ) -> Result<Self> {
         SingularFunction::from_positions(breaks, f).map(Kind::Formula).map(Self::of)
     }
 
@@ -153,7 +166,7 @@ impl<'a> Function<'a> {
     /// As [`Function::from_fn`].
     pub fn from_log_distances(
         breaks: &[f64],
-        f: impl Fn(Position) -> f64 + Sync + 'a,
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
     ) -> Result<Self> {
         SingularFunction::from_log_distances(breaks, f).map(Kind::Formula).map(Self::of)
     }
@@ -222,7 +235,7 @@ impl<'a> Function<'a> {
     /// ```
     /// use fractional_sobolev::{Function, Mesh};
     /// let square = Function::interpolate(&Mesh::uniform(2, 1.0)?, 2, |x| x * x)?;
-    /// assert!((square.value(1, 0.5)? - 0.75f64.powi(2)).abs() < 1e-15);
+    /// assert!((square.value_on(1, 0.5)? - 0.75f64.powi(2)).abs() < 1e-15);
     /// assert!((square.lp(3.0, 1e-8)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
@@ -353,7 +366,8 @@ impl<'a> Function<'a> {
     }
 
     /// The function together with its partial derivatives (one on an interval, two in the plane), which are
-    /// required for norms of order 1 ≤ s < 2 of a formula. Piecewise polynomials do not need them.
+    /// required for norms of order 1 ≤ s < 2 of a formula on a triangulation. On an interval a formula without them is
+    /// differentiated by its polynomials, with ten digits where it is smooth and fewer next to a singularity.
     ///
     /// ```
     /// use fractional_sobolev::Function;
@@ -397,10 +411,18 @@ impl<'a> Function<'a> {
             SobolevOrder::Dual(order) => self.dual_norm(DualOf::Slobodeckij, order, tolerance),
             SobolevOrder::Zero => self.lp(2.0, tolerance),
             SobolevOrder::Fractional(order) => match &self.kind {
-                Kind::Formula(u) => u.norm(order, tolerance),
+                Kind::Formula(u) => self.of_formula(
+                    tolerance,
+                    || u.norm(order, tolerance),
+                    |u| u.norm(order, tolerance),
+                ),
                 Kind::NearlyOne(u, _) => u.norm(order, tolerance),
                 Kind::Piecewise(u) => u.norm(order, tolerance),
-                Kind::Difference(u) => u.norm(order, tolerance),
+                Kind::Difference(u, v) => {
+                    let rules = || u.minus(v).norm(order, tolerance);
+                    self.of_formula(tolerance, rules, |u| u.norm(order, tolerance))
+                }
+                Kind::Resolved(u) => u.norm(order, tolerance),
                 Kind::Plane(u) => u.norm(order, tolerance),
                 Kind::PlaneFormula(u) => u.norm(order, tolerance),
                 Kind::Curve(u) => u.norm(order, tolerance),
@@ -452,10 +474,18 @@ impl<'a> Function<'a> {
             SobolevOrder::Dual(order) => return Err(order_outside(-order.value())),
         };
         match &self.kind {
-            Kind::Formula(u) => u.seminorm(order, tolerance),
+            Kind::Formula(u) => self.of_formula(
+                tolerance,
+                || u.seminorm(order, tolerance),
+                |u| u.seminorm(order, tolerance),
+            ),
             Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
             Kind::Piecewise(u) => u.seminorm(order, tolerance),
-            Kind::Difference(u) => u.seminorm(order, tolerance),
+            Kind::Difference(u, v) => {
+                let rules = || u.minus(v).seminorm(order, tolerance);
+                self.of_formula(tolerance, rules, |u| u.seminorm(order, tolerance))
+            }
+            Kind::Resolved(u) => u.seminorm(order, tolerance),
             Kind::Plane(u) => u.seminorm(order, tolerance),
             Kind::PlaneFormula(u) => u.seminorm(order, tolerance),
             Kind::Curve(u) => u.seminorm(order, tolerance),
@@ -477,12 +507,19 @@ impl<'a> Function<'a> {
         let tolerance = tolerance.given()?;
         let square = q == 2.0;
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) if square => u.l2_norm(tolerance),
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.lq_norm(q, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
+                tolerance,
+                || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) },
+                |u| u.lq_norm(q, tolerance),
+            ),
             Kind::Piecewise(u) if square => u.l2_norm(),
             Kind::Piecewise(u) => u.lq_norm(q, tolerance),
-            Kind::Difference(u) if square => u.l2_norm(tolerance),
-            Kind::Difference(u) => u.lq_norm(q, tolerance),
+            Kind::Difference(u, v) => {
+                let u = u.minus(v);
+                let rules = || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
+                self.of_formula(tolerance, rules, |u| u.lq_norm(q, tolerance))
+            }
+            Kind::Resolved(u) => u.lq_norm(q, tolerance),
             Kind::Curve(u) if square => u.l2_norm(),
             Kind::Curve(u) => u.lq_norm(q, tolerance),
             Kind::CurveFormula(u) if square => u.l2_norm(tolerance),
@@ -501,8 +538,12 @@ impl<'a> Function<'a> {
     pub fn mean(&self, tolerance: impl Given<Tolerance>) -> Result<Estimate> {
         let tolerance = tolerance.given()?;
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.mean(tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => {
+                self.of_formula(tolerance, || u.mean(tolerance), |u| u.mean(tolerance))
+            }
             Kind::Piecewise(u) => u.mean(),
+            Kind::Difference(..) => self.resolved()?.mean(tolerance),
+            Kind::Resolved(u) => u.mean(tolerance),
             _ => Err(self.refused("mean")),
         }
     }
@@ -537,71 +578,20 @@ impl<'a> Function<'a> {
     ) -> Result<Estimate> {
         let (order, tolerance) = (s.given()?, tolerance.given()?);
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => u.dual_norm(of, order, tolerance),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
+                tolerance,
+                || u.dual_norm(of, order, tolerance),
+                |u| u.dual_norm(of, order, tolerance),
+            ),
             Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
-            Kind::Difference(u) => u.dual_norm(of, order, tolerance),
+            Kind::Difference(u, v) => {
+                let rules = || u.minus(v).dual_norm(of, order, tolerance);
+                self.of_formula(tolerance, rules, |u| u.dual_norm(of, order, tolerance))
+            }
+            Kind::Resolved(u) => u.dual_norm(of, order, tolerance),
             Kind::Curve(u) => u.dual_norm(of, order, tolerance),
             _ => Err(self.refused("dual norm")),
         }
-    }
-
-    /// The difference u − v of a formula and a piecewise polynomial on the same interval, or of two piecewise
-    /// polynomials on one mesh.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// // u = x − 1/2, v = 0: ‖u − v‖²_{1/2} = 1/12 + 1
-    /// let u = Function::from_fn(&[0.0, 1.0], |x| x - 0.5)?;
-    /// let zero = Function::piecewise(&Mesh::uniform(10, 1.0)?, 0, &[0.0; 10])?;
-    /// assert!((u.minus(&zero)?.norm(0.5, 1e-8)?.value.powi(2) - 13.0 / 12.0).abs() < 1e-8);
-    /// assert!(zero.minus(&zero)?.norm(0.5, 1e-8)?.value == 0.0);
-    /// assert!(u.minus(&u).is_err());
-    /// // x² and its interpolants: the error in |·|_{1/2} decreases like h^{3/2}
-    /// let u = Function::from_fn(&[0.0, 1.0], |x| x * x)?;
-    /// let error = |n: usize| {
-    ///     let field = Function::interpolate(&Mesh::uniform(n, 1.0)?, 1, |x| x * x)?;
-    ///     u.minus(&field)?.seminorm(0.5, 1e-6)
-    /// };
-    /// assert!(((error(100)?.value / error(200)?.value).log2() - 1.5).abs() < 0.01);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for other pairs of functions. If the intervals of u and v differ, the norms of
-    /// the difference return [`Error::OutOfRange`].
-    pub fn minus<'b>(&'b self, other: &'b Function<'_>) -> Result<Function<'b>> {
-        let kind = match (&self.kind, &other.kind) {
-            (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => {
-                Kind::Difference(u.minus(v))
-            }
-            (Kind::Piecewise(u), Kind::Piecewise(v)) if u.mesh() == v.mesh() => {
-                Kind::Piecewise(u.minus(v)?)
-            }
-            _ => {
-                return Err(Error::Incompatible {
-                    what: "difference with",
-                    given: other.describe().to_owned(),
-                    with: self.describe(),
-                    expected: "a formula minus a piecewise polynomial, or two piecewise polynomials on one mesh",
-                });
-            }
-        };
-        Ok(Function::of(kind))
-    }
-
-    /// The derivative of a piecewise polynomial, element by element.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Function, Mesh};
-    /// let hat = Function::linears(&Mesh::uniform(2, 1.0)?, &[0.0, 1.0, 0.0])?;
-    /// assert_eq!(hat.derivative()?.value(1, 0.5)?, -2.0);
-    /// # Ok::<(), fractional_sobolev::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] for a function of another kind, [`Error::NotFinite`] if a slope overflows.
-    pub fn derivative(&self) -> Result<Self> {
-        self.polynomials("derivative")?.derivative().map(Self::from)
     }
 
     /// The largest declared degree of a piecewise polynomial on an element.
@@ -624,7 +614,7 @@ impl<'a> Function<'a> {
     /// # Errors
     /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
     /// element outside the mesh; [`Error::OutOfRange`] for t outside \[0, 1\].
-    pub fn value(&self, element: usize, t: f64) -> Result<f64> {
+    pub fn value_on(&self, element: usize, t: f64) -> Result<f64> {
         self.polynomials("value on an element")?.value(element, t)
     }
 
@@ -634,7 +624,7 @@ impl<'a> Function<'a> {
     /// use fractional_sobolev::{Function, Mesh};
     /// let u = Function::linears(&Mesh::uniform(4, 1.0)?, &[0.0, 1.0, 2.0, 0.0, 0.0])?;
     /// let part = u.restrict(1..3)?;
-    /// assert!(part.mesh()?.total() == 0.5 && part.value(0, 0.5)? == 1.5);
+    /// assert!(part.mesh()?.total() == 0.5 && part.value_on(0, 0.5)? == 1.5);
     /// # Ok::<(), fractional_sobolev::Error>(())
     /// ```
     ///
@@ -642,15 +632,6 @@ impl<'a> Function<'a> {
     /// [`Error::Incompatible`] if the function is not a piecewise polynomial.
     pub fn mesh(&self) -> Result<&Mesh> {
         self.polynomials("mesh").map(PiecewisePolynomial::mesh)
-    }
-
-    /// The restriction of a piecewise polynomial to the given elements, on a mesh whose left end is at 0.
-    ///
-    /// # Errors
-    /// [`Error::Incompatible`] if the function is not a piecewise polynomial; [`Error::CountOutOfRange`] for an
-    /// empty range or one that is not contained in the mesh.
-    pub fn restrict(&self, elements: Range<usize>) -> Result<Self> {
-        self.polynomials("restriction to elements")?.restrict(elements).map(Self::from)
     }
 
     /// The underlying piecewise polynomial.
@@ -675,6 +656,10 @@ impl<'a> Function<'a> {
             _ if !self.gradient.is_empty() => {
                 self.gradient.iter().map(|part| part.lp(2.0, tolerance)).collect()
             }
+            Kind::Curve(u) => Ok(vec![u.derivative()?.l2_norm()?]),
+            _ if self.is_on_interval() => {
+                Ok(vec![self.slope(1.0, tolerance)?.lp(2.0, tolerance).map_err(one_more)?])
+            }
             _ => Err(self.refused("norm of order 1")),
         }
     }
@@ -684,6 +669,10 @@ impl<'a> Function<'a> {
         match (&self.kind, &self.gradient[..]) {
             (Kind::Piecewise(u), _) => u.norm_with_derivative(&u.derivative()?, order, tolerance),
             (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),
+            (Kind::Curve(u), _) => {
+                let slope = u.derivative()?.norm(order, tolerance).map_err(one_more);
+                whole([u.l2_norm(), slope], tolerance)
+            }
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),
                 [Function { kind: Kind::Formula(slope), .. }],
@@ -695,6 +684,12 @@ impl<'a> Function<'a> {
                     Function { kind: Kind::PlaneFormula(y), .. },
                 ],
             ) => u.norm_with_gradient([x, y], order, tolerance),
+            _ if self.is_on_interval() => {
+                let slope = self.slope(1.0 + order.value(), tolerance)?;
+                let parts =
+                    [self.lp(2.0, tolerance), slope.norm(order, tolerance).map_err(one_more)];
+                whole(parts, tolerance)
+            }
             _ => Err(self.refused("norm of order above 1")),
         }
     }
@@ -711,19 +706,41 @@ impl<'a> Function<'a> {
                 let [x, y] = u.gradient()?.map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&[x?, y?])
             }
+            Kind::Curve(u) => u.derivative()?.seminorm(order, tolerance).map_err(one_more),
             _ if !self.gradient.is_empty() => {
                 let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
             }
+            _ if self.is_on_interval() => self
+                .slope(1.0 + order.value(), tolerance)?
+                .seminorm(order, tolerance)
+                .map_err(one_more),
             _ => Err(self.refused("seminorm of order above 1")),
         }
+    }
+
+    fn is_on_interval(&self) -> bool {
+        let is_formula = matches!(self.kind, Kind::Formula(_) | Kind::NearlyOne(..));
+        is_formula || matches!(self.kind, Kind::Difference(..) | Kind::Resolved(_))
+    }
+
+    /// The derivative of a function on an interval, for a norm of the given order.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] if the function jumps.
+    fn slope(&self, order: f64, tolerance: Tolerance) -> Result<Self> {
+        if self.gradient.is_empty() {
+            self.resolved()?.require_derivative(order, tolerance)?;
+        }
+        self.derivative()
     }
 
     fn describe(&self) -> &'static str {
         match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => "a formula on an interval",
             Kind::Piecewise(_) => "a piecewise polynomial",
-            Kind::Difference(_) => "a formula minus a piecewise polynomial",
+            Kind::Difference(..) => "a formula minus a piecewise polynomial",
+            Kind::Resolved(_) => "a sum, a product or a derivative on an interval",
             Kind::Plane(_) => "values on a triangulation",
             Kind::PlaneFormula(_) => "a formula on a triangulation",
             Kind::Curve(_) => "values on a polygonal curve",
@@ -735,17 +752,19 @@ impl<'a> Function<'a> {
     fn refused(&self, quantity: &str) -> Error {
         let expected = match self.kind {
             Kind::Formula(_) | Kind::NearlyOne(..) => {
-                "norms of order below 1; of order below 2 with Function::with_gradient"
+                "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
             }
             Kind::Piecewise(_) => {
                 "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
             }
-            Kind::Difference(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::Difference(..) | Kind::Resolved(_) => {
+                "norms of order in (-1, 2), L^q norms, the mean, values, restrictions"
+            }
             Kind::Plane(_) => "norms of order in [0, 2), the L^2 norm",
             Kind::PlaneFormula(_) => {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
             }
-            Kind::Curve(_) => "norms of order in (-1, 1), L^q norms",
+            Kind::Curve(_) => "norms of order in (-1, 2), L^q norms",
             Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
         };
         Error::Incompatible {
@@ -760,6 +779,14 @@ impl<'a> Function<'a> {
 impl From<PiecewisePolynomial> for Function<'_> {
     fn from(u: PiecewisePolynomial) -> Self {
         Self::of(Kind::Piecewise(u))
+    }
+}
+
+/// The error of a norm of the derivative as that of a norm of the function.
+fn one_more(error: Error) -> Error {
+    match error {
+        Error::InfiniteNorm { order, why } => Error::InfiniteNorm { order: 1.0 + order, why },
+        other => other,
     }
 }
 

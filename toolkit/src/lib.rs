@@ -27,6 +27,7 @@ mod piecewise;
 mod plane;
 mod poincare;
 mod quadrature;
+mod resolved;
 mod root;
 mod trace;
 mod value;

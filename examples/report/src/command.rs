@@ -3,6 +3,7 @@
 
 use crate::files::{require_writable, write_whole};
 use crate::options::{command, describe};
+use crate::shown::line_width;
 use crate::{Declarations, Error, Outcome, Report, Result};
 use clap::ArgMatches;
 use std::io::{IsTerminal, Write};
@@ -68,14 +69,31 @@ fn answer<P: Declarations, T>(
     Ok(outcome)
 }
 
-/// What the example says of its progress.
-static PROGRESS: Mutex<String> = Mutex::new(String::new());
+/// What the example reports of its progress: the share of the work that is done, and words.
+static PROGRESS: Mutex<(f64, String)> = Mutex::new((f64::NAN, String::new()));
 
-/// Sets the words beside the clock.
-pub(crate) fn show(words: String) {
+/// Sets the bar and the words beside the clock.
+pub(crate) fn show(share: f64, words: String) {
     if let Ok(mut progress) = PROGRESS.lock() {
-        *progress = words;
+        *progress = (share, words);
     }
+}
+
+/// Length of the bar of progress.
+const BAR: usize = 20;
+
+/// Largest length of the line of the clock: one that is wrapped is not overwritten by the next.
+const CLOCK: usize = 79;
+
+/// The line of the clock; no bar for a share that is not finite.
+fn clock_line(seconds: u64, share: f64, words: &str) -> String {
+    let done = (share.clamp(0.0, 1.0) * BAR as f64) as usize;
+    let bar = match share.is_finite() {
+        true => format!("[{}{}]  ", "#".repeat(done), ".".repeat(BAR - done)),
+        false => String::new(),
+    };
+    let line = format!("{seconds}s  {bar}{words}");
+    line.chars().take(CLOCK.min(line_width() - 1)).collect()
 }
 
 /// Displays the elapsed seconds and the progress on a terminal, from the third second of the work
@@ -91,8 +109,9 @@ fn with_clock<T>(work: impl FnOnce() -> T) -> T {
             while ended.recv_timeout(Duration::from_secs(1)) == Err(RecvTimeoutError::Timeout) {
                 seconds += 1;
                 if seconds > 2 {
-                    let words = PROGRESS.lock().map(|words| words.clone()).unwrap_or_default();
-                    eprint!("\r\u{1b}[K{seconds}s  {words}");
+                    let shown = PROGRESS.lock().map(|shown| shown.clone());
+                    let (share, words) = shown.unwrap_or((f64::NAN, String::new()));
+                    eprint!("\r\u{1b}[K{}", clock_line(seconds, share, &words));
                 }
             }
             if seconds > 2 {
@@ -121,4 +140,18 @@ fn usage(error: &clap::Error) -> ExitCode {
     }
     eprintln!("{}", error.to_string().lines().next().unwrap_or("error: bad command line"));
     ExitCode::from(2)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bar_fits_on_a_line_and_grows_with_the_share() {
+        let line = |share: f64| clock_line(12, share, "mesh 3 of 5");
+        assert_eq!(line(0.25), "12s  [#####...............]  mesh 3 of 5");
+        assert_eq!(line(7.0), "12s  [####################]  mesh 3 of 5");
+        assert_eq!(line(f64::NAN), "12s  mesh 3 of 5");
+        assert!(clock_line(12, 0.5, &"ü".repeat(500)).chars().count() <= CLOCK);
+    }
 }

@@ -106,7 +106,10 @@ impl Reader<'_> {
     }
 
     fn two_in_a_row(&self) -> String {
-        format!("operator missing before '{}': write a product as 2*x", self.rest)
+        match self.rest.chars().next() {
+            Some(c) if !c.is_alphanumeric() && !"(_.".contains(c) => unknown_character(c),
+            _ => format!("operator missing before '{}': write a product as 2*x", self.rest),
+        }
     }
 
     /// [+-] product {+- product}
@@ -177,7 +180,7 @@ impl Reader<'_> {
             }
             Some('*') => Err("'*' has nothing before it; a power is x^2".to_owned()),
             Some(c @ ('/' | '^' | ')' | ',')) => Err(format!("'{c}' has nothing before it")),
-            Some(c) => Err(format!("unknown character '{c}': expected + - * / ^ or parentheses")),
+            Some(c) => Err(unknown_character(c)),
         }
     }
 
@@ -245,6 +248,10 @@ impl Reader<'_> {
             |found: Vec<_>| format!("number of arguments of {of}: {}, expected {N}", found.len());
         arguments.try_into().map_err(wrong)
     }
+}
+
+fn unknown_character(c: char) -> String {
+    format!("unknown character '{c}': expected + - * / ^ or parentheses")
 }
 
 #[cfg(test)]
@@ -320,7 +327,9 @@ mod tests {
             ("x y", "operator missing"),
             ("2 (x)", "operator missing"),
             ("(x y)", "operator missing"),
-            ("x & y", "operator missing"),
+            ("x & y", "unknown character '&'"),
+            ("x<1", "unknown character '<': expected + - * / ^"),
+            ("0.1 N", "operator missing before 'N'"),
             ("&", "unknown character '&'"),
             ("1.2.3", "is not a number"),
             ("{x}", "unknown character"),

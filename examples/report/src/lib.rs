@@ -88,7 +88,7 @@ pub use check::{Checked, Claim, Decision, Role, WithoutError};
 pub use command::main;
 pub use error::{Error, Result};
 pub use expression::Expression;
-pub use figures::{Axes, Plot};
+pub use figures::{Axes, Plot, floor_names};
 pub use hats::{
     constrained_minimiser, harmonic_energy, largest_eigenvalue, mass_matrix, mean_zero_basis,
 };

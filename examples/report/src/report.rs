@@ -2,7 +2,7 @@
 
 use crate::cell::Cells;
 use crate::check::{Claim, Role};
-use crate::figures::body::{body_svg, body_values, edge_plot, trace_plot};
+use crate::figures::body::{body_range, body_svg, edge_plot, trace_plot};
 use crate::figures::{Axes, Plot};
 use crate::outcome::Outcome;
 use crate::{Declarations, Measured, Result};
@@ -82,9 +82,10 @@ impl Report {
         self.found.remark = words.into();
     }
 
-    /// Sets the words beside the clock that a terminal shows while the example runs.
-    pub fn progress(&self, words: impl Into<String>) {
-        crate::command::show(words.into());
+    /// Sets the bar and the words beside the clock that a terminal shows while the example runs:
+    /// `share` of the work is done, in [0, 1]; no bar for NaN.
+    pub fn progress(&self, share: f64, words: impl Into<String>) {
+        crate::command::show(share, words.into());
     }
 
     /// The numbers of these two columns in the last consecutive rows whose parameters differ only
@@ -151,7 +152,8 @@ impl Report {
     }
 
     /// Adds pictures of contact solutions as deformed bodies, one under each name, all with the
-    /// colour scale of the last one.
+    /// colour scale of the last one: to its largest value, or to the value exceeded on one percent
+    /// of the area if that is less than half of it, as near a corner of infinite stress.
     ///
     /// # Errors
     /// As for [`signorini::fem::stresses`].
@@ -161,9 +163,7 @@ impl Report {
         solved: &[(String, &ContactProblem, &ContactSolution)],
     ) -> Result<()> {
         let Some((_, problem, solution)) = solved.last() else { return Ok(()) };
-        let values = body_values(problem, solution)?;
-        let ends = (f64::INFINITY, f64::NEG_INFINITY);
-        let range = values.iter().fold(ends, |(low, high), &v| (low.min(v), high.max(v)));
+        let range = body_range(problem, solution)?;
         for (name, problem, solution) in solved {
             self.found.bodies.push((name.clone(), body_svg(problem, solution, title, range)?));
         }

@@ -16,14 +16,16 @@ const CLAIM: usize = 30;
 /// Largest number of checks shown; further checks that hold are only counted.
 const CHECKS: usize = 12;
 
+/// Width of a line: the variable COLUMNS if it is set, in [40, 100].
+pub(crate) fn line_width() -> usize {
+    let columns = std::env::var("COLUMNS").ok().and_then(|text| text.parse().ok());
+    columns.unwrap_or(WIDTH).clamp(40, WIDTH)
+}
+
 impl Outcome {
     /// The outcome as text: statement, table, checks, status; coloured if `in_colour`.
     pub fn text(&self, in_colour: bool) -> String {
-        let width = std::env::var("COLUMNS")
-            .ok()
-            .and_then(|text| text.parse().ok())
-            .unwrap_or(WIDTH)
-            .clamp(40, WIDTH);
+        let width = line_width();
         let mut text = String::new();
         let head = wrapped(&format!("{}   {}", self.label, self.statement), width);
         let _ = writeln!(text, "{}\n", head.join("\n    "));

@@ -161,7 +161,8 @@ def _arrays(mesh) -> tuple[NDArray, NDArray, dict[tuple[int, int], str], list[st
         elif block.type != "vertex":
             raise ValueError(f"the mesh has cells of type {block.type}: only triangles, lines and points are read")
     if not triangles:
-        raise ValueError("the mesh has no triangles")
+        raise ValueError("the mesh has no triangles: Gmsh meshes a body by gmsh -2 and saves only what is in a physical group; "
+            "add Physical Surface(\"body\") = {1};")
     corners = np.concatenate(triangles)
     used = points[np.unique(corners)]
     if points.shape[1] > 2 and np.ptp(used[:, 2]) > 1e-12 * np.abs(used).max():
@@ -191,6 +192,16 @@ def _chosen(given: Group, nodes: NDArray, outer: NDArray, edges: Mapping[tuple[i
     return np.asarray(given, dtype=np.intp).reshape(-1, 2).tolist()
 
 
+def _require_part(part: str, stated: tuple[str, ...], names: list[str], datum: Any, how: str) -> None:
+    """Refuses a mesh without an edge of this part; unknown names in the datum are left to the solver."""
+    first = lambda name: name.lower().replace("_", " ").replace("-", " ").split(" ")[0]
+    acting = isinstance(datum, Mapping) and len(datum) > 0
+    if any(first(name) in stated for name in names) or acting:
+        return
+    raise ValueError(f"no boundary edge is {part}: groups={{{stated[0]!r}: ..}} with pairs of nodes or a condition on (x, y), or {how}; "
+        f"the groups are {', '.join(sorted(set(names)))}")
+
+
 def _given(kind: str, datum: Any, components: int) -> list[tuple[str, str, Callable | None, list[float]]]:
     """What acts, by place: (kind, name or "", function or None, constant)."""
     found = []
@@ -200,7 +211,7 @@ def _given(kind: str, datum: Any, components: int) -> list[tuple[str, str, Calla
             continue
         constant = np.asarray(one, dtype=np.float64).ravel().tolist()
         if len(constant) != components:
-            raise ValueError(f"{kind}: {len(constant)} components, expected {components}")
+            raise ValueError(f"{kind}: {len(constant)} component{'s' * (len(constant) != 1)}, expected {components}")
         found.append((kind, place, None, (constant + [0.0])[:2]))
     return found
 
@@ -282,6 +293,9 @@ def solve(
         edges.update((tuple(sorted(edge)), name) for edge in _chosen(given, nodes, outer, listed))
     for edge in map(tuple, outer.tolist()):
         edges.setdefault(edge, "free")
+    groups_of = [edges[edge] for edge in map(tuple, outer.tolist())]
+    _require_part("clamped", ("clamped", "fixed", "dirichlet"), groups_of, displacement, "displacement={'NAME': (0, 0)}")
+    _require_part("in contact", ("contact",), groups_of, gap, "gap={'NAME': 0}")
     if regions is not None:
         names = [str(name) for name in np.asarray(regions).ravel().tolist()]
     components = 1 if lame is None else 2
@@ -289,6 +303,9 @@ def solve(
     if load is not None and not callable(load) and not isinstance(load, Mapping) and np.size(load) != components:
         if tolerance is not None:
             raise ValueError("with a tolerance the load is a function or a constant, not values at the nodes")
+        if np.size(load) != components * len(nodes):
+            raise ValueError(f"load: {np.size(load)} number{'s' * (np.size(load) != 1)}, expected {components}, or {components} at each "
+                f"of the {len(nodes)} nodes")
         # Nodes in no triangle are omitted.
         values = np.asarray(load, dtype=np.float64).reshape(-1, components)[np.unique(corners)]
         load = None

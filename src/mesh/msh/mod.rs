@@ -187,10 +187,32 @@ fn refuse_others(source: &Source<'_>) -> Result<()> {
         "a mesh of Fluent, not of Gmsh: meshio convert -i ansys body.msh -o gmsh new.msh converts it"
     } else if first.starts_with("\u{fffd}\u{fffd}") {
         "not a text in UTF-8: Windows PowerShell writes UTF-16 by >; use gmsh -o body.msh"
-    } else {
+    } else if first.starts_with("\u{1f}\u{fffd}") {
+        "compressed by gzip: gunzip body.msh.gz writes body.msh"
+    } else if first.is_empty() || is_header(&first) {
         return Ok(());
+    } else if first.contains(';') || first.starts_with("//") || first.starts_with("/*") {
+        "a geometry, not a mesh: gmsh -2 body.geo meshes it and writes body.msh"
+    } else {
+        return Err(at_first_line(
+            &first,
+            &format!(
+                "found {}, expected $MeshFormat: not a mesh of Gmsh; one that meshio reads can be given to Python, \
+             contact.solve(meshio.read(\"body.inp\"), ..)",
+                quoted(&first)
+            ),
+        ));
     };
+    Err(at_first_line(&first, what))
+}
+
+/// Whether a line is the header of a section: `$` and a letter.
+fn is_header(line: &str) -> bool {
+    line.strip_prefix('$').is_some_and(|name| name.starts_with(|c: char| c.is_ascii_alphabetic()))
+}
+
+fn at_first_line(first: &str, what: &str) -> crate::Error {
     let mut copy = Source::of(first.as_bytes());
     copy.next_line().ok();
-    Err(copy.fault(what))
+    copy.fault(what)
 }

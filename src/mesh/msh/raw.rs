@@ -3,7 +3,7 @@
 use super::source::{Source, at, fault};
 use crate::error::{Error, Result, ToolkitError};
 use crate::mesh::geometry::{Part, Point};
-use crate::mesh::grouped::{Grouped, in_numbers};
+use crate::mesh::grouped::{Grouped, NO_GROUP, in_numbers};
 use crate::mesh::triangulation::Triangulation;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -135,11 +135,20 @@ impl Raw {
             parts,
         };
         let mesh = grouped.triangulation().map_err(|(cause, edge)| {
+            if matches!(cause, Error::NoGroup { .. }) {
+                return cause; // no line of the file is at fault
+            }
             let place =
                 edge.map(|edge| rows[edge]).or_else(|| self.place_of(&cause, &tags)).unwrap_or(end);
             let numbers = |node: usize| tags.get(node).map_or(node, |&tag| tag as usize);
             let triangle =
                 |t: usize| self.triangles.get(t).map_or(t, |triangle| triangle.tag as usize);
+            if let Error::Toolkit(ToolkitError::Edge { nodes: ends, reason: NO_GROUP }) = cause {
+                let [a, b] = ends.map(numbers);
+                let [from, to] = ends.map(|node| nodes[node].map(short));
+                let at = format!("({}, {}) to ({}, {})", from[0], from[1], to[0], to[1]);
+                return self.fault(place, &format!("edge {a}-{b} from {at} {NO_GROUP}"));
+            }
             self.at(place, in_numbers(cause, numbers, triangle))
         })?;
         Ok(mesh
@@ -273,4 +282,9 @@ impl Raw {
         remarks.retain(|remark| !remark.contains("'_part"));
         Ok(remarks)
     }
+}
+
+/// Six significant digits.
+fn short(x: f64) -> f64 {
+    format!("{x:.5e}").parse().unwrap_or(x)
 }

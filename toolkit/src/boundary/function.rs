@@ -101,6 +101,21 @@ impl BoundaryFunction {
         Estimate::new(value, ENTRY_ROUNDING * value, Work::default())
     }
 
+    /// The derivative with respect to the arc length, constant on every element.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] of order 1 if the function jumps; [`Error::NotFinite`] if a slope overflows.
+    pub(crate) fn derivative(&self) -> Result<Self> {
+        let jumps = self.ends.iter().flatten().any(|&v| v != self.ends[0][0]);
+        if self.constants && jumps {
+            let why = "a function that jumps has no derivative in L^2";
+            return Err(Error::InfiniteNorm { order: 1.0, why });
+        }
+        let slope = |(e, [a, b]): (usize, &[f64; 2])| (b - a) / self.curve.element_length(e);
+        let slopes: Vec<f64> = self.ends.iter().enumerate().map(slope).collect();
+        Self::constants(self.curve.clone(), &slopes)
+    }
+
     fn size(&self) -> f64 {
         power_of_two(self.ends.iter().flatten().fold(0.0, |most, v| v.abs().max(most)))
     }

@@ -76,12 +76,16 @@ impl FieldCells {
         before.is_some() && before == after
     }
 
-    fn degree(&self) -> usize {
-        let degree = |content: &Content| match content {
+    /// The degrees of the polynomials.
+    fn degrees(&self) -> impl Iterator<Item = usize> {
+        self.contents.iter().map(|content| match content {
             Content::Smooth { piece, .. } => piece.degree(),
             Content::Singular(_) => 0,
-        };
-        self.contents.iter().map(degree).max().unwrap_or(0)
+        })
+    }
+
+    fn degree(&self) -> usize {
+        self.degrees().max().unwrap_or(0)
     }
 }
 
@@ -106,7 +110,7 @@ impl<'a> FieldEnergies<'a> {
     pub(super) fn new(cells: &'a FieldCells, order: Order, target: f64) -> Result<Self> {
         Ok(Self {
             cells,
-            rules: DegreeRules::new(order, cells.degree(), target)?,
+            rules: DegreeRules::new(order, cells.degrees(), target)?,
             gauss: GaussRules::to(cells.degree().max(1), 0.1 * target),
             kernel: PowerKernel::new(order),
         })

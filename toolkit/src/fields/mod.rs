@@ -7,5 +7,3 @@ mod norms;
 mod patch;
 mod pieces;
 mod samples;
-
-pub(crate) use norms::FieldError;

@@ -197,7 +197,7 @@ fn leftovers(energies: &FieldEnergies, cells: &FieldCells, order: Order) -> Left
                 let mut last = Piece { left: 0.0, right: 0.0, bubbles: vec![0.0; count] };
                 last.bubbles[count - 1] = *rest;
                 let cell = Cell { length: part.length, piece: &last };
-                let alone = energies.rules.pairs[piece.degree()].own(cell).value;
+                let alone = energies.rules.pairs(piece.degree()).own(cell).value;
                 sum.cut += 2.0 * (alone + outside * scaling * (0.25 * rest).powi(2));
                 let size = piece.size() + (piece.right - piece.left).abs();
                 sum.noise += (own + outside) * scaling * noise * noise;

@@ -7,6 +7,7 @@ use crate::estimate::{SPENT, Tolerance};
 use crate::numeric::budget::Budget;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
+use std::sync::Arc;
 
 /// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
@@ -72,6 +73,11 @@ impl Position<'_> {
         if k == self.anchor { self.log_distance() } else { self.from(k).abs().ln() }
     }
 
+    /// ln |offset| where the offset may underflow.
+    pub(super) fn depth_if_any(&self) -> Option<f64> {
+        self.depth
+    }
+
     /// x − c_k.
     fn from(&self, k: usize) -> f64 {
         self.breaks
@@ -113,7 +119,7 @@ impl Position<'_> {
 ))]
 pub(crate) struct SingularFunction<'a> {
     breaks: Vec<f64>,
-    function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
+    function: Arc<dyn Fn(Position<'_>) -> f64 + Send + Sync + 'a>,
     sight: Sight,
     budget: Budget,
     /// the unit of length, a power of two, in which the breakpoints are given
@@ -144,6 +150,20 @@ impl std::fmt::Debug for SingularFunction<'_> {
     }
 }
 
+impl Clone for SingularFunction<'_> {
+    /// The same function, with a work limit that is not spent.
+    fn clone(&self) -> Self {
+        Self {
+            breaks: self.breaks.clone(),
+            function: Arc::clone(&self.function),
+            sight: self.sight,
+            budget: Budget::new(u64::MAX, 0.0),
+            unit: self.unit,
+            samples: self.samples.clone(),
+        }
+    }
+}
+
 impl<'a> SingularFunction<'a> {
     /// The function f(x) on (breaks\[0\], breaks\[last\]), smooth between the breakpoints.
     ///
@@ -151,8 +171,8 @@ impl<'a> SingularFunction<'a> {
     /// [`Error::CountOutOfRange`] for fewer than two breakpoints, [`Error::NotFinite`],
     /// [`Error::EntryOutOfRange`] unless they increase by at least 1e-290 and by at least 1e-290 times the
     /// length of the interval.
-    pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Sync + 'a) -> Result<Self> {
-        Self::build(breaks, Box::new(move |at: Position| f(at.x)), Sight::Coordinate)
+    pub(crate) fn new(breaks: &[f64], f: impl Fn(f64) -> f64 + Send + Sync + 'a) -> Result<Self> {
+        Self::build(breaks, Arc::new(move |at: Position| f(at.x)), Sight::Coordinate)
     }
 
     /// As [`SingularFunction::new`] for a function of the [`Position`]: exact as close to a breakpoint as
@@ -162,9 +182,9 @@ impl<'a> SingularFunction<'a> {
     /// As [`SingularFunction::new`].
     pub(crate) fn from_positions(
         breaks: &[f64],
-        f: impl Fn(Position) -> f64 + Sync + 'a,
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
     ) -> Result<Self> {
-        Self::build(breaks, Box::new(f), Sight::Offset)
+        Self::build(breaks, Arc::new(f), Sight::Offset)
     }
 
     /// As [`SingularFunction::from_positions`] for a function that is accurate also where offsets
@@ -178,14 +198,14 @@ impl<'a> SingularFunction<'a> {
     /// As [`SingularFunction::new`].
     pub(crate) fn from_log_distances(
         breaks: &[f64],
-        f: impl Fn(Position) -> f64 + Sync + 'a,
+        f: impl Fn(Position) -> f64 + Send + Sync + 'a,
     ) -> Result<Self> {
-        Self::build(breaks, Box::new(f), Sight::LogDistance)
+        Self::build(breaks, Arc::new(f), Sight::LogDistance)
     }
 
     fn build(
         breaks: &[f64],
-        function: Box<dyn Fn(Position<'_>) -> f64 + Sync + 'a>,
+        function: Arc<dyn Fn(Position<'_>) -> f64 + Send + Sync + 'a>,
         sight: Sight,
     ) -> Result<Self> {
         if breaks.len() < 2 {
@@ -278,7 +298,7 @@ impl<'a> SingularFunction<'a> {
         };
         let u = SingularFunction {
             breaks,
-            function: Box::new(function),
+            function: Arc::new(function),
             sight: self.sight,
             budget,
             unit: self.unit * length,
@@ -372,13 +392,23 @@ impl<'a> SingularFunction<'a> {
         if self.budget.spend(count) { Ok(()) } else { Err(self.budget.spent("norm", SPENT)) }
     }
 
+    /// True if this function is given less exact arguments than another one.
+    pub(super) fn is_less_exact_than(&self, other: &Self) -> bool {
+        let rank = |sight: Sight| match sight {
+            Sight::Coordinate => 0,
+            Sight::Offset => 1,
+            Sight::LogDistance => 2,
+        };
+        rank(self.sight) < rank(other.sight)
+    }
+
     /// A function of positions with the same arguments as this one.
     pub(crate) fn seen_likewise<'b>(
         &self,
         breaks: &[f64],
-        f: impl Fn(Position<'_>) -> f64 + Sync + 'b,
+        f: impl Fn(Position<'_>) -> f64 + Send + Sync + 'b,
     ) -> Result<SingularFunction<'b>> {
-        let mut found = SingularFunction::build(breaks, Box::new(f), self.sight)?;
+        let mut found = SingularFunction::build(breaks, Arc::new(f), self.sight)?;
         found.unit = self.unit;
         Ok(found)
     }

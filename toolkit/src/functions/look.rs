@@ -100,7 +100,7 @@ impl SingularFunction<'_> {
     }
 
     /// The samples in a cell: their coordinates in it, from left to right 0 to 1, and the values.
-    pub(super) fn seen_in_cell(&self, arm: &Arm, near: f64, far: f64) -> (Vec<f64>, Vec<f64>) {
+    pub(crate) fn seen_in_cell(&self, arm: &Arm, near: f64, far: f64) -> (Vec<f64>, Vec<f64>) {
         let local = |(delta, value): (f64, f64)| {
             let t = if arm.sign > 0.0 { delta - near } else { far - delta } / (far - near);
             (t, value)

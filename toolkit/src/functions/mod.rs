@@ -8,9 +8,9 @@
 mod arm;
 mod arm_integral;
 mod by_scales;
+mod combined;
 mod deep_tail;
 mod function;
-mod graded;
 mod interpolant;
 mod level;
 mod log_energy;
@@ -26,6 +26,9 @@ mod two_rates;
 mod waves;
 
 pub(crate) use arm::Arm;
+pub(crate) use combined::break_of;
 pub use function::Position;
 pub(crate) use function::{Normalized, SingularFunction};
 pub(crate) use look::Look;
+pub(crate) use norms::whole;
+pub(crate) use resolution::of_residual;

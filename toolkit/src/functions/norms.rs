@@ -3,7 +3,6 @@
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
 use super::function::{Normalized, SingularFunction};
-use super::graded::UNDECLARED;
 use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::look::Look;
@@ -16,6 +15,13 @@ use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::root::{accept, root_of_squares};
+
+/// Message: the function is not smooth between its breakpoints.
+const UNDECLARED: &str =
+    "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
+/// Message: the function has structure that rules along its sides do not resolve; polynomials do ([`crate::resolved`]).
+const SCALES: &str =
+    "the function has structure on many scales or is not smooth between its breakpoints";
 
 impl Normalized<'_> {
     /// |u|_ν from the seminorm of the normalized function: |u|_ν ~ L^{1/2−ν}.
@@ -78,11 +84,12 @@ impl SingularFunction<'_> {
         let is_endless = is_endless(&logs, asked);
         let is_deep = !is_endless && (profile.is_unequal() || is_deep(&logs, asked));
         if !is_constant && (is_inside || is_deep) {
-            match self.seminorm_by_scales(&profile, order, tolerance) {
-                // Where it is smooth inside, the rules below may still do.
-                Err(Error::ToleranceNotMet { why, .. }) if !is_deep && why != UNDECLARED => {}
-                found => return found,
-            }
+            return Err(Error::out_of_reach(
+                "seminorm",
+                tolerance.relative(),
+                f64::INFINITY,
+                SCALES,
+            ));
         }
         let root = |squared: Estimate| squared.sqrt();
         refine(self, tolerance, 2.0, is_constant, |level, tolerance| {
@@ -273,7 +280,7 @@ impl SingularFunction<'_> {
 }
 
 /// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance.
-fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
+pub(crate) fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
     let [a, b] = parts.map(Estimate::or_best);
     accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
 }

@@ -29,7 +29,7 @@ const ROUNDING: f64 = 3.0;
 const UNSEEN: f64 = 8.0;
 
 /// The contribution of one cell to the bound of |e|²_ν.
-pub(super) fn of_residual(
+pub(crate) fn of_residual(
     kernel: PowerKernel,
     degree: usize,
     residual: f64,

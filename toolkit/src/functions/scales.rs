@@ -9,7 +9,7 @@
 //! by cell, have profiles without a local minimum that are smooth in t far from the midpoint. Where a profile
 //! rises again after a decay below rounding, as for x + exp(−x/w), or bends sharply at a large depth, as for
 //! exp(−x/w), the rules might stop too early or use too wide cells: such functions are computed by
-//! [`super::graded`] and [`super::by_scales`].
+//! `crate::resolved` and [`super::by_scales`].
 
 use super::arm::Arm;
 use super::function::SingularFunction;

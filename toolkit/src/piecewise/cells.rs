@@ -1,7 +1,7 @@
 //! The cells of a piecewise polynomial, for the computation by moments.
 
 use super::pairs::{Cell, DegreeRules};
-use super::polynomial::PiecewisePolynomial;
+use super::polynomial::{Piece, PiecewisePolynomial};
 use crate::energy::{CellEnergies, PairSum, Samples, energy};
 use crate::error::Result;
 use crate::estimate::{Estimate, Tolerance};
@@ -23,7 +23,8 @@ pub(crate) struct PolynomialCells<'a> {
 impl<'a> PolynomialCells<'a> {
     /// The rules for the relative accuracy `target`.
     pub(crate) fn new(u: &'a PiecewisePolynomial, order: Order, target: f64) -> Result<Self> {
-        Ok(Self { u, rules: DegreeRules::new(order, u.degree(), target)? })
+        let degrees = u.pieces().iter().map(Piece::degree);
+        Ok(Self { u, rules: DegreeRules::new(order, degrees, target)? })
     }
 
     fn cell(&self, e: usize) -> Cell<'_> {

@@ -10,6 +10,7 @@ use super::polynomial::Piece;
 use crate::energy::PairSum;
 use crate::error::Result;
 use crate::kernel::power::{GaussRules, PowerKernel};
+use crate::numeric::legendre;
 use crate::numeric::scale::power_between;
 use crate::order::Order;
 use crate::quadrature::Rule;
@@ -32,9 +33,11 @@ pub(crate) struct PolynomialPairs {
     square_rule: Rule,
 }
 
-/// The rules for pairs of polynomials of every degree up to a largest one.
+/// The rules for pairs of polynomials of the degrees that occur.
 pub(crate) struct DegreeRules {
-    pub(crate) pairs: Vec<PolynomialPairs>,
+    /// the degrees that occur, in increasing order
+    degrees: Vec<usize>,
+    pairs: Vec<PolynomialPairs>,
     moments: Vec<Rule>,
 }
 
@@ -42,14 +45,33 @@ pub(crate) struct DegreeRules {
 const MOMENT_POINTS: usize = 15;
 
 impl DegreeRules {
-    /// The rules for the relative accuracy `target` of the sum over all pairs.
-    pub(crate) fn new(order: Order, degree: usize, target: f64) -> Result<Self> {
-        let pairs = |d: usize| PolynomialPairs::new(order, d.max(1), 0.1 * target);
-        let moments = |d: usize| Rule::gauss_legendre(d + MOMENT_POINTS);
+    /// The rules for the relative accuracy `target` of the sum over all pairs of polynomials of these degrees.
+    pub(crate) fn new(
+        order: Order,
+        degrees: impl IntoIterator<Item = usize>,
+        target: f64,
+    ) -> Result<Self> {
+        let mut degrees: Vec<usize> = degrees.into_iter().collect();
+        degrees.push(0);
+        degrees.sort_unstable();
+        degrees.dedup();
+        let pairs = |&d: &usize| PolynomialPairs::new(order, d.max(1), 0.1 * target);
+        let moments = |&d: &usize| Rule::gauss_legendre(d + MOMENT_POINTS);
         Ok(Self {
-            pairs: (0..=degree).map(pairs).collect::<Result<_>>()?,
-            moments: (0..=degree).map(moments).collect::<Result<_>>()?,
+            pairs: degrees.iter().map(pairs).collect::<Result<_>>()?,
+            moments: degrees.iter().map(moments).collect::<Result<_>>()?,
+            degrees,
         })
+    }
+
+    /// The place of the rules for a degree.
+    fn place(&self, degree: usize) -> usize {
+        self.degrees.partition_point(|&d| d < degree).min(self.degrees.len() - 1)
+    }
+
+    /// The rules for pairs of polynomials of a degree.
+    pub(crate) fn pairs(&self, degree: usize) -> &PolynomialPairs {
+        &self.pairs[self.place(degree)]
     }
 
     /// The integral over two elements; `apart` is the difference of their numbers, `jump` as in
@@ -61,7 +83,7 @@ impl DegreeRules {
         gap: f64,
         jump: impl FnOnce() -> f64,
     ) -> PairSum {
-        let pairs = &self.pairs[left.piece.degree().max(right.piece.degree())];
+        let pairs = self.pairs(left.piece.degree().max(right.piece.degree()));
         match apart {
             0 => pairs.own(left),
             1 => pairs.touching(left, right, jump()),
@@ -71,7 +93,7 @@ impl DegreeRules {
 
     /// Points, weights and values of a polynomial minus `shift`, for its moments.
     pub(crate) fn sample(&self, piece: &Piece, shift: f64, visit: &mut dyn FnMut(f64, f64, f64)) {
-        for (t, w) in self.moments[piece.degree()].iter() {
+        for (t, w) in self.moments[self.place(piece.degree())].iter() {
             visit(t, w, piece.value_above(shift, t));
         }
     }
@@ -79,6 +101,20 @@ impl DegreeRules {
 
 /// Rounding error of the form of one element, relative to its terms.
 const OWN_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// Fills `slopes` with the derivatives of t(1−t) P_k(2t−1), k = 0, 1, ...
+fn fill_slopes(slopes: &mut [f64], t: f64) {
+    let x = 2.0 * t - 1.0;
+    let (mut previous, mut current) = (0.0, 1.0);
+    let (mut previous_slope, mut slope) = (0.0, 0.0);
+    for (k, out) in slopes.iter_mut().enumerate() {
+        *out = (1.0 - 2.0 * t) * current + 2.0 * t * (1.0 - t) * slope;
+        // P'_{k+1} = (2k+1) P_k + P'_{k−1}
+        let next_slope = (2 * k + 1) as f64 * current + previous_slope;
+        (previous_slope, slope) = (slope, next_slope);
+        (previous, current) = (current, legendre::next(k, x, current, previous));
+    }
+}
 
 impl PolynomialPairs {
     /// The rules for polynomials of degree up to `degree`, with integrals of the kernel to the relative
@@ -99,18 +135,20 @@ impl PolynomialPairs {
 
     /// The form of one element of length one, for its slope and its bubbles.
     fn own_form(&self, degree: usize, inner: &Rule) -> Vec<Vec<f64>> {
-        let unit = |k: usize| Piece {
-            left: 0.0,
-            right: if k == 0 { 1.0 } else { 0.0 },
-            bubbles: (1..degree).map(|j| if j == k { 1.0 } else { 0.0 }).collect(),
-        };
-        let basis: Vec<Piece> = (0..degree).map(unit).collect();
         let mut form = vec![vec![0.0; degree]; degree];
+        let mut slopes = vec![0.0; degree.saturating_sub(1)];
         for (zeta, w) in self.quotient_rule.iter() {
             for (tau, v) in inner.iter() {
                 let t = (1.0 - zeta) * tau;
-                let quotient = |piece: &Piece| inner.integrate(|r| piece.slope(t + r * zeta));
-                let quotients: Vec<f64> = basis.iter().map(quotient).collect();
+                // The mean slopes of the linear part and of all bubbles over (t, t + ζ).
+                let mut quotients = vec![0.0; degree];
+                quotients[0] = 1.0;
+                for (r, weight) in inner.iter() {
+                    fill_slopes(&mut slopes, t + r * zeta);
+                    for (sum, slope) in quotients[1..].iter_mut().zip(&slopes) {
+                        *sum += weight * slope;
+                    }
+                }
                 let weight = 2.0 * w * v * (1.0 - zeta);
                 for (row, a) in form.iter_mut().zip(&quotients) {
                     row.iter_mut().zip(&quotients).for_each(|(entry, b)| *entry += weight * a * b);

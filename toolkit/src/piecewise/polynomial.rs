@@ -188,6 +188,47 @@ impl PiecewisePolynomial {
         Ok(piece.value(t))
     }
 
+    /// The value at a signed distance from a node, from the right at a jump.
+    ///
+    /// # Errors
+    /// [`Error::CountOutOfRange`] if there is no such node; [`Error::OutOfRange`] outside the interval.
+    pub(crate) fn value_near(&self, node: usize, distance: f64) -> Result<f64> {
+        let lengths = self.partition.lengths();
+        if node > lengths.len() {
+            let (name, range) = ("node", "[0, number of nodes)");
+            return Err(Error::CountOutOfRange { name, value: node, range });
+        }
+        let is_right = distance > 0.0 || distance == 0.0 && !distance.is_sign_negative();
+        let (mut element, mut rest) = (node, distance.abs());
+        // Elements away from the node, as many as it is far.
+        while rest > 0.0 || element == node {
+            let next = if is_right { Some(element) } else { element.checked_sub(1) };
+            let Some((k, &h)) = next.and_then(|k| Some((k, lengths.get(k)?))) else { break };
+            if rest < h || rest == h && !is_right {
+                let t = rest / h;
+                return Ok(self.pieces[k].value(if is_right { t } else { 1.0 - t }));
+            }
+            rest -= h;
+            element = if is_right { k + 1 } else { k };
+        }
+        let slack = 16.0 * f64::EPSILON * (self.partition.left().abs() + self.partition.total());
+        Error::require("x", distance, "{the interval of the function}", rest <= slack)?;
+        let end =
+            if element == 0 { self.pieces[0].left } else { self.pieces[lengths.len() - 1].right };
+        Ok(end)
+    }
+
+    /// The value at a coordinate, from the right at a jump.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] outside the interval.
+    pub(crate) fn value_at(&self, x: f64) -> Result<f64> {
+        let distance = x - self.partition.left();
+        let nodes = self.partition.from_left();
+        let node = nodes.partition_point(|&d| d <= distance).clamp(1, self.pieces.len()) - 1;
+        self.value_near(node, distance - nodes[node])
+    }
+
     /// The restriction to the given elements.
     ///
     /// # Errors
@@ -237,12 +278,8 @@ impl PiecewisePolynomial {
 
     /// The function c u.
     pub(crate) fn scaled_by(&self, factor: f64) -> Self {
-        let scaled = |piece: &Piece| Piece {
-            left: factor * piece.left,
-            right: factor * piece.right,
-            bubbles: piece.bubbles.iter().map(|c| factor * c).collect(),
-        };
-        Self { partition: self.partition.clone(), pieces: self.pieces.iter().map(scaled).collect() }
+        let pieces = self.pieces.iter().map(|piece| piece.scaled(factor)).collect();
+        Self { partition: self.partition.clone(), pieces }
     }
 
     pub(crate) fn on(self, partition: Mesh) -> Self {
@@ -255,6 +292,15 @@ impl PiecewisePolynomial {
 }
 
 impl Piece {
+    /// The polynomial c p.
+    pub(crate) fn scaled(&self, factor: f64) -> Self {
+        Self {
+            left: factor * self.left,
+            right: factor * self.right,
+            bubbles: self.bubbles.iter().map(|c| factor * c).collect(),
+        }
+    }
+
     pub(crate) fn value(&self, t: f64) -> f64 {
         self.value_above(0.0, t)
     }

@@ -52,7 +52,7 @@ impl Sample {
             let element = nodes.partition_point(|&x| x <= start) - 1;
             let h = nodes[element + 1] - nodes[element];
             let t = (((breaks[at.anchor()] - nodes[element]) + at.offset()) / h).clamp(0.0, 1.0);
-            self.value(at.distance_to(k), at.x()) - field.value(element, t).unwrap()
+            self.value(at.distance_to(k), at.x()) - field.value_on(element, t).unwrap()
         })
         .unwrap()
     }

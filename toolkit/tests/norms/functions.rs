@@ -45,7 +45,7 @@ fn interpolation_parts_and_lebesgue_norms_of_a_parabola() -> Result<()> {
     assert!((u.lp(3.0, asked)?.value - (1.0f64 / 7.0).cbrt()).abs() < 1e-8);
     assert!((u.lp(f64::INFINITY, asked)?.value - 1.0).abs() < 1e-8);
     let slope = u.derivative()?.restrict(1..2)?;
-    assert!((slope.value(0, 1.0)? - 2.0).abs() < 1e-14);
+    assert!((slope.value_on(0, 1.0)? - 2.0).abs() < 1e-14);
     Ok(())
 }
 

@@ -20,6 +20,7 @@ mod intervals;
 mod piecewise;
 mod products;
 mod rough_loads;
+mod verbs;
 
 /// The part of the random cases that is run by default; `attacks` runs more.
 const SHARE: f64 = 0.1;

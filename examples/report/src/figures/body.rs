@@ -14,6 +14,7 @@ use nalgebra::{Vector2, Vector3};
 use signorini::contact::{ContactProblem, ContactSolution};
 use signorini::edge::{EdgeTrace, Interval};
 use signorini::fem::stresses;
+use signorini::mesh::{BoundaryEdge, Part};
 use std::fmt::Write as _;
 
 /// Sizes in user units: the picture, its margins, the tallest body, the colour bar with its labels
@@ -36,6 +37,10 @@ const SHADES: usize = 16;
 const DRAWN: f64 = 0.25;
 const ARROW: f64 = 0.15;
 const FLOOR: f64 = 0.08;
+/// Share of the area, and of the pressed length of all floors, whose largest values are cut off in
+/// a picture if they exceed the others by the factor.
+const PEAK: f64 = 0.01;
+const FACTOR: f64 = 2.0;
 /// How far a step into the page moves a membrane to the right and upwards.
 const ASIDE: [f64; 2] = [0.4, 0.45];
 
@@ -54,6 +59,66 @@ pub(crate) fn body_values(
             .collect());
     }
     Ok(mesh.triangles().iter().map(|t| t.map(|node| u[node]).iter().sum::<f64>() / 3.0).collect())
+}
+
+/// The colours of a body range from the least value to the largest one, without peaks.
+pub(crate) fn body_range(
+    problem: &ContactProblem,
+    solution: &ContactSolution,
+) -> Result<(f64, f64)> {
+    let values = body_values(problem, solution)?;
+    let low = values.iter().fold(f64::INFINITY, |low, &value| low.min(value));
+    let high = values.iter().fold(f64::NEG_INFINITY, |high, &value| high.max(value));
+    if problem.form().components() == 1 {
+        return Ok((low, high));
+    }
+    let mesh = problem.mesh();
+    let areas = (0..values.len()).map(|t| {
+        let [a, b, c] = mesh.corners(t).map(Point::from);
+        (b - a).perp(&(c - a)).abs()
+    });
+    Ok((low, without_peaks(values.iter().copied().zip(areas).collect())))
+}
+
+/// The largest of these (value, weight), or the value exceeded on a share [`PEAK`] of the weight if
+/// the largest one is more than [`FACTOR`] times that.
+fn without_peaks(mut values: Vec<(f64, f64)>) -> f64 {
+    values.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let most = values.first().map_or(0.0, |first| first.0);
+    let mut rest = PEAK * values.iter().map(|(_, weight)| weight).sum::<f64>();
+    let usual = values.iter().find(|(_, weight)| {
+        rest -= weight;
+        rest < 0.0
+    });
+    let usual = usual.map_or(most, |one| one.0);
+    if usual > 0.0 && most > FACTOR * usual { usual } else { most }
+}
+
+/// The name of every contact edge: that of its group, or those of its groups, numbered where
+/// several edges have the same.
+pub fn floor_names(problem: &ContactProblem) -> Vec<String> {
+    let (mesh, edge) = (problem.mesh(), problem.edge());
+    let mut piece_of = std::collections::HashMap::new();
+    for (number, piece) in edge.pieces().into_iter().enumerate() {
+        piece_of.extend(edge.nodes()[piece].iter().map(|&node| (node, number)));
+    }
+    let mut groups = vec![Vec::new(); edge.pieces().len()];
+    let contact = |side: &BoundaryEdge| side.part == Part::Contact;
+    for (number, side) in mesh.boundary().iter().enumerate().filter(|(_, side)| contact(side)) {
+        let Some(&piece) = side.nodes.iter().find_map(|node| piece_of.get(node)) else { continue };
+        if !groups[piece].contains(&mesh.group(number)) {
+            groups[piece].push(mesh.group(number));
+        }
+    }
+    let names: Vec<String> = groups.iter().map(|names| names.join(" and ")).collect();
+    let numbered = |(k, name): (usize, &String)| {
+        let same = |other: &&String| *other == name;
+        match names.iter().filter(same).count() {
+            1 => name.clone(),
+            _ => format!("{name} {}", names[..=k].iter().filter(same).count()),
+        }
+    };
+    names.iter().enumerate().map(numbered).collect()
 }
 
 /// The body in its deformed place, displacements magnified by 1, 2 or 5 times a power of ten, on
@@ -77,25 +142,39 @@ pub(crate) fn body_svg(
     };
     let nodes: Vec<Point> = mesh.nodes().iter().enumerate().map(moved).collect();
     let strongest = solution.pressure.iter().fold(0.0, |m: f64, p| m.max(p.abs()));
+    let lengths = edge.nodal_lengths();
+    let pressed = solution.pressure.iter().copied().zip(lengths.iter().copied());
+    let unit = without_peaks(pressed.filter(|&(pressure, _)| pressure > 0.0).collect());
     // The floor presses against the normal; what keeps a membrane down presses from above.
     let outward = if is_elastic { edge.normals()? } else { vec![[0.0, 1.0]; edge.pieces().len()] };
     let (mut arrows, mut floors) = (Vec::new(), Vec::new());
     for (piece, normal) in edge.pieces().into_iter().zip(outward.into_iter().map(Point::from)) {
         for i in piece.clone().filter(|&i| solution.pressure[i] > 0.0) {
-            let tip = nodes[edge.nodes()[i]];
-            arrows.push([tip + normal * (ARROW * extent * solution.pressure[i] / strongest), tip]);
+            let (tip, share) = (nodes[edge.nodes()[i]], solution.pressure[i] / unit);
+            arrows.push([tip + normal * (ARROW * extent * share.min(FACTOR)), tip]);
         }
         if is_elastic {
-            // The line through the edge, under all of its nodes and beyond.
+            // At the distance of the gap, magnified as the displacement: under every node, in order
+            // along the edge, and straight on beyond both ends.
             let (point, along) =
                 (Point::from(edge.points()[piece.start]), Point::new(-normal.y, normal.x));
-            let places = edge.nodes()[piece].iter().map(|&node| (nodes[node] - point).dot(&along));
-            let (start, end) = places.fold((0.0_f64, 0.0_f64), |(a, b), s| (a.min(s), b.max(s)));
-            let ends = [start - FLOOR * extent, end + FLOOR * extent].map(|s| point + along * s);
-            floors.push((ends, normal));
+            let under = |i: usize| {
+                let s = (nodes[edge.nodes()[i]] - point).dot(&along);
+                (s, point + along * s + normal * (magnification * problem.gap()[i]))
+            };
+            let mut places: Vec<(f64, Point)> = piece.map(under).collect();
+            places.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let mut line: Vec<Point> = places.into_iter().map(|(_, place)| place).collect();
+            if let ([first, ..], [.., last]) = (line.as_slice(), line.as_slice()) {
+                let beyond = along * (FLOOR * extent);
+                let (before, after) = (first - beyond, last + beyond);
+                line.insert(0, before);
+                line.push(after);
+            }
+            floors.push((line, normal));
         }
     }
-    let (value_name, unit) = match is_elastic {
+    let (value_name, unit_name) = match is_elastic {
         true => ("largest shear stress, in the unit of λ and μ", " in that unit"),
         false => ("displacement u", ""),
     };
@@ -112,8 +191,10 @@ pub(crate) fn body_svg(
     let title = format!("{title}, displacement × {}, {} cone", short(magnification), solution.cone);
     let mut canvas = Canvas::new([WIDTH, height], &title, FONT_SIZE);
     canvas.text(&title, (WIDTH / 2.0, 20.0), "middle", " font-size=\"16\"");
-    let path: String =
-        floors.into_iter().map(|(ends, normal)| floor(ends.map(view), normal)).collect();
+    let path: String = floors
+        .into_iter()
+        .map(|(line, normal)| floor(line.into_iter().map(view), normal))
+        .collect();
     canvas.path(&path, &format!("fill=\"none\" stroke=\"{INK}\" stroke-opacity=\"0.7\""));
     let share = |value: f64| if high > low { (value - low) / (high - low) } else { 0.0 };
     let mut paths = vec![String::new(); SHADES];
@@ -145,9 +226,17 @@ pub(crate) fn body_svg(
     let (above, below, right) = (top + 3.0, top + 25.0, MARGIN + BAR);
     canvas.text(&short(low), (MARGIN, below), "start", "");
     canvas.text(&short(high), (right, below), "end", "");
-    canvas.text(value_name, (right + 14.0, above), "start", "");
+    // The colours end below a peak, which is in words.
+    let highest = body_values(problem, solution)?.into_iter().fold(low, f64::max);
+    let peak = if highest > high { format!(", to {}", short(highest)) } else { String::new() };
+    canvas.text(&format!("{value_name}{peak}"), (right + 14.0, above), "start", "");
     canvas.text("→", (right + 14.0, below), "start", &format!(" fill=\"{}\"", css(PALETTE[1])));
-    let pressure = format!("contact pressure, largest {}{unit}", short(strongest));
+    let cut = if strongest > FACTOR * unit {
+        format!(", arrows to {}", short(FACTOR * unit))
+    } else {
+        String::new()
+    };
+    let pressure = format!("contact pressure to {}{unit_name}{cut}", short(strongest));
     canvas.text(&pressure, (right + 33.0, below), "start", "");
     Ok(canvas.finish())
 }
@@ -164,12 +253,26 @@ fn step(letter: char, to: Point) -> String {
 }
 
 /// A line in the picture, hatched on the side of the normal, whose second component points up.
-fn floor([from, to]: [Point; 2], normal: Point) -> String {
-    let (length, along) = ((to - from).norm(), (to - from).normalize());
-    let stroke = step('l', Point::new(normal.x, -normal.y) * STROKE[1] - along * STROKE[0]);
-    let strokes = (0..=(length / STEP) as usize)
-        .map(|k| step('M', from + along * (k as f64 * STEP)) + &stroke);
-    step('M', from) + &step('L', to) + &strokes.collect::<String>()
+fn floor(line: impl Iterator<Item = Point>, normal: Point) -> String {
+    let places: Vec<Point> = line.collect();
+    let (mut path, mut strokes, mut next) = (String::new(), String::new(), 0.0);
+    for (k, place) in places.iter().enumerate() {
+        path += &step(if k == 0 { 'M' } else { 'L' }, *place);
+    }
+    for (from, to) in places.iter().zip(places.iter().skip(1)) {
+        let length = (to - from).norm();
+        if length == 0.0 {
+            continue;
+        }
+        let along = (to - from) / length;
+        let stroke = step('l', Point::new(normal.x, -normal.y) * STROKE[1] - along * STROKE[0]);
+        while next <= length {
+            strokes += &(step('M', from + along * next) + &stroke);
+            next += STEP;
+        }
+        next -= length;
+    }
+    path + &strokes
 }
 
 /// An arrow from the first place to the second; nothing where it is too short to be seen.
@@ -184,7 +287,10 @@ fn arrow([from, to]: [Point; 2]) -> String {
     step('M', from) + &step('L', to) + &head.concat()
 }
 
-/// u_N and −σ_N along the contact edges, each divided by its maximum.
+/// Nodes of all contact edges from which on markers would merge.
+const MARKED: usize = 60;
+
+/// u_N and −σ_N along the contact edges, each divided by its maximum, which the legend states.
 pub(crate) fn edge_plot(
     name: &str,
     title: &str,
@@ -197,16 +303,22 @@ pub(crate) fn edge_plot(
     let axes = Axes::Linear("distance along the contact edge", "share of the largest value");
     let mut plot = Plot::new(name, &title, axes);
     let pieces = edge.pieces();
-    for (number, piece) in pieces.iter().enumerate() {
-        let scaled = |values: &[f64]| -> Vec<(f64, f64)> {
+    for (piece, name) in pieces.iter().zip(floor_names(problem)) {
+        // The name and the values of a curve. A name is no formula: nothing in it is lowered.
+        let curve = |what: &str, values: &[f64]| -> (String, Vec<(f64, f64)>) {
             let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
             let unit = if largest > 0.0 { largest } else { 1.0 };
-            piece.clone().map(|i| (edge.arc()[i], values[i] / unit)).collect()
+            let points = piece.clone().map(|i| (edge.arc()[i], values[i] / unit)).collect();
+            let name = name.replace(['_', '^'], " ");
+            let which = if pieces.len() > 1 { format!(", {name}") } else { String::new() };
+            (format!("{what}{which}: 1 is {}", short(largest)), points)
         };
-        let which = if pieces.len() > 1 { format!(", edge {}", number + 1) } else { String::new() };
-        plot.line(&format!("u_N, displacement{which}"), scaled(&solution.normal_displacement));
-        let pressure = format!("−σ_N, contact pressure{which}");
-        plot.given(Mark::LineAndPoints, &pressure, scaled(&solution.pressure));
+        let (name, points) = curve("u_N, displacement", &solution.normal_displacement);
+        plot.line(&name, points);
+        let (name, points) = curve("−σ_N, contact pressure", &solution.pressure);
+        let is_long = solution.pressure.len() > MARKED;
+        let mark = if is_long { Mark::Line } else { Mark::LineAndPoints };
+        plot.given(mark, &name, points);
     }
     plot
 }
@@ -290,5 +402,77 @@ mod tests {
         assert!((dx + sin).abs() < 0.02 && (dy + cos).abs() < 0.02);
         let [dx, dy] = first_stroke(&picture, "stroke-opacity=\"0.7\"");
         assert!((dx - cos).abs() < 0.02 && (dy + sin).abs() < 0.02);
+    }
+
+    /// All M and L places of the first path with this attribute.
+    fn places(picture: &str, attribute: &str) -> Vec<(char, f64, f64)> {
+        let at = picture.find(attribute).unwrap();
+        let path = &picture[picture[..at].rfind("d=\"M").unwrap() + 3..at];
+        let path = &path[..path.find('"').unwrap()];
+        let steps = path.split_inclusive(|c: char| c.is_ascii_alphabetic()).collect::<Vec<_>>();
+        let letters = steps.iter().filter_map(|step| step.chars().last());
+        let numbers = steps.iter().skip(1).map(|step| {
+            let words = step.trim_end_matches(|c: char| c.is_ascii_alphabetic()).split(' ');
+            words.filter_map(|word| word.parse().ok()).collect::<Vec<f64>>()
+        });
+        let pairs = letters.zip(numbers).filter(|(_, pair)| pair.len() == 2);
+        pairs.map(|(letter, pair)| (letter, pair[0], pair[1])).collect()
+    }
+
+    /// A block over a floor with a gap that grows to the right, pressed down.
+    fn over_a_gap() -> (ContactProblem, ContactSolution) {
+        let mesh = signorini::mesh::unit_square(8, signorini::mesh::SideParts::HANGING).unwrap();
+        let load: Vec<f64> = mesh.nodes().iter().flat_map(|_| [0.0, -1.0]).collect();
+        let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+        let mut problem = ContactProblem::new(mesh, form, &load).unwrap();
+        problem.set_gap(|[x, _]| 0.05 + 0.05 * x * x).unwrap();
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        (problem, solution)
+    }
+
+    #[test]
+    fn a_floor_is_drawn_at_its_gap() {
+        let (problem, solution) = over_a_gap();
+        assert!(solution.pressure.iter().any(|&pressure| pressure > 0.0));
+        let picture = body_svg(&problem, &solution, "block", (0.0, 1.0)).unwrap();
+        let floor = places(&picture, "stroke-opacity=\"0.7\"");
+        let line: Vec<_> = floor.iter().take_while(|place| place.0 != 'l').collect();
+        let line = &line[..problem.edge().nodes().len() + 2];
+        // A node in contact lies on the floor, which the tip of its arrow shows; y points down.
+        let arrows = places(&picture, "stroke=\"#D55E00\"");
+        let tips = arrows.windows(2).filter(|pair| pair[0].0 == 'M' && pair[1].0 == 'L');
+        let mut found = 0;
+        for &(_, x, y) in tips.map(|pair| &pair[1]) {
+            let on_floor = |place: &&(char, f64, f64)| (place.1 - x).hypot(place.2 - y) < 0.3;
+            assert!(line.iter().any(on_floor), "({x}, {y}): {line:?}");
+            found += 1;
+        }
+        assert!(found >= 6, "{found}: two strokes for every arrow");
+        assert!(line[1].2 + 1.0 < line[line.len() - 2].2, "the gap grows to the right: {line:?}");
+    }
+
+    #[test]
+    fn a_peak_does_not_decide_the_scale() {
+        let flat: Vec<(f64, f64)> = (0..1000).map(|k| (f64::from(k) / 1000.0, 1.0)).collect();
+        assert_eq!(without_peaks(flat.clone()), 0.999);
+        let peak = [flat, vec![(1e6, 0.5), (1e3, 0.5)]].concat();
+        assert!((without_peaks(peak) - 0.99).abs() < 2e-3);
+        assert_eq!(without_peaks(Vec::new()), 0.0);
+    }
+
+    #[test]
+    fn the_curves_of_an_edge_have_its_name_and_their_unit() {
+        let mesh = parse_msh(include_str!("../../../data/groove.msh")).unwrap();
+        let load: Vec<f64> = mesh.nodes().iter().flat_map(|_| [0.0, -0.1]).collect();
+        let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+        let problem = ContactProblem::new(mesh, form, &load).unwrap();
+        let solution = problem.solve(Cone::Nodal, Solver::ActiveSet).unwrap();
+        let mut names = floor_names(&problem);
+        names.sort_unstable();
+        assert_eq!(names, ["contact left", "contact right"]);
+        let plot = format!("{:?}", edge_plot("edge", "groove", &problem, &solution));
+        let largest = solution.pressure.iter().fold(0.0_f64, |m, p| m.max(*p));
+        assert!(plot.contains("−σ_N, contact pressure, contact left: 1 is "), "{plot}");
+        assert!(plot.contains(&format!(": 1 is {}", short(largest))), "{plot}");
     }
 }

@@ -14,6 +14,7 @@ mod svg;
 
 use plotters::style::RGBColor;
 
+pub use body::floor_names;
 pub use plot::{Axes, Plot};
 
 /// The palette, in the order in which the series of a plot are coloured.

@@ -110,10 +110,7 @@ fn shifted(text: &str) -> String {
     }
     let shift = if mark == '_' { SHIFT.0 } else { -SHIFT.1 };
     let index = index.replace('-', "−");
-    let index = format!(
-        "{before}<tspan dy=\"{shift}em\" font-size=\"{:.0}%\">{index}</tspan>",
-        100.0 * SIZE
-    );
+    let index = format!("{before}<tspan dy=\"{shift}em\" font-size=\"{SIZE}em\">{index}</tspan>");
     if rest.is_empty() {
         return index;
     }
@@ -147,10 +144,10 @@ mod tests {
 
     #[test]
     fn indices_are_lowered_exponents_raised_and_the_rest_returns() {
-        let lowered = "u<tspan dy=\"0.3em\" font-size=\"75%\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
+        let lowered = "u<tspan dy=\"0.3em\" font-size=\"0.75em\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
         assert_eq!(shifted("u_N, shown"), lowered);
         assert!(shifted("|u|_(3/2)").starts_with("|u|<tspan dy=\"0.3em\""));
-        assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"75%\">0.6</tspan>");
+        assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"0.75em\">0.6</tspan>");
         assert!(shifted("h^(tau-1), H^1/2.").contains(">tau−1</tspan>"));
         assert!(shifted("|x|^2 over").ends_with(">\u{a0}over</tspan>"));
         assert!(shifted("H^1/2.").contains(">1/2</tspan>"));

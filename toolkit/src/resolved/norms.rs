@@ -1,0 +1,489 @@
+//! Norms of a resolved function: those of its polynomials, and the error of the polynomials.
+//!
+//! Let e = u − p, |e| ≤ ε_K on a cell K of length h_K. For L^q and the mean see the module above. For dual norms, with v
+//! the maximiser for p and max |v| ≤ max |p| (the maximum principle for the resolvents and for the regional operator),
+//!
+//! ```text
+//! | ‖u‖²_* − ‖p‖²_* | ≤ 2 max |p| ∫|e| + ‖e‖².
+//! ```
+//!
+//! |e|_ν is bounded cell by cell (`functions::resolution`); |u|²_ν − |p|²_ν = 2 (p, e)_ν + |e|²_ν, and the first term is
+//! estimated from polynomials whose last coefficients are dropped. A jump J located to a distance w changes |u|²_ν by at
+//! most
+//!
+//! ```text
+//! 4 w |J| ( 2 max |u| d^{−2ν}/(2ν) + max |u′| d^{1−2ν}/(1−2ν) ),   ν < 1/2,
+//! ```
+//!
+//! d the length of the shorter cell next to it: next to the jump the contributions of its two sides cancel.
+//!
+//! Towards a breakpoint cells are joined to one linear piece as far as Σ V² h^{1−2ν}, V the variation from the limit, is
+//! negligible: the norm costs as many cells as the order and the tolerance require.
+
+use super::cells::{Cell, Place, Resolved, polynomials_of};
+use crate::dual::DualOf;
+use crate::error::{Error, Result};
+use crate::estimate::{Estimate, Tolerance, Work};
+use crate::functions::of_residual;
+use crate::kernel::power::PowerKernel;
+use crate::order::Order;
+use crate::piecewise::{Piece, PiecewisePolynomial};
+use crate::root::{accept, root_of_squares};
+
+/// Message: what limits the accuracy.
+const LIMIT: &str = "the error of the polynomials that represent the function, or the rounding of its values, limits the accuracy";
+/// Message: the function is not smooth between its breakpoints.
+const UNDECLARED: &str =
+    "the function is not smooth at a point between its breakpoints: declare it as a breakpoint";
+/// Message: the norm may be infinite.
+const GROWS: &str = "contributions do not decay down to the smallest distance from a breakpoint at which the \
+     function can be evaluated";
+/// Number of cells over which the decay of contributions at a breakpoint is observed, and the least number.
+const OBSERVED: usize = 48;
+const LEAST: usize = 8;
+/// Ratios from one cell to the next above which contributions grow, and below which they fall.
+const GROW: f64 = 1.02;
+const FALLS: f64 = 0.995;
+/// Share of the maximum from which a value at a breakpoint is the maximum.
+const LARGEST: f64 = 1.0 - 1e-9;
+/// Share of the tolerance for the cells that are joined at a breakpoint.
+const SHARE: f64 = 0.03;
+/// The same for a dual norm, relative to the L² norm.
+const IN_L2: f64 = 1e-4;
+/// Factor by which the error of the comparison polynomials is larger.
+const COARSER: f64 = 10.0;
+/// Largest number of cells for which this comparison is made.
+const COMPARED: usize = 2000;
+
+impl Resolved {
+    /// ‖u‖_ν.
+    ///
+    /// # Errors
+    /// As [`Resolved::seminorm`].
+    pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
+        let [a, b] = parts.map(Estimate::or_best);
+        accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
+    }
+
+    /// ‖u‖.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
+    pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
+        self.lq_norm(2.0, tolerance)
+    }
+
+    /// ‖u‖ in L^q, 1 ≤ q ≤ ∞.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] for q < 1 or NaN, [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
+    pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
+        Error::require("q", q, "[1, inf]", q >= 1.0)?;
+        let u = self.polynomials()?;
+        if q == f64::INFINITY {
+            let found = Estimate::or_best(u.lq_norm(q, tolerance))?;
+            let at_open = self.at_open().any(|cell| cell.piece.size() >= LARGEST * found.value);
+            if at_open && found.value > 0.0 {
+                return Err(Error::out_of_reach(
+                    "L^inf norm",
+                    tolerance.relative(),
+                    f64::INFINITY,
+                    GROWS,
+                ));
+            }
+            let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
+            let found = Estimate { error: found.error + off, ..found };
+            return accept("L^inf norm", found, tolerance, LIMIT);
+        }
+        let rest =
+            self.beyond(Some(0.0), tolerance, |cell| cell.length * cell.piece.size().powf(q))?;
+        let found =
+            if q == 2.0 { u.l2_norm()? } else { Estimate::or_best(u.lq_norm(q, tolerance))? };
+        // In units of the largest error and value: powers of them over- or underflow.
+        let worst = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
+        let sum = |of: &dyn Fn(&Cell) -> f64| self.cells.iter().map(of).sum::<f64>();
+        let alone = if worst > 0.0 {
+            worst * sum(&|cell| cell.length * (cell.off / worst).powf(q)).powf(1.0 / q)
+        } else {
+            0.0
+        };
+        let value = found.value;
+        let together = if value > 0.0 {
+            let relative = |cell: &Cell| (cell.piece.size() + cell.off) / value;
+            value * sum(&|cell| cell.length * (cell.off / value) * relative(cell).powf(q - 1.0))
+        } else {
+            f64::INFINITY
+        };
+        // Jumps are displaced by the rounding of their places.
+        let moved: f64 = self
+            .displacements()
+            .map(|(by, [left, right])| by * (left.abs().max(right.abs()) / value).powf(q))
+            .sum();
+        let error = found.error
+            + if value > 0.0 { value * moved } else { 0.0 }
+            + alone.min(together)
+            + rest.powf(1.0 / q).min(rest / value.powf(q - 1.0));
+        accept("L^q norm", Estimate::new(value, error, found.work)?, tolerance, LIMIT)
+    }
+
+    /// The mean of u; the tolerance is relative to the mean of |u|.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
+    pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
+        let u = self.polynomials()?;
+        let rest = self.beyond(Some(0.0), tolerance, |cell| cell.length * cell.piece.size())?;
+        let found = u.mean()?;
+        let sum = |of: &dyn Fn(&Cell) -> f64| self.cells.iter().map(of).sum::<f64>();
+        let total = u.mesh().total();
+        let moved: f64 =
+            self.displacements().map(|(by, [left, right])| by * (left - right).abs()).sum();
+        let error = found.error + (sum(&|cell| cell.length * cell.off) + rest + moved) / total;
+        let size =
+            sum(&|cell| cell.length * 0.5 * (cell.piece.left.abs() + cell.piece.right.abs()))
+                / total;
+        let found = Estimate::new(found.value, error, Work::default())?;
+        if error <= tolerance.relative() * size.max(found.value.abs()) || size == 0.0 {
+            return Ok(found);
+        }
+        Err(Error::not_met("mean", tolerance.relative(), found, LIMIT))
+    }
+
+    /// The dual norm sup ∫ u v / ‖v‖.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`].
+    pub(crate) fn dual_norm(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        let square = |cell: &Cell| cell.length * cell.piece.size().powi(2);
+        let rest = self.beyond(Some(0.0), tolerance, square)?;
+        let inner =
+            Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
+        let mut goal =
+            (IN_L2 * tolerance.relative()).powi(2) * self.cells.iter().map(square).sum::<f64>();
+        loop {
+            let (cells, joined) = self.joined(|h| 4.0 * h, goal);
+            let found = Estimate::or_best(polynomials_of(&cells)?.dual_norm(of, order, inner))?;
+            // A dual norm much smaller than the L² norm requires more of its digits.
+            let needed = (SHARE * tolerance.relative() * found.value).powi(2);
+            if joined > needed && needed < 0.5 * goal {
+                goal = needed;
+                continue;
+            }
+            let (mut first, mut second, mut size) = (0.0, 0.0, 0.0_f64);
+            for cell in &cells {
+                first += cell.length * cell.off;
+                second += cell.length * cell.off * cell.off;
+                size = size.max(cell.piece.size());
+            }
+            for (by, [left, right]) in self.displacements() {
+                first += by * (left - right).abs();
+                second += by * (left - right).powi(2);
+            }
+            let together = if found.value > 0.0 {
+                (2.0 * size * first + second) / found.value
+            } else {
+                f64::INFINITY
+            };
+            let error = found.error + second.sqrt().min(together) + rest.sqrt() + joined.sqrt();
+            let found = Estimate::new(found.value, error, found.work)?;
+            return accept("dual norm", found, tolerance, LIMIT);
+        }
+    }
+
+    /// |u|_ν.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] if u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`], without a value where it is not known
+    /// whether the seminorm is finite.
+    pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let kernel = PowerKernel::new(order);
+        let asked = tolerance.relative();
+        let is_rough = self.cells.iter().any(|cell| cell.is_rough);
+        if !order.is_below_half() {
+            if is_rough {
+                return Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, UNDECLARED));
+            }
+            if self.jumps() {
+                let why = "a function with a jump is not in H^nu for nu >= 1/2";
+                return Err(Error::InfiniteNorm { order: order.value(), why });
+            }
+        }
+        let beyond = self.beyond(None, tolerance, |cell| {
+            kernel.scaling(cell.length) * variation(cell).powi(2)
+        })?;
+        let mut size = self.crude(kernel);
+        let mut best: Option<Estimate> = None;
+        for _ in 0..2 {
+            // The square of the seminorm of what is neglected, from its variations.
+            let factor = 64.0 * (1.0 / kernel.twice + 1.0 / kernel.two_minus);
+            let goal = (SHARE * asked * size).powi(2) / factor;
+            let (cells, joined) = self.joined(|h| kernel.scaling(h), goal);
+            let joined = factor * joined;
+            let cells = shortened(cells, kernel, (SHARE * asked * size).powi(2));
+            let u = polynomials_of(&cells)?;
+            let inner = Tolerance::new((0.3 * asked).max(1e-15))?.with_work(tolerance.work());
+            let found = Estimate::or_best(u.seminorm(order, inner))?;
+            let total = u.mesh().total();
+            let mut square = joined + beyond;
+            for cell in &cells {
+                let degree = cell.piece.bubbles.len() + 1;
+                square += of_residual(kernel, degree, cell.off, cell.length, total);
+                if cell.is_rough {
+                    // A step of this height within the cell.
+                    let step = 4.0 / (kernel.twice * kernel.one_minus);
+                    square += step * kernel.scaling(cell.length) * cell.off * cell.off;
+                }
+            }
+            let bound = square.sqrt();
+            let mut error = bound;
+            if found.error + bound > asked * found.value && cells.len() <= COMPARED && !is_rough {
+                let coarse = coarser(&u, &cells)?;
+                let coarse = Estimate::or_best(coarse.seminorm(order, inner))?;
+                let second = if found.value > 0.0 { bound * (bound / found.value) } else { bound };
+                error = bound.min((coarse.value - found.value).abs() + second + joined.sqrt());
+            }
+            if found.value > 0.0 {
+                error += displaced(&cells, order, kernel) / (2.0 * found.value);
+            }
+            let found = Estimate::new(found.value, found.error + error, found.work)?;
+            if found.work.points > tolerance.work() {
+                return Err(Error::not_met("seminorm", asked, found, crate::estimate::SPENT));
+            }
+            if best.is_none_or(|best| found.error < best.error) {
+                best = Some(found);
+            }
+            if found.error <= asked * found.value || found.value >= 0.5 * size {
+                break;
+            }
+            size = found.value;
+        }
+        match best {
+            Some(found) => accept("seminorm", found, tolerance, LIMIT),
+            None => Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, LIMIT)),
+        }
+    }
+
+    /// The jumps at places that are not declared: the rounding of the place, and the values on both sides.
+    fn displacements(&self) -> impl Iterator<Item = (f64, [f64; 2])> {
+        let jumps = self.cells.windows(2).filter(|pair| pair[0].piece.right != pair[1].piece.left);
+        jumps.map(|pair| (pair[1].blur(), [pair[0].piece.right, pair[1].piece.left]))
+    }
+
+    /// Checks that u′ is in L².
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] of this order, [`Error::ToleranceNotMet`] if that is not known.
+    pub(crate) fn require_derivative(&self, order: f64, tolerance: Tolerance) -> Result<()> {
+        if self.jumps() {
+            let why = "a function that jumps has no derivative in L^2";
+            return Err(Error::InfiniteNorm { order, why });
+        }
+        self.beyond(Some(order), tolerance, |cell| {
+            variation(cell) * (variation(cell) / cell.length)
+        })
+        .map(|_| ())
+    }
+
+    /// The cells next to the breakpoints at which the variation has not ended.
+    fn at_open(&self) -> impl Iterator<Item = &Cell> {
+        let ends =
+            (0..self.cells.len()).map(|k| (&self.cells[k], self.place(k), self.place(k + 1)));
+        ends.filter(|(_, start, end)| {
+            [start, end].iter().any(|place| place.offset == 0.0 && self.open.contains(&place.base))
+        })
+        .map(|(cell, ..)| cell)
+    }
+
+    /// What lies beyond the smallest distances of contributions that fall like a geometric series.
+    ///
+    /// # Errors
+    /// [`Error::InfiniteNorm`] of this order, if there is one, where they grow; [`Error::ToleranceNotMet`] if they do not
+    /// fall.
+    fn beyond(
+        &self,
+        order: Option<f64>,
+        asked: Tolerance,
+        contribution: impl Fn(&Cell) -> f64,
+    ) -> Result<f64> {
+        let mut rest = 0.0;
+        for node in 0..=self.cells.len() {
+            let Place { base, offset } = self.place(node);
+            if offset != 0.0 || !self.open.contains(&base) {
+                continue;
+            }
+            for is_right in [true, false] {
+                let near = self.beside(node, is_right);
+                let Some(last) = near.clone().next().map(&contribution) else { continue };
+                let (count, before) = near
+                    .take(OBSERVED)
+                    .map(&contribution)
+                    .enumerate()
+                    .last()
+                    .map_or((0, last), |(count, value)| (count, value));
+                if last == 0.0 {
+                    continue;
+                }
+                let ratio = (last / before).powf(1.0 / count.max(1) as f64);
+                if let Some(order) = order
+                    && count >= LEAST
+                    && ratio > GROW
+                {
+                    let why = "the contributions near a breakpoint do not decay";
+                    return Err(Error::InfiniteNorm { order, why });
+                }
+                if count < LEAST || ratio.is_nan() || ratio > FALLS {
+                    return Err(Error::out_of_reach(
+                        "norm",
+                        asked.relative(),
+                        f64::INFINITY,
+                        GROWS,
+                    ));
+                }
+                rest += last * ratio / (1.0 - ratio);
+            }
+        }
+        Ok(rest)
+    }
+
+    /// The cells on one side of a node that are known from it, from the nearest one on.
+    fn beside(&self, node: usize, is_right: bool) -> impl Iterator<Item = &Cell> + Clone {
+        let base = self.place(node).base;
+        let other = move |k: usize| if is_right { k + 1 } else { k };
+        let cell = move |n: usize| {
+            let k = if is_right { Some(node + n) } else { node.checked_sub(n + 1) }?;
+            let far = self.place(other(k));
+            let is_known =
+                k < self.cells.len() && (n == 0 || far.base == base && far.offset != 0.0);
+            is_known.then(|| &self.cells[k])
+        };
+        (0..=self.cells.len()).map_while(cell)
+    }
+
+    /// The size of |u|_ν, up to a factor.
+    fn crude(&self, kernel: PowerKernel) -> f64 {
+        let own = |cell: &Cell| kernel.scaling(cell.length) * variation(cell).powi(2);
+        let jump = |pair: &[Cell]| {
+            let height = pair[1].piece.left - pair[0].piece.right;
+            kernel.scaling(pair[0].length.min(pair[1].length)) * height * height
+        };
+        let jumps = self.cells.windows(2).map(jump).filter(|jump| jump.is_finite()).sum::<f64>();
+        (self.cells.iter().map(own).sum::<f64>() + jumps).sqrt()
+    }
+
+    /// The cells with those at every breakpoint joined to a linear piece as far as Σ V² w(h) is less than `goal`, h the
+    /// lengths and V the variation, and that sum.
+    fn joined(&self, weight: impl Fn(f64) -> f64, goal: f64) -> (Vec<Cell>, f64) {
+        let n = self.cells.len();
+        let mut keep = vec![true; n];
+        let (mut whole, mut joined) = (0.0, vec![None; n]);
+        for node in (0..=n).filter(|&k| self.place(k).offset == 0.0) {
+            for is_right in [true, false] {
+                let near = self.beside(node, is_right);
+                let ends = |piece: &Piece| match is_right {
+                    true => (piece.left, piece.right),
+                    false => (piece.right, piece.left),
+                };
+                let Some((limit, _)) = near.clone().next().map(|cell| ends(&cell.piece)) else {
+                    continue;
+                };
+                let (mut sum, mut length, mut count, mut last) = (0.0, 0.0, 0, limit);
+                for cell in near {
+                    let (from, to) = ends(&cell.piece);
+                    let bubbles: f64 = cell.piece.bubbles.iter().map(|c| 0.25 * c.abs()).sum();
+                    let off = (from - limit).abs().max((to - limit).abs()) + bubbles + cell.off;
+                    let next = sum + weight(cell.length) * off * off;
+                    if cell.is_rough || next > goal {
+                        break;
+                    }
+                    (sum, length, count, last) = (next, length + cell.length, count + 1, to);
+                }
+                if count < 2 {
+                    continue;
+                }
+                whole += sum;
+                let cells = if is_right { node..node + count } else { node - count..node };
+                keep[cells.clone()].fill(false);
+                let [left, right] = if is_right { [limit, last] } else { [last, limit] };
+                let piece = Piece { left, right, bubbles: Vec::new() };
+                let start = self.cells[cells.start].start;
+                joined[cells.start] =
+                    Some(Cell { start, length, piece, off: 0.0, is_rough: false });
+            }
+        }
+        let cells = (0..n)
+            .filter_map(|k| joined[k].take().or_else(|| keep[k].then(|| self.cells[k].clone())))
+            .collect();
+        (cells, whole)
+    }
+}
+
+/// The largest difference of two values on a cell, up to a factor.
+fn variation(cell: &Cell) -> f64 {
+    let bubbles: f64 = cell.piece.bubbles.iter().map(|c| 0.25 * c.abs()).sum();
+    (cell.piece.right - cell.piece.left).abs() + bubbles
+}
+
+/// The polynomials without the last bubbles, as far as a bound of the square of the seminorm of what is cut off is less than
+/// `goal`: few digits take few coefficients.
+fn shortened(mut cells: Vec<Cell>, kernel: PowerKernel, goal: f64) -> Vec<Cell> {
+    let total: f64 = cells.iter().map(|cell| cell.length).sum();
+    let share = goal / cells.len() as f64;
+    for cell in &mut cells {
+        let degree = cell.piece.bubbles.len() + 1;
+        let allowed = (share / of_residual(kernel, degree, 1.0, cell.length, total)).sqrt();
+        let mut cut = 0.0;
+        while let Some(last) = cell.piece.bubbles.last() {
+            // |t (1 − t) P_k(2t − 1)| ≤ 1/4
+            let next = cut + 0.25 * last.abs();
+            if next > allowed || next.is_nan() {
+                break;
+            }
+            cut = next;
+            cell.piece.bubbles.pop();
+        }
+        cell.off += cut;
+    }
+    cells
+}
+
+/// The polynomials without their last bubbles, as far as these are no larger than [`COARSER`] times the errors.
+fn coarser(u: &PiecewisePolynomial, cells: &[Cell]) -> Result<PiecewisePolynomial> {
+    let ends: Vec<[f64; 2]> =
+        cells.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
+    let shorter = |cell: &Cell| {
+        let (mut bubbles, mut cut) = (cell.piece.bubbles.clone(), 0.0);
+        while cut < COARSER * cell.off
+            && let Some(last) = bubbles.pop()
+        {
+            cut += 0.25 * last.abs();
+        }
+        bubbles
+    };
+    PiecewisePolynomial::with_bubbles(u.mesh().clone(), &ends, cells.iter().map(shorter).collect())
+}
+
+/// The bound of the change of |u|²_ν by the displacement of jumps.
+fn displaced(cells: &[Cell], order: Order, kernel: PowerKernel) -> f64 {
+    if !order.is_below_half() {
+        return 0.0;
+    }
+    let size = cells.iter().map(|cell| cell.piece.size()).fold(0.0, f64::max);
+    let of = |pair: &[Cell]| {
+        let jump = (pair[1].piece.left - pair[0].piece.right).abs();
+        if jump == 0.0 {
+            return 0.0;
+        }
+        let d = pair[0].length.min(pair[1].length);
+        let steep = |cell: &Cell| variation(cell) * (kernel.scaling(d) / cell.length);
+        let near = steep(&pair[0]).max(steep(&pair[1])) / kernel.one_minus;
+        let far = 2.0 * size * d.powf(-kernel.twice) / kernel.twice;
+        4.0 * pair[1].blur() * jump * (far + near)
+    };
+    cells.windows(2).map(of).sum()
+}
