@@ -151,7 +151,8 @@ fn show_steps(out: &mut Report, n: usize, u: &ContactSolution) {
         let leaves = in_intervals((0..now.len()).filter(|&i| !now[i] && before[i]));
         // (B u)₊ over the largest |u|, (−p)₊ over the largest entry of |K||u| + |F|, as in the
         // checks.
-        let residual = (step.penetration / u.displacement_scale).max(step.tension / u.force_scale);
+        let residual =
+            (step.penetration / u.displacement_scale()).max(step.tension / u.force_scale());
         let enter = if enters.is_empty() { String::new() } else { format!(", {enters} enter") };
         let leave = if leaves.is_empty() { String::new() } else { format!(", {leaves} leave") };
         words += &format!(

@@ -56,4 +56,4 @@ for n in map(int, sys.argv[1:] or [64, 128, 256, 512]):
         active = new
     end = time.process_time()
     energy = 0.5 * InnerProduct(rest, w) - 0.5 * InnerProduct(load.vec, w)
-    print(f"{n:4d}  {assembled - start:10.2f}  {end - assembled:10.2f}  {steps:5d}  {active.sum():16d}  {energy:.15e}", flush=True)
+    print(f"{n:4d}  {assembled - start:10.3f}  {end - assembled:10.3f}  {steps:5d}  {active.sum():16d}  {energy:.15e}", flush=True)

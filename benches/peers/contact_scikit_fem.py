@@ -65,4 +65,4 @@ for n in map(int, sys.argv[1:] or [64, 128, 256, 512]):
     end = time.process_time()
     energy = 0.5 * u @ (k @ u) - f @ u
     touching = int((u[basis.nodal_dofs[1, bottom]] == 0.0).sum())
-    print(f"{n:4d}  {assembled - start:10.2f}  {end - assembled:10.2f}  {steps:5d}  {touching:16d}  {energy:.15e}", flush=True)
+    print(f"{n:4d}  {assembled - start:10.3f}  {end - assembled:10.3f}  {steps:5d}  {touching:16d}  {energy:.15e}", flush=True)

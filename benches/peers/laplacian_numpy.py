@@ -39,6 +39,6 @@ for s in [0.25, 0.5, 0.75]:
         energy = load @ cho_solve(cho_factor(a, overwrite_a=True), load)
         end = time.process_time()
         print(
-            f"{s:4}  {n:5d}  {assembled - start:10.2f}  {(multiplied - assembled) / 10:9.3f}  {end - multiplied:10.2f}"
+            f"{s:4}  {n:5d}  {assembled - start:10.4f}  {(multiplied - assembled) / 10:9.5f}  {end - multiplied:10.4f}"
             f"  {energy:.14f}  {exact:.14f}  {1 - energy / exact:10.1e}"
         )

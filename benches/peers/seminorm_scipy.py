@@ -21,4 +21,4 @@ for a, s, exact in CASES:
             lambda y, r: 2.0 * ((y + r) ** a - y**a) ** 2 / r ** (1 + 2 * s), 0, 1, 0, lambda r: 1 - r
         )
     seconds = time.process_time() - start
-    print(f"{a:4}  {s:4}  {seconds:11.2f}  {value:.16f}  {stated / exact:12.1e}  {abs(value - exact) / exact:10.1e}")
+    print(f"{a:4}  {s:4}  {seconds:11.4f}  {value:.16f}  {stated / exact:12.1e}  {abs(value - exact) / exact:10.1e}")

@@ -100,7 +100,7 @@ impl Margins {
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
-    /// let margins = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?.margins;
+    /// let margins = TestProblem::Free.problem(4)?.solve(Cone::Nodal, Solver::ActiveSet)?.margins();
     /// // lifted off everywhere: no contact force, and every gap is open
     /// assert!(margins.pressure.is_none() && !margins.is_weak(1e-3));
     /// # Ok::<(), signorini::Error>(())

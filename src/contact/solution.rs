@@ -75,8 +75,7 @@ impl Seconds {
 pub struct ContactSolution {
     /// The discrete cone.
     pub cone: Cone,
-    /// The solver that was used.
-    pub solver: Solver,
+    pub(super) solver: Solver,
     /// Cartesian nodal displacement, node-major: (u_x, u_y) of node i at 2i, 2i + 1 (scalar: u at i),
     /// prescribed nodes included, in the unit of length of the mesh.
     pub displacement: Vec<f64>,
@@ -108,14 +107,9 @@ pub struct ContactSolution {
     pub status: Status,
     /// The four scaled KKT residuals.
     pub kkt: KktResiduals,
-    /// The force scale of the KKT residuals: max_i (|K||u| + |F|)_i, i over the unknowns that are not
-    /// prescribed.
-    pub force_scale: f64,
-    /// The displacement scale of the KKT residuals: max(|u|, |g|, |F_i|/K_ii), i over the unknowns that are
-    /// not prescribed.
-    pub displacement_scale: f64,
-    /// The margins of strict complementarity; small values mean weak contact.
-    pub margins: Margins,
+    pub(super) force_scale: f64,
+    pub(super) displacement_scale: f64,
+    pub(super) margins: Margins,
     /// The energy J.
     pub energy: f64,
     /// The error of J as a minimum over the discrete cone: rounding of K and F, and what the solver left of the
@@ -132,12 +126,7 @@ pub struct ContactSolution {
     /// The scale of J: ½ a(u, u) + |F'u| + m d², m the smallest of all μ, λ + μ (scalar: 1), d the scale of
     /// displacements.
     pub(super) energy_scale: f64,
-    /// The standard deviation due to rounding of a sum of forces (a component of the reaction, or the contact force):
-    /// ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
-    ///
-    /// It is large relative to the loads if the terms of K u nearly cancel, as for Poisson's ratio near 1/2; an
-    /// imbalance below it is within rounding.
-    pub force_rounding: f64,
+    pub(super) force_rounding: f64,
     /// The total contact force: the sum of the multipliers.
     ///
     /// Σ_i λ_i = −∫ σ_N over the contact edge, in both cones, because the rows of B sum to 1.
@@ -156,6 +145,39 @@ pub struct ContactSolution {
     /// The statistics of multigrid by level, its error estimate, and the reason for using the direct solver, if it
     /// was used; `None` for the other solvers.
     pub multigrid: Option<MultigridReport>,
+}
+
+impl ContactSolution {
+    /// The solver that was used.
+    pub fn solver(&self) -> Solver {
+        self.solver
+    }
+
+    /// The force scale of the KKT residuals: max_i (|K||u| + |F|)_i, i over the unknowns that are not
+    /// prescribed.
+    pub fn force_scale(&self) -> f64 {
+        self.force_scale
+    }
+
+    /// The displacement scale of the KKT residuals: max(|u|, |g|, |F_i|/K_ii), i over the unknowns that are
+    /// not prescribed.
+    pub fn displacement_scale(&self) -> f64 {
+        self.displacement_scale
+    }
+
+    /// The margins of strict complementarity; small values mean weak contact.
+    pub fn margins(&self) -> Margins {
+        self.margins
+    }
+
+    /// The standard deviation due to rounding of a sum of forces (a component of the reaction, or the contact force):
+    /// ε (Σ_i (|K||u| + |F|)_i²)^{1/2}.
+    ///
+    /// It is large relative to the loads if the terms of K u nearly cancel, as for Poisson's ratio near 1/2; an
+    /// imbalance below it is within rounding.
+    pub fn force_rounding(&self) -> f64 {
+        self.force_rounding
+    }
 }
 
 /// The raw result of a solver: unknowns of the frame, multipliers, termination status.

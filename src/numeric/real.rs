@@ -5,9 +5,8 @@
 //! and Taylor series up to the power 31 are used; hyperbolic functions are computed by their series up to 1, and by
 //! the exponential beyond. The absolute error is a few 1e-32 times cosh y for |x| up to some hundreds.
 
+use fractional_sobolev_numeric::transforms::{Complex, Num};
 use qd::Quad;
-use realfft::num_complex::Complex;
-use realfft::num_traits::Num;
 use std::ops::Neg;
 
 /// Terms of the series: powers up to 31 and 30 of a number below 1.

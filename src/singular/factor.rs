@@ -12,8 +12,8 @@
 
 use crate::numeric::real::{Real, sine_cosine};
 use faer::c64;
+use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
-use realfft::num_complex::Complex;
 
 /// The fields that belong to the zeros of a factor, in the basis of module `basis`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

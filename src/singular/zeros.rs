@@ -11,8 +11,8 @@ use super::factor::Factor;
 use crate::error::{Error, Result};
 use crate::numeric::real::square_root;
 use faer::c64;
+use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
-use realfft::num_complex::Complex;
 
 type Wide = Complex<Quad>;
 

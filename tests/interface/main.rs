@@ -4,9 +4,11 @@
 mod program;
 
 mod bad_input;
+mod commands;
 mod every_label;
 mod exports;
 mod files;
 mod large_runs;
 mod outcomes;
+mod public_items;
 mod rooms;

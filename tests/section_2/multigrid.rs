@@ -56,16 +56,16 @@ fn apart(problem: &ContactProblem, u: &ContactSolution, v: &ContactSolution) -> 
 fn assert_same(problem: &ContactProblem, cone: Cone, one: &ContactSolution, case: &str) {
     let other = direct(problem, cone);
     assert_eq!(one.status.to_string(), "converged", "{case}");
-    let scale = other.energy.abs().max(other.force_scale * other.displacement_scale * 1e-6);
+    let scale = other.energy.abs().max(other.force_scale() * other.displacement_scale() * 1e-6);
     assert!(
         (one.energy - other.energy).abs() <= ENERGIES * scale,
         "{case}: {} {}",
         one.energy,
         other.energy
     );
-    let force = other.contact_force.abs().max(other.force_scale);
+    let force = other.contact_force.abs().max(other.force_scale());
     assert!((one.contact_force - other.contact_force).abs() <= FORCES * force, "{case}");
-    if !other.margins.is_weak(1e-9) {
+    if !other.margins().is_weak(1e-9) {
         assert_eq!(one.contact_set, other.contact_set, "{case}");
     }
 }

@@ -68,6 +68,14 @@ impl Data {
         Ok(data)
     }
 
+    /// Replaces everything of an example by what it computed now.
+    pub fn renew(&mut self, example: &str, now: Self) {
+        let is_of = |name: &String| name.split('/').next() == Some(example);
+        self.figures.retain(|name, _| !is_of(name));
+        self.series.retain(|name, _| !is_of(name));
+        self.extend(now);
+    }
+
     /// Takes up all of another collection.
     pub(crate) fn extend(&mut self, other: Self) {
         self.examples.extend(other.examples);
@@ -239,6 +247,18 @@ mod tests {
             figures: [("a/f".to_owned(), "<svg/>".to_owned())].into(),
             series: [("a/f".to_owned(), "x,y\n".to_owned())].into(),
         }
+    }
+
+    #[test]
+    fn one_example_is_renewed() {
+        let mut data = data();
+        let text = r#"{"a": {"values": {"x": 7}}}"#;
+        let examples = parse_object(Path::new("test"), text).unwrap();
+        let figures = [("a/g".to_owned(), "<svg/>".to_owned())].into();
+        data.renew("a", Data { examples, figures, ..Data::default() });
+        assert_eq!([data.value("a/x"), data.value("b/x")], [Ok(7.0), Ok(3.0)]);
+        assert!(data.figure("a/g").is_ok() && data.figure("a/f").is_err());
+        assert!(data.series.is_empty() && data.options.contains_key("a"));
     }
 
     #[test]

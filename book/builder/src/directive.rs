@@ -22,6 +22,7 @@ use crate::idea;
 use crate::markup::escape;
 use crate::number::{Format, Written};
 use crate::slider;
+use crate::stale::Named;
 use crate::typography;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -168,15 +169,6 @@ fn finding(finding: &Value) -> Result<String, String> {
     Ok(html.replace('|', "&#124;"))
 }
 
-/// The words of a finding without the numbers in brackets behind them, which its comparison repeats.
-fn claim<'a>(words: &'a str, comparison: &str) -> &'a str {
-    let numbers = words.strip_suffix(')').and_then(|words| words.rsplit_once(" ("));
-    match numbers {
-        Some((claim, numbers)) if comparison.starts_with(numbers) => claim,
-        _ => words,
-    }
-}
-
 /// Before the findings that a table leaves out.
 const WITHOUT: &str = "without ";
 
@@ -214,8 +206,9 @@ fn findings(example: &str, without: &str, data: &Data) -> Result<String, String>
     }
     for finding in list.iter().filter(is_left) {
         let [outcome, words, comparison] = parts(finding)?;
-        let [outcome, words, comparison] =
-            [outcome, claim(words, comparison), comparison].map(typography::html);
+        // The comparison beside it has the numbers.
+        let claim = finding.as_object().map_or(words, |finding| Named::of(finding).claim);
+        let [outcome, words, comparison] = [outcome, claim, comparison].map(typography::html);
         let _ = write!(
             html,
             "<tr><td>{outcome}</td><td>{words}</td><td class=\"comparison\">{comparison}</td></tr>"
@@ -325,8 +318,6 @@ mod tests {
             panic!("no finding")
         };
         assert!(failed.contains("<strong class=\"outcome\">fails:</strong> no"), "{failed}");
-        assert_eq!(claim("gamma (of ν) (0.5 ≤ 1)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
-        assert_eq!(claim("gamma (of ν)", "0.5 ≤ 1, Lemma"), "gamma (of ν)");
         assert!(
             matches!(resolve("findings: ex", &sources), Ok(Meaning::Block(h)) if h.contains("2 &gt; 1"))
         );

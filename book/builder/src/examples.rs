@@ -123,16 +123,38 @@ pub fn with_arguments(repository: &Path, run: &Run) -> Result<Data> {
     Ok(data)
 }
 
+/// Builds one example and runs it: what it computed, and its options.
+///
+/// # Errors
+/// As for [`gather`].
+pub fn one(repository: &Path, name: &str) -> Result<Data> {
+    let programs = built(repository, &["--example", name])?;
+    let failed = || Error::Example { name: name.to_owned(), message: "is not there".to_owned() };
+    let program = programs.first().ok_or_else(failed)?;
+    run(name, program, &[], &cache(program))?;
+    write(&cache(program).join("stamp"), stamp(program)?)?;
+    let mut data = Data::default();
+    collect(name, &cache(program), &mut data)?;
+    data.options.insert(name.to_owned(), describe(name, program)?);
+    Ok(data)
+}
+
 /// Builds all examples in release and returns their programs, sorted by name.
 ///
 /// # Errors
 /// [`Error::Example`] when one does not build.
 pub fn build(repository: &Path) -> Result<Vec<PathBuf>> {
+    built(repository, &["--examples"])
+}
+
+/// Builds the examples that these arguments of Cargo name.
+fn built(repository: &Path, which: &[&str]) -> Result<Vec<PathBuf>> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let failed = |message: String| Error::Example { name: "(cargo build)".to_owned(), message };
     let output = Command::new(cargo)
         .current_dir(repository)
-        .args(["build", "--release", "--examples", "--package", "signorini"])
+        .args(["build", "--release", "--package", "signorini"])
+        .args(which)
         .args(["--message-format", "json-render-diagnostics"])
         .stderr(Stdio::inherit())
         .output()

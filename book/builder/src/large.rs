@@ -10,6 +10,7 @@ use crate::data::Data;
 use crate::error::{Error, Fault, Result, read};
 use crate::examples::{self, Run};
 use crate::layout::Layout;
+use crate::stale::Named;
 use serde_json::Value;
 use std::path::Path;
 
@@ -40,6 +41,32 @@ pub fn list(book: &Path) -> Result<Vec<Run>> {
         })
     };
     parsed.as_object().into_iter().flatten().map(run).collect()
+}
+
+/// Words of kept findings that the same example does not say now: names of checks, sources of bounds, roles. `now`
+/// holds the default runs of the examples.
+pub fn other_words(runs: &[Run], kept: &Data, now: &Data) -> Vec<Fault> {
+    let mut found = Vec::new();
+    let findings = |data: &Data, name: &str| -> Vec<Value> {
+        let list = data.examples.get(name).and_then(|outcome| outcome["findings"].as_array());
+        list.cloned().unwrap_or_default()
+    };
+    let said = |finding: &Value| {
+        let named = finding.as_object().map(Named::of);
+        named.map(|named| [named.claim, named.source].map(str::to_owned))
+    };
+    for run in runs.iter().filter(|run| now.examples.contains_key(&run.example)) {
+        let now = findings(now, &run.example);
+        for old in findings(kept, &run.name) {
+            let same = |new: &&Value| said(new) == said(&old) && new["role"] == old["role"];
+            if !now.iter().any(|new| same(&new)) {
+                let what = format!("{} does not say so now: `cargo book large`", run.example);
+                let file = Path::new("book/generated/large/values.json");
+                found.push(Fault::new(file, 1, what, said(&old).unwrap_or_default().join(": ")));
+            }
+        }
+    }
+    found
 }
 
 /// Runs that were not made with the arguments of the file, and outcomes of none.
@@ -87,6 +114,30 @@ pub fn renew(layout: &Layout, name: &str) -> Result<Data> {
 mod tests {
     use super::*;
     use crate::error::write;
+
+    #[test]
+    fn words_of_a_large_run_are_those_of_its_example() {
+        let run = |name: &str, source: &str| {
+            let comparison = format!("0.1 ≤ 1, {source}");
+            let mut data = Data::default();
+            data.examples.insert(
+                name.into(),
+                serde_json::json!({"findings": [{"words": "order (0.1 ≤ 1)", "comparison": comparison}]}),
+            );
+            data
+        };
+        let text = |name: &str| name.to_owned();
+        let runs = [Run {
+            name: text("fine"),
+            example: text("ex"),
+            arguments: text(""),
+            takes: text("hours"),
+        }];
+        let kept = run("fine", "(3.1)");
+        assert_eq!(other_words(&runs, &kept, &run("ex", "(3.1)")), []);
+        let found = other_words(&runs, &kept, &run("ex", "Theorem 3.1"));
+        assert!(found.len() == 1 && found[0].to_string().contains("order: (3.1)"), "{found:?}");
+    }
 
     #[test]
     fn arguments_that_changed_and_outcomes_of_no_run_are_faults() {

@@ -52,8 +52,10 @@ use std::path::PathBuf;
 /// Those of [`Data::read`]; [`error::Error::Faults`] where a large run was made with other arguments.
 pub fn committed(layout: &Layout) -> Result<Data> {
     let large = Data::read(&layout.large())?;
-    none_of(large::faults(&large::list(&layout.book)?, &large))?;
+    let runs = large::list(&layout.book)?;
+    none_of(large::faults(&runs, &large))?;
     let mut data = Data::read(&layout.generated())?;
+    none_of(large::other_words(&runs, &large, &data))?;
     data.extend(large);
     Ok(data)
 }

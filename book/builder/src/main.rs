@@ -1,6 +1,6 @@
 //! `cargo book`: runs the examples, writes `book/generated`, builds the pages. `cargo book build`: builds the pages
 //! from the committed data. `cargo book labels`: writes the tables made from `labels.toml` and the list of chapters in
-//! `src/book.rs`, and nothing else. `cargo book large NAME`: makes a run of `large.toml` and keeps what it computed.
+//! `src/book.rs`, and nothing else. `cargo book only NAME`: as `cargo book`, but of the examples runs this one. `cargo book large NAME`: makes a run of `large.toml` and keeps what it computed.
 //! `cargo book course`: writes slides and sheets of the course next to the pages.
 //! `cargo book serve [--port P]`: builds the pages and the examples, and serves the book on a loopback address.
 //! `cargo book check`: runs the examples and fails where the committed data or a page is not right.
@@ -12,21 +12,23 @@ use book_builder::{
     Layout, build, check_fresh, check_pages, committed, examples, labels, large, shown, slides,
     stale, tables,
 };
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::{Command, ExitCode};
 
 /// Where the book is served unless said otherwise.
 const PORT: u16 = 8012;
-const USAGE: &str =
-    "usage: cargo book [build | check | course | labels | large NAME | serve [--port P]]";
+const USAGE: &str = "usage: cargo book [build | check | course | labels | large NAME | only NAME | serve [--port P]]";
 
 fn main() -> ExitCode {
-    let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    // Of the repository in which Cargo runs it, which may be a copy of the one that it was built in.
+    let here = std::env::var_os("CARGO_MANIFEST_DIR").map(|here| PathBuf::from(here).join("../.."));
+    let repository = here.unwrap_or_default();
     let layout = Layout::of(&repository.canonicalize().unwrap_or(repository));
     let words: Vec<String> = std::env::args().skip(1).collect();
     let words: Vec<&str> = words.iter().map(String::as_str).collect();
     let done = match words.as_slice() {
-        [] => renew(&layout),
+        [] => renew(&layout, None),
+        ["only", name] => renew(&layout, Some(name)),
         ["build"] => committed(&layout).and_then(|data| build(&layout, &data)),
         ["check"] => check(&layout),
         ["serve"] => serve(&layout, PORT),
@@ -82,9 +84,18 @@ fn said(done: Result<PathBuf>) -> ExitCode {
     }
 }
 
-fn renew(layout: &Layout) -> Result<PathBuf> {
+/// Of all examples, or with what is known of all others but one.
+fn renew(layout: &Layout, only: Option<&str>) -> Result<PathBuf> {
     let known = Data::read(&layout.generated()).unwrap_or_default();
-    let data = shown(layout, examples::gather(&layout.repository, &known)?)?;
+    let computed = match only {
+        None => examples::gather(&layout.repository, &known)?,
+        Some(name) => {
+            let mut all = known.clone();
+            all.renew(name, examples::one(&layout.repository, name)?);
+            all
+        }
+    };
+    let data = shown(layout, computed)?;
     stale::kept(&known, data).write(&layout.generated())?;
     tables::renew(&labels::list(&layout.repository)?, &layout.repository)?;
     build(layout, &committed(layout)?)

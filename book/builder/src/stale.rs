@@ -125,8 +125,8 @@ fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, Str
         (Value::Object(a), Value::Object(b))
             if a.contains_key("finding") && b.contains_key("finding") =>
         {
-            // Words and comparison repeat the number, as far as it has digits.
-            for key in ["finding", "outcome", "role", "bound", "value"] {
+            // Words and comparison repeat numbers with fewer digits; what else they say is compared.
+            for key in ["finding", "outcome", "role", "relation", "bound", "value"] {
                 let is_timed = matches!(key, "outcome" | "bound" | "value")
                     && a["finding"].as_str().is_some_and(is_timed);
                 let entry = |map: &serde_json::Map<String, Value>| {
@@ -134,6 +134,15 @@ fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, Str
                 };
                 if !is_timed {
                     difference(&format!("{path}/{key}"), &entry(a), &entry(b), found);
+                }
+            }
+            let (old, new) = (Named::of(a), Named::of(b));
+            for (key, old, new) in
+                [("words", old.claim, new.claim), ("comparison", old.source, new.source)]
+            {
+                if old != new {
+                    let what = format!("committed \"{old}\", computed \"{new}\"");
+                    found.push((format!("{path}/{key}"), what));
                 }
             }
         }
@@ -154,6 +163,30 @@ fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, Str
         }
         (a, b) if a == b => {}
         _ => differs(),
+    }
+}
+
+/// What a finding says without its numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Named<'a> {
+    /// The name of the check: the words without the numbers in brackets behind them.
+    pub claim: &'a str,
+    /// Where the bound is from, or for what the corrected form is true: what the comparison says behind its numbers.
+    pub source: &'a str,
+}
+
+impl<'a> Named<'a> {
+    /// The words of a finding of `values.json`; empty where it has none.
+    pub fn of(finding: &'a serde_json::Map<String, Value>) -> Self {
+        let text = |key: &str| finding.get(key).and_then(Value::as_str).unwrap_or("");
+        let (words, comparison) = (text("words"), text("comparison"));
+        let source = comparison.split_once(", ").map_or("", |(_, source)| source);
+        let numbers = words.strip_suffix(')').and_then(|words| words.rsplit_once(" ("));
+        let claim = match numbers {
+            Some((claim, numbers)) if comparison.starts_with(numbers) => claim,
+            _ => words,
+        };
+        Self { claim, source }
     }
 }
 

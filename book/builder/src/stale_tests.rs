@@ -55,3 +55,38 @@ fn a_finding_about_seconds_may_turn_on_a_busy_machine_and_no_other() {
     assert_eq!(found.len(), 2, "{found:?}");
     assert!(found.iter().any(|s| s.entry == "ex/findings/0/outcome"), "{found:?}");
 }
+
+/// Another name of a check, source of a bound, range of a corrected form or status is stale; digits are not.
+#[test]
+fn words_of_findings_are_compared() {
+    const FINDING: &str = r#"{"ex": {"verdict": "false as printed", "findings": [
+        {"finding": "limit", "outcome": "fails", "role": "printed", "relation": "at most", "value": 0.29156402,
+         "bound": 0, "words": "(5.2): limit γ₁ (as θ → 1) (0.29156 > 0)", "comparison": "0.29156 > 0, for θ ≤ 1/2"}]}}"#;
+    let old = data(FINDING, "<svg/>");
+    let differences = |from: &str, to: &str| {
+        assert!(FINDING.contains(from), "{from}");
+        compare(&old, &data(&FINDING.replace(from, to), "<svg/>"))
+    };
+    for (from, to, entry) in [
+        ("for θ ≤ 1/2", "for θ ≤ 1/3", "ex/findings/0/comparison"),
+        ("for θ ≤ 1/2", "limit of C ln(1/θ)", "ex/findings/0/comparison"),
+        (", for θ ≤ 1/2", "", "ex/findings/0/comparison"),
+        ("(as θ → 1)", "(as θ → 0)", "ex/findings/0/words"),
+        ("limit γ₁", "limit γ", "ex/findings/0/words"),
+        ("at most", "at least", "ex/findings/0/relation"),
+        ("false as printed", "not sharp", "ex/verdict"),
+    ] {
+        let found = differences(from, to);
+        assert!(found.len() == 1 && found[0].entry == entry, "{from} -> {to}: {found:?}");
+        let renewed = data(&FINDING.replace(from, to), "<svg/>");
+        assert_eq!(kept(&old, renewed.clone()), renewed, "{from} -> {to}");
+    }
+    assert_eq!(differences("0.29156 > 0", "0.29157 > 0"), []);
+    let entry = old.examples["ex"]["findings"][0].as_object().unwrap();
+    let named = Named { claim: "(5.2): limit γ₁ (as θ → 1)", source: "for θ ≤ 1/2" };
+    assert_eq!(Named::of(entry), named);
+    // Brackets that are no numbers belong to the name.
+    let text = r#"{"words": "gamma (of ν)", "comparison": "0.5 ≤ 1, Lemma 5.2, (5.1)"}"#;
+    let entry = crate::data::parse_object(Path::new("test"), text).unwrap();
+    assert_eq!(Named::of(&entry), Named { claim: "gamma (of ν)", source: "Lemma 5.2, (5.1)" });
+}

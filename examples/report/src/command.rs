@@ -19,11 +19,17 @@ pub fn main<P: Declarations, T>(run: fn(&P, &mut Report) -> Result<T>) -> ExitCo
         Ok(matches) => matches,
         Err(error) => return usage(&error),
     };
-    if matches.get_flag("describe") {
+    let given = |name: &str| matches.get_one::<String>(name);
+    let options = P::read(&|name, _| match matches.try_get_one::<bool>(name) {
+        Ok(flag) => flag.map_or(String::new(), ToString::to_string),
+        Err(_) => given(name).cloned().unwrap_or_default(),
+    });
+    // Behind the options: what they say is read, so that a command is checked without a computation.
+    if options.is_ok() && matches.get_flag("describe") {
         let _ = writeln!(std::io::stdout(), "{}", describe::<P>());
         return ExitCode::SUCCESS;
     }
-    match answer(&matches, run) {
+    match options.and_then(|options| answer(&matches, &options, run)) {
         Ok(outcome) => ExitCode::from(outcome.exit_code()),
         Err(error) => {
             eprintln!("error: {error}");
@@ -34,20 +40,17 @@ pub fn main<P: Declarations, T>(run: fn(&P, &mut Report) -> Result<T>) -> ExitCo
 
 fn answer<P: Declarations, T>(
     matches: &ArgMatches,
+    options: &P,
     run: fn(&P, &mut Report) -> Result<T>,
 ) -> Result<Outcome> {
     let given = |name: &str| matches.get_one::<String>(name);
-    let options = P::read(&|name, _| match matches.try_get_one::<bool>(name) {
-        Ok(flag) => flag.map_or(String::new(), ToString::to_string),
-        Err(_) => given(name).cloned().unwrap_or_default(),
-    })?;
     let values = given("values").map(Path::new);
     values.map_or(Ok(()), require_writable)?;
     let directory = given("out").map(Path::new);
     directory.map_or(Ok(()), require_writable_directory)?;
     let mut report = Report::of::<P>();
     report.draws = directory.is_some();
-    with_clock(|| run(&options, &mut report))?;
+    with_clock(|| run(options, &mut report))?;
     let mut outcome = report.close();
     match given("fault").map(String::as_str) {
         Some("every") => outcome.turns()?,

@@ -20,7 +20,7 @@ use crate::error::{Error, Result};
 use crate::mesh::{Part, Point, Triangulation, distance};
 use crate::problems::TransitionPowers;
 use fractional_sobolev::{Rule, gauss_legendre};
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::Complex;
 use std::f64::consts::PI;
 use std::fmt;
 

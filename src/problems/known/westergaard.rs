@@ -18,7 +18,7 @@ use crate::error::{Error, Result};
 use crate::fem::Lame;
 use crate::mesh::{Point, SideParts, mapped_grid};
 use fractional_sobolev::{Estimate, Tolerance, Work};
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::Complex;
 use std::fmt;
 
 /// Numbers of points along each side of a triangle for seminorms, graded toward the transitions; tried in turn until

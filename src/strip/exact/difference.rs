@@ -10,7 +10,7 @@
 //! changes the energy norm of the difference by at most η (γ max S)^(1/2) ‖g‖₂, the norm of the extended nodal
 //! values. Cost per coarse edge: O(N) with one product per mode, and a transform of the coarse length.
 
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::Complex;
 use std::f64::consts::PI;
 
 /// 1/sin²(πk/P), k = 1 ... P/2, of a fine edge.

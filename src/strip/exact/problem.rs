@@ -28,7 +28,7 @@ use crate::strip::sides::LateralCondition;
 use crate::strip::solver::solution::EdgeSolution;
 use crate::strip::transfer::restrict;
 use fractional_sobolev::{Estimate, Work};
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::Complex;
 use std::f64::consts::PI;
 use std::fmt;
 use std::str::FromStr;

@@ -16,8 +16,7 @@ use crate::error::{Error, Result};
 use crate::numeric::check::{require_length, require_values};
 use crate::numeric::sum::pairwise_sum;
 use crate::strip::sides::LateralCondition;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::{Complex, Planner};
 use std::fmt;
 
 /// A symmetric positive definite translation-invariant operator A on the contact edge, given by its symbol S(θ).
@@ -82,7 +81,7 @@ impl EdgeOperator {
             sides,
             norm: symbol.iter().fold(0.0, |m: f64, &s| m.max(s)),
             symbol: symbol.to_vec(),
-            fourier: RealFourier::new(&mut RealFftPlanner::new(), period),
+            fourier: RealFourier::new(&mut Planner::default(), period),
         })
     }
 

@@ -15,9 +15,9 @@ use crate::error::Result;
 use crate::fem::Lame;
 use crate::numeric::check::require_finite;
 use crate::strip::sides::LateralCondition;
+use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
 use rayon::prelude::*;
-use realfft::num_complex::Complex;
 use std::f64::consts::PI;
 
 /// The entries of a Hermitian 2 × 2 matrix over (u_x, u_y).

@@ -4,8 +4,9 @@
 //! the plan, so this cannot happen; it would be reported as an error.
 
 use crate::error::{Error, Result};
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, FftError, RealFftPlanner, RealToComplex};
+use fractional_sobolev_numeric::transforms::{
+    Complex, ComplexToReal, FftError, Planner, RealToComplex,
+};
 use std::sync::Arc;
 
 /// Plans of the transform of length P and of its inverse (unnormalised: P times the inverse).
@@ -24,11 +25,8 @@ pub(crate) struct Workspace {
 }
 
 impl RealFourier {
-    pub(crate) fn new(planner: &mut RealFftPlanner<f64>, period: usize) -> Self {
-        Self {
-            forward: planner.plan_fft_forward(period),
-            backward: planner.plan_fft_inverse(period),
-        }
+    pub(crate) fn new(planner: &mut Planner, period: usize) -> Self {
+        Self { forward: planner.forward(period), backward: planner.inverse(period) }
     }
 
     pub(crate) fn workspace(&self) -> Workspace {

@@ -17,7 +17,7 @@ use super::load::load_rows;
 use crate::error::Result;
 use crate::numeric::check::require_finite;
 use crate::strip::sides::LateralCondition;
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::Complex;
 use std::f64::consts::PI;
 
 /// The edge load and constant of the load ∫ f_h v, f_h the nodal interpolant of f, by the consistent P1 mass matrix.

@@ -24,8 +24,8 @@
 
 use crate::fem::Lame;
 use crate::numeric::real::Real;
+use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
-use realfft::num_complex::Complex;
 
 /// sin²(θ/2) and sin θ: the parameters of a layer.
 #[derive(Debug, Clone, Copy)]

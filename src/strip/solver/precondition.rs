@@ -13,8 +13,7 @@ use crate::error::Result;
 use crate::strip::operator::edge::EdgeOperator;
 use crate::strip::operator::fourier::{RealFourier, Workspace};
 use crate::strip::sides::LateralCondition;
-use realfft::RealFftPlanner;
-use realfft::num_complex::Complex;
+use fractional_sobolev_numeric::transforms::{Complex, Planner};
 use std::collections::HashMap;
 
 struct GapPlan {
@@ -26,7 +25,7 @@ struct GapPlan {
 /// Plans and buffers, kept over all steps on one edge.
 pub(crate) struct Preconditioner<'a> {
     operator: &'a EdgeOperator,
-    planner: RealFftPlanner<f64>,
+    planner: Planner,
     plans: HashMap<usize, GapPlan>,
     work: Workspace,
 }
@@ -35,7 +34,7 @@ impl<'a> Preconditioner<'a> {
     pub(crate) fn new(operator: &'a EdgeOperator) -> Self {
         Self {
             operator,
-            planner: RealFftPlanner::new(),
+            planner: Planner::default(),
             plans: HashMap::new(),
             work: Workspace::default(),
         }
@@ -112,7 +111,7 @@ impl<'a> Preconditioner<'a> {
 }
 
 impl GapPlan {
-    fn new(operator: &EdgeOperator, planner: &mut RealFftPlanner<f64>, half: usize) -> Self {
+    fn new(operator: &EdgeOperator, planner: &mut Planner, half: usize) -> Self {
         let symbol = operator.symbol();
         let last = symbol.len() - 1;
         let factor = (0..=half)

@@ -34,10 +34,10 @@ pub fn compare(
     answer: &Answer,
     solution: &ContactSolution,
 ) -> Result<bool, String> {
-    let (s, m) = (solution, solution.margins);
+    let (s, m) = (solution, solution.margins());
     let numbers = [
-        s.force_scale,
-        s.displacement_scale,
+        s.force_scale(),
+        s.displacement_scale(),
         s.energy,
         s.energy_rounding,
         s.contact_force,
@@ -62,11 +62,11 @@ pub fn compare(
     let most = largest(answer.multiplier.iter().map(|l| l.0));
     let energy_norm = (answer.energy_size + most * lengths(program, answer)).sqrt();
     let by = ROUNDINGS * f64::EPSILON;
-    let iterated = match solution.solver {
+    let iterated = match solution.solver() {
         Solver::ActiveSet => 0.0,
         // What balance it says it left, relative to its force scale.
         _ => {
-            let left = solution.kkt.balance * solution.force_scale;
+            let left = solution.kkt.balance * solution.force_scale();
             ITERATED * energy_norm + program.energy_of_residual(left)
         }
     };

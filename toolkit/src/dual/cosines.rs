@@ -17,8 +17,7 @@ use crate::error::{Error, Result};
 use crate::numeric::parallel;
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
-use realfft::num_complex::Complex;
-use realfft::{RealFftPlanner, RealToComplex};
+use fractional_sobolev_numeric::transforms::{Complex, Planner, RealToComplex};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -116,7 +115,7 @@ pub(super) struct Cosines {
 
 impl Cosines {
     pub(super) fn new(cells: usize, order: Order) -> Self {
-        let forward = RealFftPlanner::new().plan_fft_forward(2 * cells);
+        let forward = Planner::default().forward(2 * cells);
         let (spectrum, scratch) = (forward.make_output_vec(), forward.make_scratch_vec());
         let exponent = 2.0 * order.value();
         let scale = (2.0 * PI * cells as f64).powf(exponent);

@@ -1,8 +1,9 @@
 //! Products with symmetric circulants, by one real Fourier transform.
 
 use crate::error::{Error, Result};
-use realfft::num_complex::Complex;
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use fractional_sobolev_numeric::transforms::{
+    Complex, ComplexToReal, FftError, Planner, RealToComplex,
+};
 use std::sync::{Arc, Mutex};
 
 /// A symmetric circulant in which a symmetric Toeplitz matrix is embedded.
@@ -26,12 +27,12 @@ impl Circulant {
     /// The circulant for the symmetric Toeplitz matrix with the given first column.
     pub(crate) fn new(column: &[f64]) -> Result<Self> {
         let length = smooth_length(2 * column.len());
-        let mut planner = RealFftPlanner::new();
+        let mut planner = Planner::default();
         let symbol = eigenvalues(column, length)?.iter().map(|s| s / length as f64).collect();
         Ok(Self {
             symbol,
-            forward: planner.plan_fft_forward(length),
-            inverse: planner.plan_fft_inverse(length),
+            forward: planner.forward(length),
+            inverse: planner.inverse(length),
             workspaces: Mutex::new(Vec::new()),
         })
     }
@@ -72,7 +73,7 @@ fn eigenvalues(column: &[f64], length: usize) -> Result<Vec<f64>> {
             circulant[length - k] = entry;
         }
     }
-    let forward = RealFftPlanner::new().plan_fft_forward(length);
+    let forward = Planner::default().forward(length);
     let mut symbol = forward.make_output_vec();
     forward.process(&mut circulant, &mut symbol).map_err(fourier)?;
     // Symmetric, hence real: imaginary parts are rounding.
@@ -88,7 +89,7 @@ fn smooth_length(n: usize) -> usize {
 
 /// The error of a transform: buffers of a wrong length (impossible, since the plans allocate them) or values
 /// that are not finite.
-fn fourier(error: realfft::FftError) -> Error {
+fn fourier(error: FftError) -> Error {
     Error::Solver { reason: format!("Fourier transform: {error}") }
 }
 
