@@ -4,6 +4,7 @@ use super::bracket::bracket;
 use super::constant::gamma;
 use super::constraint::Constraint;
 use super::mellin::end_limit;
+use super::slopes::kernel::exp_quotient;
 use super::uniform::UniformLaw;
 use super::zones::Zones;
 use crate::Order;
@@ -33,7 +34,8 @@ const NEAR_HALF: f64 = 0.1;
 /// E the zone: with its representer r in the inner product ⟨·, ·⟩ of |·|_s, γ² = λ solves λ = N² + ‖r‖₀²/λ +
 /// ⟨T²r, r⟩/λ² + ... (T the operator of ‖·‖₀² on functions of mean zero). For 0.4 ≤ s < 1/2, and for s > 1/2
 /// if γ₀ cannot be computed in binary64, the same expansion is used with L replaced by (θ^{2s−1} − 1)/(1 −
-/// 2s) and A by A(s) = (1 − 2s) B(s)², continued analytically to s > 1/2.
+/// 2s) and A by A(s) = (1 − 2s) B(s)², continued analytically to s > 1/2. In the interior only the leading term of it
+/// is known: it is used at these orders, with a remainder that decreases like 1/L relative to the constant.
 ///
 /// ```
 /// use fractional_sobolev::{Constraint, gamma, law};
@@ -58,15 +60,15 @@ pub fn law(s: impl Given<Order>, place: f64, tolerance: impl Given<Tolerance>) -
             Ok(limit) => Form::Constant(limit),
             // so close to 1/2 that the point is out of reach of f64
             Err(Error::ToleranceNotMet { .. }) if at_end => uniform()?,
-            Err(Error::ToleranceNotMet { .. }) => Form::Unknown,
+            Err(Error::ToleranceNotMet { .. }) => Form::Leading(interior_slope(order)?),
             Err(error) => return Err(error),
         }
     } else {
         match at_end {
             true if order.offset() < -NEAR_HALF => Form::Power(end_limit(order, tolerance)?),
             true => uniform()?,
-            false if order.is_below_half() => Form::Power(interior_limit(order)?),
-            false => Form::Unknown,
+            false if order.offset() < -NEAR_HALF => Form::Power(interior_limit(order)?),
+            false => Form::Leading(interior_slope(order)?),
         }
     };
     let expansion = match &form {
@@ -101,8 +103,8 @@ enum Form {
     Constant(Estimate),
     /// The law through s = 1/2.
     Uniform(Box<UniformLaw>),
-    /// A zone in the interior and s at or near 1/2: no expansion is known.
-    Unknown,
+    /// A zone in the interior and s at or near 1/2: the slope A of γ² ~ A (θ^{2s−1} − 1)/(1 − 2s).
+    Leading(Estimate),
 }
 
 impl Law {
@@ -123,9 +125,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1, or nearly 1 where the expansion for s near 1/2 has no value, and
-    /// for a zone in the interior of (0,1) with s = 1/2 (or slightly above), where only γ² ~ L/(2π²) is known; those
-    /// of [`gamma`].
+    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1, or nearly 1 where the expansion at an end for s near 1/2 has no
+    /// value; those of [`gamma`].
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         let value = self.leading(theta)?;
         let remainders = parallel::over(&self.starts(theta), |&start| {
@@ -149,9 +150,11 @@ impl Law {
             Form::Power(factor) => factor.times(theta.powf(self.order.offset())),
             Form::Constant(limit) => Ok(*limit),
             Form::Uniform(law) => law.gamma(theta),
-            Form::Unknown => Err(self.no_formula(
-                "the set of orders with a known law for a zone in the interior of (0, 1)",
-            )),
+            Form::Leading(slope) => {
+                Error::require("theta", theta, "(0, 1)", theta > 0.0 && theta < 1.0)?;
+                let growth = exp_quotient(self.order.one_minus_twice(), -theta.ln());
+                slope.times(growth)?.sqrt()
+            }
         }
     }
 
@@ -159,7 +162,7 @@ impl Law {
     fn starts(&self, theta: f64) -> Vec<f64> {
         let last = 1.0 - theta;
         if self.is_at_end() {
-            return vec![if self.place == 0.0 { 0.0 } else { last }];
+            return vec![0.0]; // (1 − θ, 1) by reflection, where 1 − θ would be rounded
         }
         let (low, high) = ((self.place - theta).max(0.0), self.place.min(last));
         let mut starts = vec![low, (0.5 * last).clamp(low.min(high), high), high];
@@ -194,7 +197,10 @@ impl Law {
     pub fn factor(&self) -> Result<Estimate> {
         match &self.form {
             Form::Power(factor) | Form::Constant(factor) => Ok(*factor),
-            _ if self.order.is_below_half() => end_limit(self.order, self.tolerance),
+            _ if self.order.is_below_half() && self.is_at_end() => {
+                end_limit(self.order, self.tolerance)
+            }
+            _ if self.order.is_below_half() => interior_limit(self.order),
             _ => Err(self.no_formula(
                 "(0, 1/2) and the orders above 1/2 for which the constant for u = 0 at a point is computable",
             )),
@@ -242,4 +248,14 @@ fn interior_limit(order: Order) -> Result<Estimate> {
     let tangent = 1.0 / (PI * -order.offset()).tan();
     let limit = (tangent / (2.0 * PI * (1.0 + 2.0 * order.value()))).sqrt();
     Estimate::new(limit, CLOSED_FORM * limit, Work { points: 1, ..Work::default() })
+}
+
+/// The slope A of γ² with respect to (θ^{2ν−1} − 1)/(1 − 2ν) for a zone in the interior of (0,1), analytic at ν = 1/2:
+/// A = (1 − 2ν) tan(πν) / (2π(1+2ν)), 1/(2π²) at ν = 1/2.
+fn interior_slope(order: Order) -> Result<Estimate> {
+    let p = order.one_minus_twice();
+    // tan(πν) = cot(πp/2)
+    let product = if p == 0.0 { 2.0 / PI } else { p / (0.5 * PI * p).tan() };
+    let slope = product / (2.0 * PI * (1.0 + 2.0 * order.value()));
+    Estimate::new(slope, CLOSED_FORM * slope, Work { points: 1, ..Work::default() })
 }

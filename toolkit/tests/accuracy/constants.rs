@@ -53,6 +53,22 @@ fn a_law_states_its_remainder() {
     }
 }
 
+/// In the interior the slope of γ² is that of 1/(2π²) ln(1/θ), through ν = 1/2; at the right end the zone is that of the
+/// left end, where 1 − θ is rounded.
+#[test]
+fn laws_inside_pass_through_one_half_and_those_of_both_ends_agree() {
+    let theta = 1e-100;
+    let at = |order: Order, place: f64| law(order, place, 1e-6).unwrap().at(theta).unwrap();
+    let slope = (-f64::ln(theta)).sqrt() / (2f64.sqrt() * std::f64::consts::PI);
+    for offset in [-1e-9, 0.0, 1e-9] {
+        let found = at(Order::half_plus(offset).unwrap(), 0.5);
+        assert!((found.value / slope - 1.0).abs() < 1e-6, "{offset}: {found:?}");
+        assert!(found.relative_error() < 0.1, "{offset}: {found:?}");
+        let [left, right] = [0.0, 1.0].map(|end| at(Order::half_plus(offset).unwrap(), end));
+        assert_eq!(left, right, "{offset}");
+    }
+}
+
 #[test]
 fn random_laws_enclose_the_constant_at_every_order_length_and_place() {
     let (mut random, mut answered) = (seeded(6), 0);
@@ -83,6 +99,8 @@ fn random_laws_enclose_the_constant_at_every_order_length_and_place() {
         // any zone whose closure contains the place
         let (low, high) = ((place - theta).max(0.0), f64::min(place, 1.0 - theta));
         let start = (low + (high - low).max(0.0) * random.uniform()).min(1.0 - theta);
+        // at the right end by reflection: 1 − θ is rounded
+        let start = if place == 1.0 { 0.0 } else { start };
         let found = constant(order, start, theta);
         let apart = (by_law.value - found.value).abs();
         assert!(
@@ -90,6 +108,7 @@ fn random_laws_enclose_the_constant_at_every_order_length_and_place() {
             "{order:?} {place} {theta} {start}: {by_law:?} {found:?}"
         );
     }
-    // Refused: orders at or barely above 1/2 with a zone in the interior, of which the law is not known.
-    assert!(10 * answered >= 7 * cases(2000), "{answered} answered");
+    // Refused: zones of more than 0.85 at an end, where the expansion near 1/2 has no value.
+    println!("{answered} answered of {}", cases(2000));
+    assert!(20 * answered >= 19 * cases(2000), "{answered} answered");
 }
