@@ -1,7 +1,8 @@
 //! Jumps and kinks of a function inside a cell, located by bisection.
 //!
-//! A jump: of two halves the one with the larger difference of end values is kept. The difference of a smooth
-//! function is halved in every step, that of a jump stays. It ends at two neighbouring numbers.
+//! A jump: of eight parts, and then of two halves at a time, the one with the larger difference of end values is kept.
+//! The difference of a smooth function is halved in every step, that of a jump stays. It ends at two neighbouring
+//! numbers.
 //!
 //! A kink: of three halves (left, middle, right) the one with the largest second difference is kept. It falls like h²
 //! for a smooth function, like h for a kink. The lines through two points on either side of it meet in the kink, up to
@@ -11,6 +12,8 @@ use crate::error::Result;
 
 /// Steps after which the differences are compared.
 const STEPS: [usize; 2] = [6, 12];
+/// Parts of which the one with a jump is kept first: in an eighth a smooth part of the function varies less.
+const PARTS: usize = 8;
 /// Largest number of bisections.
 const MOST: usize = 1100;
 /// Ratio of differences six steps apart that a jump does not fall below.
@@ -59,7 +62,13 @@ fn jump(
     u: &impl Fn(f64) -> Result<f64>,
     same: &impl Fn(f64, f64) -> bool,
 ) -> Result<Option<Edge>> {
-    let (mut a, mut b) = ((near, u(near)?), (far, u(far)?));
+    let part = (far - near) / PARTS as f64;
+    let place = |k: usize| if k == PARTS { far } else { near + part * k as f64 };
+    let points: Vec<(f64, f64)> =
+        (0..=PARTS).map(|k| Ok((place(k), u(place(k))?))).collect::<Result<_>>()?;
+    let apart = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1).abs();
+    let largest = points.windows(2).max_by(|p, q| apart(p[0], p[1]).total_cmp(&apart(q[0], q[1])));
+    let Some(&[mut a, mut b]) = largest else { return Ok(None) };
     let (mut before, mut size) = (f64::INFINITY, 0.0_f64);
     for step in 0..MOST {
         let middle = 0.5 * (a.0 + b.0);
@@ -68,21 +77,19 @@ fn jump(
         }
         let m = (middle, u(middle)?);
         size = size.max(m.1.abs());
-        if (m.1 - a.1).abs() >= (b.1 - m.1).abs() {
+        if apart(a, m) >= apart(m, b) {
             b = m
         } else {
             a = m
         }
-        let apart = (b.1 - a.1).abs();
         if step + 1 == STEPS[0] {
-            before = apart;
+            before = apart(a, b);
         }
-        if step + 1 >= STEPS[1] && apart < STAYS * before {
+        if step + 1 >= STEPS[1] && apart(a, b) < STAYS * before {
             return Ok(None);
         }
     }
-    let apart = (b.1 - a.1).abs();
-    let found = apart >= STAYS * before && apart > NOISE * size;
+    let found = apart(a, b) >= STAYS * before && apart(a, b) > NOISE * size;
     Ok(found.then_some(Edge::Jump { below: a.0, above: b.0 }))
 }
 
