@@ -285,7 +285,8 @@ static FILES: LazyLock<Vec<PathBuf>> = LazyLock::new(|| {
         for entry in std::fs::read_dir(Path::new(ROOT).join(&directory)).unwrap() {
             let entry = entry.unwrap();
             let path = directory.join(entry.file_name());
-            if WRITTEN.iter().any(|written| path == Path::new(written)) {
+            let is_cache = entry.file_name().to_string_lossy().contains("cache");
+            if is_cache || WRITTEN.iter().any(|written| path == Path::new(written)) {
                 continue;
             }
             let kind = entry.file_type().unwrap();
@@ -361,7 +362,8 @@ fn unknown_option(code: &str, text: &str) -> Option<String> {
             let output = program(name).arg("--help").output().unwrap();
             (name.clone(), String::from_utf8_lossy(&output.stdout).into_owned())
         };
-        names().par_iter().map(help).collect()
+        // In turn: a thread that waits here for others would take a task that waits for this list.
+        names().iter().map(help).collect()
     });
     let option = code.split([' ', '=']).next().unwrap_or("");
     let is_letter = |c: char| c.is_alphanumeric() || c == '_' || c == '-';

@@ -15,7 +15,7 @@ fn the_norm_has_its_closed_form_and_its_limits() {
         let found =
             example::outcome(&example::Options { squares, s, ..Default::default() }).unwrap();
         assert!(
-            found.status() == Verdict::True && found.checks().len() == 9,
+            found.status() == Verdict::True && found.checks().len() == 10,
             "{}",
             found.text(false)
         );
