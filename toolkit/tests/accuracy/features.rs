@@ -9,6 +9,7 @@ use fractional_sobolev::{DualOf, Error, Estimate, Function, Mesh, Order, Result,
 struct Feature {
     what: String,
     ends: [f64; 2],
+    width: f64,
     /// breakpoints of the feature
     inner: Vec<f64>,
     jumps: bool,
@@ -53,7 +54,7 @@ fn feature(random: &mut SplitMix) -> Feature {
     let what = format!(
         "{name} of width {width:e} and height {height} at {centre} on ({left}, {left} + {length}) beside {beside}"
     );
-    Feature { what, ends: [left, left + length], inner, jumps: kind == 1, f }
+    Feature { what, ends: [left, left + length], width, inner, jumps: kind == 1, f }
 }
 
 /// The quantity and the value with the given breakpoints.
@@ -79,7 +80,12 @@ fn undeclared(random: &mut SplitMix, kind: usize) -> Case {
         let breaks: Vec<f64> =
             std::iter::once(left).chain(u.inner.iter().copied()).chain([right]).collect();
         let declared = Function::from_fn(&breaks, &u.f).unwrap();
-        let Ok(exact) = verb(kind % 8, order, &declared, asked) else { continue };
+        let Ok(mut exact) = verb(kind % 8, order, &declared, asked) else { continue };
+        if kind >= 8 {
+            // In `shifted` left + x is rounded, and with it the width of the feature.
+            let rounding = f64::EPSILON * (left.abs() + right.abs());
+            exact.error += exact.value.abs() * rounding / u.width;
+        }
         // zeros of u and of its derivative are declared for other exponents
         if kind % 8 == 1 && u.what.ends_with('3') {
             continue;
