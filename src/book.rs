@@ -54,6 +54,7 @@ chapters! {
     your_own_body: "your_own_body.md",
     section_2_strip: "section_2_strip.md",
     toolkit: "toolkit.md",
+    resolved_once: "resolved_once.md",
     from_python: "from_python.md",
     section_1_norms_in_the_plane: "section_1_norms_in_the_plane.md",
     fractional_laplacian: "fractional_laplacian.md",
