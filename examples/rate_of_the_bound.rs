@@ -23,22 +23,22 @@
 //! F(p) = P² + (n/2) Σ sinh η tanh nη s_k²,    cosh η = 2 − cos(kπ/n)    (nothing given on top).
 //! ```
 //!
-//! Midpoint cone (means of u^h over segments ≤ 0): with the values M at the nodes of the averages of
-//! the means on both sides (at an end the mean itself), w' = u^h − M on Γ_C, discrete harmonic,
+//! Midpoint cone (means of u^h over segments ≤ 0): with the values M at the nodes of the averages
+//! of the means on both sides (at an end the mean itself), w' = u^h − M on Γ_C, discrete harmonic,
 //!
 //! ```text
 //! ‖∇(u − u^h)‖² ≤ 2 (J(u^h) − J*(q)) + ‖∇w'‖² + 2 ∫ p w'.
 //! ```
 //!
-//! u is chosen on N = 32·2^finest segments, with its σ, and gives G (example `section_2_strip`): both
-//! of regularity τ, so that the theorem of the page `rate_of_the_bound` has the order τ − 1. Twelve
-//! data sets: one transition (root of the mean square over eight positions), Cantor sets that keep
-//! two pieces of 3/10, fat Cantor sets.
+//! u is chosen on N = 32·2^finest segments, with its σ, and gives G (example `section_2_strip`):
+//! both of regularity τ, so that the theorem of the page `rate_of_the_bound` has the order τ − 1.
+//! Twelve data sets: one transition (root of the mean square over eight positions), Cantor sets
+//! that keep two pieces of 3/10, fat Cantor sets.
 //!
-//! Orders by the first and the last mesh, n = 8 and 2^finest; ±: the difference between the orders of
-//! the coarser and of the finer half. Refuted if a bound is below the error, whose square is a finite
-//! sum, or if the order of the bound with its ± is below both τ − 1 and the order of the error: on these
-//! meshes the error itself, and any bound, may not yet have the order of the limit.
+//! Orders by the first and the last mesh, n = 8 and 2^finest; ±: the difference between the orders
+//! of the coarser and of the finer half. Refuted if a bound is below the error, whose square is a
+//! finite sum, or if the order of the bound with its ± is below both τ − 1 and the order of the
+//! error: on these meshes the error itself, and any bound, may not yet have the order of the limit.
 
 use example_report::prelude::*;
 use nalgebra::{DMatrix, DVector};

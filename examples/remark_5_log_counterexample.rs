@@ -23,8 +23,8 @@
 //!
 //! Refuted if |w| n/|u| exceeds 1 (by more than 0.1 %, the interpolation); if q exceeds γ, or is
 //! off `by_definition` by 0.3 %; if q falls between the last two L for any α; if γ grows
-//! there like another power of L than 1/2 ± 0.02; or if the slope of q² over L for α = 1 is off
-//! 3/(2π²) by more than 0.001.
+//! there like another power of L than 1/2 ± 0.02; or if for α = 1 the slope of q² over L, between
+//! the last two L as well, is off 3/(2π²) by more than 0.001.
 //! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_5_log_counterexample -- --alpha 0.49 --log 8,32`
@@ -124,9 +124,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 claim.whole_error_bars_at_most(printed, 1.0, "with seminorms");
             }
         }
-        if let [.., long, short] = logs.as_slice() {
-            // Exponent of L in q between the last two L, for this α; of all α the smallest is
-            // shown.
+        if let [.., smaller, larger] = logs.as_slice() {
+            // Exponent of L in q between the last two L, for this α: ln(q₂/q₁)/ln(L₂/L₁), and
+            // (q₂² − q₁²)/(L₂ − L₁) for the slope. The rows hold q without its ±, so both have
+            // none. Of all α the smallest exponent is shown.
             let growth = out.exponent("log", "quotient");
             let claim = out.check("exponent of L in q, minimum over α");
             claim.whole_error_bars_at_least(growth, 0.0, "0 if q were bounded");
@@ -137,7 +138,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             if alpha == options.alpha[0] {
                 let [.., a, b] = constants.as_slice() else { continue };
-                let power = (*b / *a).ln() / (short / long).ln();
+                let power = (*b / *a).ln() / (larger / smaller).ln();
                 let claim = out.check("exponent of L in γ");
                 claim.whole_error_bars_differ_by_at_most(power, 0.5, 0.02, "γ² ~ 3L/(2π²)");
             }

@@ -33,8 +33,8 @@
 //!
 //! φ in the reduced Hsieh-Clough-Tocher space on the same triangles: C¹, cubic on each third of a
 //! triangle, ∂φ/∂n linear along edges, so that q_N = φ_ss is linear and q_T constant on an edge.
-//! The first term carries the load: ∂_y (y cos πx) = −f_y; its traction is zero on the bottom and on
-//! the sides. So the conditions on q are conditions on φ alone:
+//! The first term carries the load: ∂_y (y cos πx) = −f_y; its traction is zero on the bottom and
+//! on the sides. So the conditions on q are conditions on φ alone:
 //!
 //! ```text
 //! sides x = 0, 1:   φ_yy = φ_xy = 0      φ is affine and φ_x constant along each side
@@ -44,19 +44,21 @@
 //! ```
 //!
 //! φ = 0 satisfies them and gives by hand J*(q) = −½ · 3/8 · ∫ y² cos² πx = −1/32; the best φ has a
-//! larger J*. It is computed as six stresses on each triangle, with multipliers on the edges for equal
-//! tractions of neighbours: the same minimum. J has the load ∫ f·v by 4 × 4 points a triangle.
+//! larger J*. It is computed as six stresses on each triangle, with multipliers on the edges for
+//! equal tractions of neighbours: the same minimum. J has the load ∫ f·v by 4 × 4 points a
+//! triangle.
 //!
-//! The paper bounds ‖u − u^h‖ by C h^p with an unknown C (Theorem 3.1); here every mesh has a number.
-//! The columns are J*(q) (`dual_energy`), J(v) (`energy.upper`), and
+//! The paper bounds ‖u − u^h‖ by C h^p with an unknown C (Theorem 3.1); here every mesh has a
+//! number. The columns are J*(q) (`dual_energy`), J(v) (`energy.upper`), and
 //!
 //! ```text
 //! bound² = Σ_triangles ∫ (σ(v) − q) : 𝒜⁻¹(σ(v) − q) + 2 Σ_segments ∫ q_N v_N            (`shares`)
 //! ```
 //!
-//! by quadrature: a sum of terms ≥ 0, not a difference of energies; what rounding may have changed is
-//! added to J(v) and to the bound. In the nodal cone v = u^h. In the midpoint cone u^h_N > 0 occurs;
-//! then v is u^h less a correction that ends this, and the bound of |||u − u^h||| has its norm beside.
+//! by quadrature: a sum of terms ≥ 0, not a difference of energies; what rounding may have changed
+//! is added to J(v) and to the bound. In the nodal cone v = u^h. In the midpoint cone u^h_N > 0
+//! occurs; then v is u^h less a correction that ends this, and the bound of |||u − u^h||| has its
+//! norm beside.
 //!
 //! The error is measured as the distance |||u' − u^h||| to the solution u' on squares 8 times finer
 //! than the finest row; it uses no stress q. The claim is refuted if a bound is below that
