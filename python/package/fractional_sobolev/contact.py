@@ -293,7 +293,8 @@ def solve(
         edges.update((tuple(sorted(edge)), name) for edge in _chosen(given, nodes, outer, listed))
     for edge in map(tuple, outer.tolist()):
         edges.setdefault(edge, "free")
-    groups_of = [edges[edge] for edge in map(tuple, outer.tolist())]
+    # A group that was given is named, also if its edges turn out to lie inside the body: the solver says so.
+    groups_of = [edges[edge] for edge in map(tuple, outer.tolist())] + list(groups or {})
     _require_part("clamped", ("clamped", "fixed", "dirichlet"), groups_of, displacement, "displacement={'NAME': (0, 0)}")
     _require_part("in contact", ("contact",), groups_of, gap, "gap={'NAME': 0}")
     if regions is not None:
