@@ -123,7 +123,7 @@ impl Constants {
                 // less accurate than asked for: its error is added
                 Err(error) => error.best().ok_or(error)?,
             };
-        let segment = product_constant(order, asked)?.value;
+        let segment = product_constant(order, asked)?.best.constant;
         let distance =
             projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?
                 .constant;

@@ -207,7 +207,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.proof("consistency term ≤ bound on every segment", "segment_constants");
     // One segment: the maximum over the length of the gap, both factors dual norms (page
     // `segment_constants`); ± of the library.
-    let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
+    let kappa = Measured::from(consistency_constant(nu, 1e-9)?.best.constant);
     out.check("κ/c₂, one gap at an end").whole_error_bars_at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {

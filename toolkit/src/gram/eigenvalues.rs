@@ -14,10 +14,11 @@ use super::{GramOperator, Spectral};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
-use crate::numeric::block_iteration::{Pencil, smallest};
+use crate::numeric::block_iteration::{Count, Pencil, smallest};
 use crate::numeric::dense::symmetric_eigen;
 use crate::numeric::sum::pairwise_dot;
 use nalgebra::DMatrix;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 /// Number of vectors in a block.
@@ -45,8 +46,17 @@ const INVERSE: usize = 6;
 /// Rounding error of xᵀA x, in units of ε Σ a_ii x_i².
 const ROUNDING: f64 = 16.0;
 
+/// Largest number of basis functions for which eigenvalues are counted, and the size of an eigenvalue of the matrix
+/// scaled to a diagonal of 1, per row, whose sign rounding may decide.
+const COUNTED: usize = 128;
+const UNDECIDED: f64 = 1e-12;
+
 struct Small<'a> {
     operator: &'a GramOperator,
+    /// A and M as dense matrices, for counts
+    dense: &'a dyn Fn() -> Result<DMatrix<f64>>,
+    matrices: OnceCell<[DMatrix<f64>; 2]>,
+    has_constants: bool,
     spectral: &'a Spectral,
     mass: Network,
     mass_factor: Tridiagonal,
@@ -73,6 +83,33 @@ impl Pencil for Small<'_> {
 
     fn is_separated(&self) -> bool {
         true
+    }
+
+    /// By the signs of the eigenvalues of D (A − σ M) D, D² the inverse of the diagonal of A + σ M.
+    fn counted_below(&self, sigma: f64) -> Result<Count> {
+        let n = self.operator.dimension();
+        if n > COUNTED {
+            return Ok(Count::TooLarge);
+        }
+        if self.matrices.get().is_none() {
+            let mut mass = DMatrix::zeros(n, n);
+            for j in 0..n {
+                let unit: Vec<f64> = (0..n).map(|i| f64::from(i == j)).collect();
+                mass.column_mut(j).copy_from_slice(&self.mass.times(&unit));
+            }
+            let _ = self.matrices.set([(self.dense)()?, mass]);
+        }
+        let Some([a, m]) = self.matrices.get() else { return Ok(Count::TooLarge) };
+        let unit = |i: usize| (a[(i, i)] + sigma * m[(i, i)]).sqrt().recip();
+        let scaled = DMatrix::from_fn(n, n, |i, j| {
+            (a[(i, j)] * unit(i)) * unit(j) - (sigma * m[(i, j)] * unit(i)) * unit(j)
+        });
+        let Some((values, _)) = symmetric_eigen(&scaled) else { return Ok(Count::Undecided) };
+        if values.iter().any(|value| value.abs() <= UNDECIDED * n as f64) {
+            return Ok(Count::Undecided);
+        }
+        let below = values.iter().filter(|value| **value < 0.0).count();
+        Ok(Count::Exact(below.saturating_sub(usize::from(self.has_constants))))
     }
 
     fn rounding(&self, x: &[f64]) -> f64 {
@@ -108,22 +145,35 @@ impl Pencil for Large<'_> {
         false
     }
 
+    fn counted_below(&self, _: f64) -> Result<Count> {
+        Ok(Count::Undecided)
+    }
+
     fn rounding(&self, x: &[f64]) -> f64 {
         self.small.rounding(x)
     }
 }
 
-/// The smallest positive and the largest eigenvalue.
+/// The smallest positive and the largest eigenvalue; `dense` is A as a dense matrix.
 pub(crate) fn extreme_eigenvalues(
     operator: &GramOperator,
     spectral: &Spectral,
+    dense: &dyn Fn() -> Result<DMatrix<f64>>,
     mesh: &Mesh,
     basis: Basis,
     tolerance: Tolerance,
 ) -> Result<[Estimate; 2]> {
     let count = basis.count(mesh);
     let mass = Network::new(mesh, basis, 0.0, 1.0);
-    let small = Small { operator, spectral, mass_factor: mass.factor(), mass };
+    let small = Small {
+        operator,
+        dense,
+        matrices: OnceCell::new(),
+        has_constants: basis != Basis::InnerHats,
+        spectral,
+        mass_factor: mass.factor(),
+        mass,
+    };
     let waves = (1..=BLOCK.min(count)).map(|k| wave(mesh, basis, k));
     let start = waves
         .map(|mut x| {

@@ -5,7 +5,12 @@
 //! On very unequal elements the quotients of these directions differ by many orders of magnitude. The smallest Ritz values of a
 //! positive definite form are therefore computed from its inverse, after a scaling of all directions to energy 1:
 //! their errors are those of rounding relative to themselves, not to the largest Ritz value (Demmel & Veselić, SIAM J.
-//! Matrix Anal. Appl. 13 (1992) 1204-1245). Images are computed anew before a value is accepted.
+//! Matrix Anal. Appl. 13 (1992) 1204-1245). Images are computed anew before a value is returned, which is then the
+//! Rayleigh quotient of its vector.
+//!
+//! A residual of size r bounds the distance of θ_0 to the spectrum by r, and by r²/(σ − θ_0) if no other eigenvalue
+//! lies below σ. Ritz values lie *above* the eigenvalues, by any amount for a vector that the block has not found, so
+//! that they are no such σ: the eigenvalues below σ are counted where the pencil can do so.
 
 use super::dense::symmetric_eigen;
 use super::sum::pairwise_dot;
@@ -26,13 +31,32 @@ pub(crate) trait Pencil {
     fn mass(&self, x: &[f64]) -> Vec<f64>;
     /// The preconditioner applied to a residual.
     fn precondition(&self, r: &[f64]) -> Vec<f64>;
-    /// True if the smallest eigenvalues are so well separated that the Ritz values give their gaps.
+    /// True if the smallest eigenvalues are so well separated that gaps improve the bounds.
     fn is_separated(&self) -> bool;
+    /// The number of positive eigenvalues below σ.
+    ///
+    /// # Errors
+    /// Those of the matrix.
+    fn counted_below(&self, sigma: f64) -> Result<Count>;
     /// The product M⁻¹ r.
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
     /// A bound of the rounding error of xᵀA x.
     fn rounding(&self, x: &[f64]) -> f64;
 }
+
+/// The number of positive eigenvalues below a value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Count {
+    /// By the inertia of A − σ M.
+    Exact(usize),
+    /// An eigenvalue is so close to σ that rounding decides.
+    Undecided,
+    /// The matrix is too large to be factorized for a count.
+    TooLarge,
+}
+
+/// σ − θ_0 as a share of the next Ritz value minus θ_0, where the eigenvalues below σ are counted.
+const SHARES: [f64; 2] = [0.9, 0.5];
 
 /// A vector with its images under A and M.
 #[derive(Clone)]
@@ -83,9 +107,10 @@ pub(crate) struct Smallest {
 /// The smallest eigenvalue from a block of start vectors, when the error is below `tolerance` times the value
 /// or the number of steps is reached.
 ///
-/// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(θ_k − θ_0 − ‖R_k‖), where R_k are the
-/// residuals of the first k Ritz vectors in the norm of M⁻¹ and θ_j the Ritz values: there is an eigenvalue within
-/// ‖R_1‖. The rounding error of the quotient is added.
+/// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(σ − θ_0 − ‖R_k‖), where R_k are the
+/// residuals of the first k Ritz vectors in the norm of M⁻¹ and σ has k eigenvalues below: there is an eigenvalue
+/// within ‖R_1‖. The rounding error of the quotient is added. During the iteration, and where eigenvalues are not
+/// counted, σ is the next Ritz value minus the size of its own residual.
 pub(crate) fn smallest(
     pencil: &impl Pencil,
     start: Vec<Vec<f64>>,
@@ -115,28 +140,64 @@ pub(crate) fn smallest(
             block[j].a.iter().zip(&block[j].m).map(|(a, m)| a - values[j] * m).collect()
         };
         let residuals: Vec<Vec<f64>> = (0..kept).map(residual).collect();
-        let (mut error, mut squares) = (f64::INFINITY, 0.0);
-        for (k, r) in residuals.iter().enumerate() {
-            squares += pairwise_dot(r, &pencil.mass_inverse(r)).max(0.0);
-            let size = f64::sqrt(squares);
-            let gap = values.get(k + 1).map_or(0.0, |next| next - values[0] - size);
-            error = f64::min(
-                error,
-                if pencil.is_separated() && gap > size { squares / gap } else { size },
-            );
-        }
-        if error <= tolerance * values[0].abs() || steps == most {
-            if is_renewed || steps == most {
-                let error = error + pencil.rounding(&block[0].x);
-                return Ok(Some(Smallest { value: values[0], error, steps }));
+        let squares: Vec<f64> =
+            residuals.iter().map(|r| pairwise_dot(r, &pencil.mass_inverse(r)).max(0.0)).collect();
+        // The error by gaps, for those k whose σ is known; by residuals alone without one.
+        let bound = |sigma: &mut dyn FnMut(usize) -> Result<Option<f64>>| -> Result<f64> {
+            let (mut error, mut sum) = (f64::INFINITY, 0.0);
+            for (k, square) in squares.iter().enumerate() {
+                sum += square;
+                let size = f64::sqrt(sum);
+                error = error.min(size);
+                let gap = sigma(k)?.map_or(0.0, |sigma| sigma - values[0] - size);
+                if gap > size {
+                    error = error.min(sum / gap);
+                }
             }
-            let mut renewed = Vec::with_capacity(block.len());
-            for one in block {
-                renewed.extend(one.renewed(pencil)?);
+            Ok(error)
+        };
+        let by_ritz = |k: usize| {
+            let own = squares.get(k + 1).copied()?;
+            pencil.is_separated().then(|| values[k + 1] - own.sqrt())
+        };
+        let error = bound(&mut |k| Ok(by_ritz(k)))?;
+        if error <= tolerance * values[0].abs() || steps >= most {
+            if is_renewed {
+                let first = &block[0];
+                let value = pairwise_dot(&first.x, &first.a) / pairwise_dot(&first.x, &first.m);
+                let error = bound(&mut |k| {
+                    let Some(next) = values.get(k + 1).filter(|_| pencil.is_separated()) else {
+                        return Ok(None);
+                    };
+                    for share in SHARES {
+                        let sigma = values[0] + share * (next - values[0]);
+                        match pencil.counted_below(sigma)? {
+                            Count::Exact(count) if count == k + 1 => return Ok(Some(sigma)),
+                            Count::TooLarge => return Ok(by_ritz(k)),
+                            Count::Exact(_) | Count::Undecided => {}
+                        }
+                    }
+                    Ok(None)
+                })?;
+                if error <= tolerance * value.abs() || steps >= most {
+                    let error = error + pencil.rounding(&first.x);
+                    return Ok(Some(Smallest { value, error, steps }));
+                }
             }
-            (block, is_renewed) = (renewed, true);
-            directions.clear();
-            continue;
+            if !is_renewed {
+                let mut renewed = Vec::with_capacity(block.len());
+                for one in block {
+                    renewed.extend(one.renewed(pencil)?);
+                }
+                (block, is_renewed) = (renewed, true);
+                directions.clear();
+                continue;
+            }
+            // An eigenvector below σ is missing in the block: a vector with a share of all of them.
+            let load: Vec<f64> = (0..block[0].x.len())
+                .map(|i| ((1.7 * i as f64 + 0.9 * steps as f64).cos() + 0.3) * block[0].m[i].abs())
+                .collect();
+            directions.extend(Imaged::new(pencil, pencil.precondition(&load))?);
         }
         is_renewed = false;
         for r in &residuals {
