@@ -10,6 +10,8 @@ use crate::root::accept;
 
 /// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
+/// Number of points per degree between which extrema are sought.
+const SAMPLES: usize = 12;
 /// Rounding error of a compensated mean, relative to the mean of the sizes of the pieces.
 const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -91,7 +93,14 @@ impl PiecewisePolynomial {
         for piece in self.pieces() {
             largest = largest.max(piece.left.abs()).max(piece.right.abs());
         }
-        for piece in self.pieces().iter().filter(|piece| !piece.bubbles.is_empty()) {
+        let inside = self.pieces().iter().filter(|piece| !piece.bubbles.is_empty());
+        let mut bounds: Vec<(f64, &Piece)> = inside.map(|piece| (piece.size(), piece)).collect();
+        bounds.sort_by(|a, b| b.0.total_cmp(&a.0));
+        for (bound, piece) in bounds {
+            // A piece is no larger than its bound, and all that follow have smaller ones.
+            if bound <= largest {
+                break;
+            }
             let (value, uncertainty) = largest_inside(piece);
             largest = largest.max(value);
             error = error.max(uncertainty);
@@ -154,16 +163,18 @@ impl PowerIntegral<'_> {
 /// The maximum of |u| in the interior and its uncertainty: the zeros of u' are located by sign changes on a
 /// fine grid and bisection.
 fn largest_inside(piece: &Piece) -> (f64, f64) {
-    // A polynomial of degree n has its extrema at least ~1/n² apart unless they cancel.
+    // A polynomial of degree n in t = (1 − cos φ)/2 is a cosine series of n terms: its extrema are at least ~1/n apart in
+    // φ unless they cancel.
     let degree = piece.bubbles.len() + 1;
-    let samples = 8 * degree * degree;
+    let samples = SAMPLES * degree;
     let mut largest = 0.0f64;
-    let slope_at = |k: usize| piece.slope(k as f64 / samples as f64);
-    for k in 0..samples {
-        let (low, high) = (k as f64 / samples as f64, (k + 1) as f64 / samples as f64);
+    let place = |k: usize| (0.5 * std::f64::consts::PI * k as f64 / samples as f64).sin().powi(2);
+    let (mut high, mut after) = (0.0, piece.slope(0.0));
+    for k in 1..=samples {
+        let (low, rising) = (high, after);
+        (high, after) = (place(k), piece.slope(place(k)));
         largest = largest.max(piece.value(low).abs());
-        let rising = slope_at(k);
-        if rising * slope_at(k + 1) < 0.0 {
+        if rising * after < 0.0 {
             let turn = sign_change(low, high, 1e-9, |t| piece.slope(t) * rising <= 0.0).0;
             largest = largest.max(piece.value(turn).abs());
         }

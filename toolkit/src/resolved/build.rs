@@ -23,6 +23,11 @@ const NEXT_TO: f64 = 1.0 / 16.0 * f64::EPSILON;
 const FIRST: usize = 4;
 /// Relative rounding error of values.
 const FLOOR: f64 = 64.0 * f64::EPSILON;
+/// Rounding of a coordinate in ulps, of the place of a kink and of the values beside it.
+const STAIRS: f64 = 4.0;
+/// Number of cells on either side whose slopes count, and their least length in units of this rounding.
+const NEARBY: usize = 3;
+const LONG: f64 = 64.0;
 /// Message: more halvings than asked for.
 const DEEP: &str = "the function is singular at a breakpoint";
 /// Message: too many cells.
@@ -74,6 +79,7 @@ impl Resolved {
                 open.push(base);
             }
             let slack = slack_of(&side[0], arm);
+            join_along(&mut side, arm, normal.coordinate_if_seen(arm.anchor).abs());
             if arm.sign < 0.0 {
                 side.reverse();
             }
@@ -108,6 +114,46 @@ fn join(cells: &mut [Cell], at: usize, is_middle: bool, slack: [f64; 2]) {
         };
         cells[at - 1].piece.right = limit;
         cells[at].piece.left = limit;
+    }
+}
+
+/// Neighbouring cells of a side have the same value at their common end if the values differ by no more than the
+/// rounding of x, `coordinate` of which enters u, moves them along the slopes of the cells nearby: a kink is located to
+/// an ulp, and u is a staircase of ulps beside it. The value of the longer cell is taken; the difference is part of the
+/// error of the other.
+fn join_along(side: &mut [Side], arm: &Arm, coordinate: f64) {
+    let outwards = arm.sign > 0.0;
+    for k in 1..side.len() {
+        let [inner, outer] = [&side[k - 1], &side[k]];
+        let (before, after) = match outwards {
+            true => (inner.piece.right, outer.piece.left),
+            false => (inner.piece.left, outer.piece.right),
+        };
+        let apart = (before - after).abs();
+        if apart == 0.0 {
+            continue;
+        }
+        let blur = STAIRS * f64::EPSILON * (coordinate + inner.far);
+        // A cell of a few ulps has no slope.
+        let nearby = side[k.saturating_sub(NEARBY)..(k + NEARBY).min(side.len())].iter();
+        let steep = nearby
+            .filter(|cell| cell.far - cell.near > LONG * blur)
+            .map(|cell| (cell.piece.right - cell.piece.left).abs() / (cell.far - cell.near))
+            .fold(0.0, f64::max);
+        let size = inner.piece.size().max(outer.piece.size());
+        if apart > FLOOR * size + 2.0 * blur * steep {
+            continue;
+        }
+        let is_inner_longer = inner.far - inner.near >= outer.far - outer.near;
+        let (limit, other) = if is_inner_longer { (before, k) } else { (after, k - 1) };
+        let cell = &mut side[other];
+        cell.off += apart;
+        // the end at which the other cell meets the longer one
+        if is_inner_longer == outwards {
+            cell.piece.left = limit;
+        } else {
+            cell.piece.right = limit;
+        }
     }
 }
 

@@ -182,7 +182,7 @@ fn smallest_by_factors(form: &Gram, mesh: &Mesh) -> Result<f64> {
 
 #[test]
 fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
-    let mut random = SplitMix::new(51);
+    let mut random = crate::hard::seeded(51);
     let (mut tried, mut refused) = (0, 0);
     for _ in 0..crate::hard::cases(2400) {
         let count = 4 + random.below(6);
@@ -203,7 +203,15 @@ fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
         };
         tried += 1;
         let low = match form.extreme_eigenvalues() {
-            Ok([low, _]) => low,
+            Ok([low, high]) => {
+                let largest = dense_eigenvalues(&form)?[form.len() - 1];
+                let apart = (high.value - largest).abs();
+                assert!(
+                    apart <= high.error + 1e-11 * largest,
+                    "{lengths:?} {form:?}: {high}, {largest}"
+                );
+                low
+            }
             Err(error) => {
                 refused += 1;
                 // The best value may be that of the largest eigenvalue.
@@ -216,6 +224,56 @@ fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
         let apart = (low.value - exact).abs();
         assert!(apart <= low.error + 1e-11 * exact, "{lengths:?} {form:?}: {low}, {exact}");
     }
+    println!("smallest eigenvalues: {tried} tried, {refused} refused");
     assert!(10 * refused <= tried, "{refused} of {tried} refused");
+    Ok(())
+}
+
+/// The second eigenvalue is 3.99e9, of which a block of three vectors once saw only the third one, 2.0e10.
+#[test]
+fn an_eigenvalue_that_the_block_has_not_seen_is_counted() -> Result<()> {
+    let lengths = [
+        5.618_374_335_365_645e-11,
+        1.583_047_592_573_932_2e-10,
+        1.899_398_179_693_843e-5,
+        7.846_720_297_350_06e-11,
+        0.061_493_194_174_350_44,
+    ];
+    // 60 digits
+    let exact = 197_036.563_664_394_57;
+    for asked in [1e-10, 1e-8, 1e-6] {
+        let form =
+            Gram::constants(&Mesh::from_lengths(&lengths)?, 0.433_917_194_934_909_27, asked)?;
+        let [low, _] = form.extreme_eigenvalues()?;
+        assert!((low.value - exact).abs() <= low.error, "{asked:e}: {low}");
+    }
+    Ok(())
+}
+
+/// More functions than eigenvalues are counted for.
+#[test]
+fn smallest_eigenvalues_of_many_unequal_elements() -> Result<()> {
+    let mut random = crate::hard::seeded(52);
+    let mut refused = 0;
+    let tried = crate::hard::cases(200);
+    for _ in 0..tried {
+        let count = 129 + random.below(60);
+        let decades = random.between(0.5, 12.0);
+        let lengths: Vec<f64> =
+            (0..count).map(|_| 10f64.powf(-decades * random.uniform())).collect();
+        let mesh = Mesh::from_lengths(&lengths)?;
+        let s = random.between(0.02, 0.48);
+        let form = Gram::constants(&mesh, s, 1e-9)?;
+        let exact = smallest_by_elimination(&form, &mesh)?;
+        match form.extreme_eigenvalues() {
+            Ok([low, _]) => {
+                let apart = (low.value - exact).abs();
+                assert!(apart <= low.error + 1e-11 * exact, "{s} {lengths:?}: {low}, {exact}");
+            }
+            Err(_) => refused += 1,
+        }
+    }
+    println!("many unequal elements: {tried} tried, {refused} refused");
+    assert!(4 * refused <= tried, "{refused} of {tried} refused");
     Ok(())
 }
