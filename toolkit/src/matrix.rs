@@ -289,8 +289,8 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis functions;
-    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value;
-    /// [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
+    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value, without one if a larger
+    /// eigenvalue than the one found is counted; [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
         if self.len() < 4 {

@@ -40,6 +40,11 @@ const TAKEN: usize = 6;
 /// Smallest share of a product that a new direction of a window has.
 const NEW: f64 = 1e-8;
 
+/// Relative distance above the largest eigenvalue found at which eigenvalues are counted, and the message if there are
+/// more.
+const ABOVE_LARGEST: f64 = 1e-9;
+const LARGER: &str = "the block iteration converged to an eigenvalue that is not the largest one";
+
 /// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
 
@@ -211,27 +216,39 @@ pub(crate) fn extreme_eigenvalues(
             peaks.push(i);
         }
     }
+    let quotient = |x: &[f64]| -> Result<f64> {
+        Ok(pairwise_dot(x, &small.apply(x)?) / pairwise_dot(x, &small.mass(x)))
+    };
     for peak in peaks {
-        let mut x = vec![0.0; count];
-        for (offset, value) in [(-1, -0.5), (0, 1.0), (1, -0.5)] {
+        let mut unit = vec![0.0; count];
+        unit[peak] = 1.0;
+        let mut x = unit.clone();
+        for offset in [-1, 1] {
             if let Some(x) = peak.checked_add_signed(offset).and_then(|i| x.get_mut(i)) {
-                *x = value;
+                *x = -0.5;
             }
         }
-        start.push(x);
+        // On equal elements the sign alternates; beside a much longer element that one would outweigh the peak.
+        start.push(if quotient(&x)? >= quotient(&unit)? { x } else { unit });
     }
     let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
     for first in [0, WINDOW / 2] {
         for x in vectors_of_windows(&small, count, first)? {
-            windows
-                .push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
+            windows.push((quotient(&x)?, x));
         }
     }
     windows.sort_by(|a, b| b.0.total_cmp(&a.0));
     start.extend(windows.into_iter().take(TAKEN).map(|(_, x)| x));
-    let high =
-        found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
-    Ok([low, high])
+    let large = Large { small, shifted };
+    let high = found(smallest(&large, start, tolerance.relative(), STEPS)?, tolerance)?;
+    let above = high.value * (1.0 + ABOVE_LARGEST) + high.error;
+    let positive = count - usize::from(large.small.has_constants);
+    match large.small.counted_below(above)? {
+        Count::Exact(below) if below < positive => {
+            Err(Error::out_of_reach("eigenvalue", tolerance.relative(), f64::INFINITY, LARGER))
+        }
+        _ => Ok([low, high]),
+    }
 }
 
 /// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.

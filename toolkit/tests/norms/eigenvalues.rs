@@ -250,6 +250,28 @@ fn an_eigenvalue_that_the_block_has_not_seen_is_counted() -> Result<()> {
     Ok(())
 }
 
+/// The shortest element stands beside one a million times as long, which outweighed it in the start vector: the largest
+/// eigenvalue was 1.8e12.
+#[test]
+fn the_largest_eigenvalue_beside_a_long_element() -> Result<()> {
+    let lengths = [
+        6.632_537_977_725_349e-8,
+        0.440_871_814_557_295,
+        0.026_522_258_319_289_973,
+        0.160_476_561_698_425_28,
+        3.400_768_914_401_899e-7,
+        0.269_713_324_858_539_16,
+        9.605_052_640_175_275e-6,
+        9.165_661_417_677_115e-12,
+    ];
+    for s in [0.45, 0.499, 0.499_999] {
+        let form = Gram::constants(&Mesh::from_lengths(&lengths)?, s, 1e-10)?;
+        let (largest, [_, high]) = (dense_eigenvalues(&form)?[7], form.extreme_eigenvalues()?);
+        assert!((high.value - largest).abs() <= high.error + DENSE * largest, "{high}, {largest}");
+    }
+    Ok(())
+}
+
 /// More functions than eigenvalues are counted for.
 #[test]
 fn smallest_eigenvalues_of_many_unequal_elements() -> Result<()> {
