@@ -273,7 +273,7 @@ mod tests {
         for nu in [0.01, 0.5, 0.95] {
             let order = Order::new(nu).unwrap();
             let kappa = consistency_constant(order, ASKED).unwrap();
-            let largest = product_constant(order, ASKED).unwrap().value;
+            let largest = product_constant(order, ASKED).unwrap().best.constant;
             for k in 1..40 {
                 let gap = f64::from(k) / 40.0;
                 let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();
