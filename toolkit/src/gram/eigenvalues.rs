@@ -82,6 +82,10 @@ impl Pencil for Small<'_> {
         out
     }
 
+    fn without_kernel(&self, x: &mut [f64]) {
+        self.spectral.without_constant(x);
+    }
+
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.mass_factor.solve(r)
     }
@@ -141,6 +145,8 @@ impl Pencil for Large<'_> {
     fn precondition(&self, r: &[f64]) -> Vec<f64> {
         self.shifted.solve(r)
     }
+
+    fn without_kernel(&self, _: &mut [f64]) {}
 
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.small.mass_inverse(r)

@@ -17,6 +17,8 @@ use super::sum::pairwise_dot;
 use crate::error::Result;
 use nalgebra::DMatrix;
 
+/// Square of the relative size of a direction without its part in the block that is rounding.
+const ROUNDED: f64 = 1e-26;
 /// Smallest relative size of an independent direction.
 const DEPENDENT: f64 = 1e-11;
 
@@ -29,6 +31,8 @@ pub(crate) trait Pencil {
     fn apply(&self, x: &[f64]) -> Result<Vec<f64>>;
     /// The product M x.
     fn mass(&self, x: &[f64]) -> Vec<f64>;
+    /// Subtracts from x its component in the kernel of A, which is no part of the problem.
+    fn without_kernel(&self, x: &mut [f64]);
     /// The preconditioner applied to a residual.
     fn precondition(&self, r: &[f64]) -> Vec<f64>;
     /// True if the smallest eigenvalues are so well separated that gaps improve the bounds.
@@ -77,9 +81,11 @@ impl Imaged {
         Ok(Some(Self { a: pencil.apply(&x)?, m: m.iter().map(|m| m / size).collect(), x }))
     }
 
-    /// The same vector with images that are not sums of others.
+    /// The same vector with images that are not sums of others, and without what rounding left of the kernel.
     fn renewed(self, pencil: &impl Pencil) -> Result<Option<Self>> {
-        Self::new(pencil, self.x)
+        let mut x = self.x;
+        pencil.without_kernel(&mut x);
+        Self::new(pencil, x)
     }
 
     fn combined(basis: &[Self], weights: impl Fn(usize) -> f64) -> Self {
@@ -139,7 +145,7 @@ pub(crate) fn smallest(
         let residual = |j: usize| -> Vec<f64> {
             block[j].a.iter().zip(&block[j].m).map(|(a, m)| a - values[j] * m).collect()
         };
-        let residuals: Vec<Vec<f64>> = (0..kept).map(residual).collect();
+        let mut residuals: Vec<Vec<f64>> = (0..kept).map(residual).collect();
         let squares: Vec<f64> =
             residuals.iter().map(|r| pairwise_dot(r, &pencil.mass_inverse(r)).max(0.0)).collect();
         // The error by gaps, for those k whose σ is known; by residuals alone without one.
@@ -197,16 +203,21 @@ pub(crate) fn smallest(
             let load: Vec<f64> = (0..block[0].x.len())
                 .map(|i| ((1.7 * i as f64 + 0.9 * steps as f64).cos() + 0.3) * block[0].m[i].abs())
                 .collect();
-            directions.extend(Imaged::new(pencil, pencil.precondition(&load))?);
+            residuals.push(load);
         }
         is_renewed = false;
         for r in &residuals {
             let mut direction = pencil.precondition(r);
+            let before = pairwise_dot(&direction, &pencil.mass(&direction));
             for one in &block {
                 let share = pairwise_dot(&direction, &one.m);
                 direction.iter_mut().zip(&one.x).for_each(|(d, x)| *d -= share * x);
             }
-            directions.extend(Imaged::new(pencil, direction)?);
+            pencil.without_kernel(&mut direction);
+            // What rounding leaves of a direction in the block is mostly a vector of the kernel.
+            if pairwise_dot(&direction, &pencil.mass(&direction)) > ROUNDED * before {
+                directions.extend(Imaged::new(pencil, direction)?);
+            }
         }
         directions.retain_mut(|one| {
             let size = pairwise_dot(&one.x, &one.m).sqrt();

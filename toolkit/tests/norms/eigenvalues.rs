@@ -154,7 +154,8 @@ fn smallest_by_factors(form: &Gram, mesh: &Mesh) -> Result<f64> {
     let (mut a, n) = (form.to_dense()?, form.len());
     let m = form.mass(&vec![1.0; n])?;
     let total: f64 = mesh.lengths().iter().sum();
-    let shift = 1e3 / total.powi(2);
+    // of the size of A: a much larger shift would round it away
+    let shift = a.diagonal().sum() / total.powi(2);
     for i in 0..n {
         for j in 0..n {
             a[(i, j)] += shift * m[i] * m[j];
