@@ -17,6 +17,8 @@ use super::sum::pairwise_dot;
 use crate::error::Result;
 use nalgebra::DMatrix;
 
+/// Number of times eigenvalues are counted before the error is that of the residual alone.
+const COUNTS: usize = 6;
 /// Square of the relative size of a direction without its part in the block that is rounding.
 const ROUNDED: f64 = 1e-26;
 /// Smallest relative size of an independent direction.
@@ -88,7 +90,8 @@ impl Imaged {
         Self::new(pencil, x)
     }
 
-    fn combined(basis: &[Self], weights: impl Fn(usize) -> f64) -> Self {
+    /// A sum of vectors, in which large weights of both signs would leave a vector of the kernel.
+    fn combined(pencil: &impl Pencil, basis: &[Self], weights: impl Fn(usize) -> f64) -> Self {
         let n = basis[0].x.len();
         let mut sum = Self { x: vec![0.0; n], a: vec![0.0; n], m: vec![0.0; n] };
         for (k, one) in basis.iter().enumerate() {
@@ -96,9 +99,10 @@ impl Imaged {
             for i in 0..n {
                 sum.x[i] += weight * one.x[i];
                 sum.a[i] += weight * one.a[i];
-                sum.m[i] += weight * one.m[i];
             }
         }
+        pencil.without_kernel(&mut sum.x);
+        sum.m = pencil.mass(&sum.x);
         sum
     }
 }
@@ -129,7 +133,7 @@ pub(crate) fn smallest(
         block.extend(Imaged::new(pencil, x)?);
     }
     let mut directions: Vec<Imaged> = Vec::new();
-    let mut is_renewed = false;
+    let (mut is_renewed, mut counts) = (false, 0);
     for steps in 0.. {
         let size = block.len();
         let mut basis = std::mem::take(&mut block);
@@ -137,10 +141,11 @@ pub(crate) fn smallest(
         let found = if pencil.is_separated() { ritz_of_inverse(&basis) } else { ritz(&basis) };
         let Some((values, vectors)) = found else { return Ok(None) };
         let kept = wanted.min(values.len());
-        block = (0..kept).map(|j| Imaged::combined(&basis, |k| vectors[(k, j)])).collect();
+        block = (0..kept).map(|j| Imaged::combined(pencil, &basis, |k| vectors[(k, j)])).collect();
         let new = |k: usize, j: usize| if k < size { 0.0 } else { vectors[(k, j)] };
         if basis.len() > size {
-            directions = (0..kept).map(|j| Imaged::combined(&basis, |k| new(k, j))).collect();
+            directions =
+                (0..kept).map(|j| Imaged::combined(pencil, &basis, |k| new(k, j))).collect();
         }
         let residual = |j: usize| -> Vec<f64> {
             block[j].a.iter().zip(&block[j].m).map(|(a, m)| a - values[j] * m).collect()
@@ -169,6 +174,7 @@ pub(crate) fn smallest(
         let error = bound(&mut |k| Ok(by_ritz(k)))?;
         if error <= tolerance * values[0].abs() || steps >= most {
             if is_renewed {
+                counts += 1;
                 let first = &block[0];
                 let value = pairwise_dot(&first.x, &first.a) / pairwise_dot(&first.x, &first.m);
                 let error = bound(&mut |k| {
@@ -185,7 +191,7 @@ pub(crate) fn smallest(
                     }
                     Ok(None)
                 })?;
-                if error <= tolerance * value.abs() || steps >= most {
+                if error <= tolerance * value.abs() || steps >= most || counts == COUNTS {
                     let error = error + pencil.rounding(&first.x);
                     return Ok(Some(Smallest { value, error, steps }));
                 }
