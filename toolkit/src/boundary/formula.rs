@@ -218,7 +218,9 @@ impl<'a> CurveFormula<'a> {
                 break;
             }
         }
-        if (order.is_some() || self.is_slope) && diverges(&squared) {
+        // Noise of values grows with the layers, noise of derivatives does not.
+        let grows = if self.is_slope { 1 } else { 3 };
+        if (order.is_some() || self.is_slope) && diverges(&squared, grows) {
             return Err(Error::InfiniteNorm {
                 order: order.map_or(0.0, Order::value),
                 why: ENDLESS,
@@ -609,11 +611,12 @@ fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
 }
 
 /// True if the increments of the squares for doubled numbers of layers at least double twice in a row: every layer
-/// then contributes as much as the previous one.
-fn diverges(squares: &[f64]) -> bool {
+/// then contributes as much as the previous one. The first increment must exceed a share of one of the four squares, by
+/// its number.
+fn diverges(squares: &[f64], of: usize) -> bool {
     let &[.., a, b, c, d] = squares else { return false };
     let (first, second, third) = (b - a, c - b, d - c);
-    first > GROWTH * d && second >= DOUBLES * first && third >= DOUBLES * second
+    first > GROWTH * [a, b, c, d][of] && second >= DOUBLES * first && third >= DOUBLES * second
 }
 
 impl Pairs<'_> {

@@ -375,16 +375,13 @@ fn formulas_on_polygons_have_derivatives_along_the_boundary() {
         let power = Function::on_polygon(&SQUARE, |[x, y]| shift + x.hypot(y).powf(0.8)).unwrap();
         let exact = slope.norm(0.0, 1e-9).unwrap();
         within(power.seminorm(1.0, asked).unwrap(), exact.value, asked);
-        let exact = slope.seminorm(0.2, 1e-7).unwrap();
-        let found = Estimate::or_best(power.seminorm(1.2, asked)).unwrap();
+        let exact = slope.seminorm(0.2, 1e-3).unwrap();
+        let found = Estimate::or_best(power.seminorm(1.2, 1e-3)).unwrap();
         assert!((found.value - exact.value).abs() <= found.error + exact.error, "{found} {exact}");
     }
     let power = Function::on_polygon(&SQUARE, |[x, y]| x.hypot(y).powf(0.8)).unwrap();
     assert!(matches!(power.seminorm(1.35, 1e-4), Err(Error::InfiniteNorm { .. })));
-    // neither roots nor functions that jump, at a vertex or in the middle of a side, have a derivative in L²
-    let corner = |a: f64| move |[x, y]: [f64; 2]| x.hypot(y).powf(a);
-    let root = Function::on_polygon(&SQUARE, corner(0.4)).unwrap().norm(1.0, 1e-6).unwrap_err();
-    assert!(matches!(root, Error::InfiniteNorm { order: 1.0, .. }), "{root}");
+    // functions that jump, at a vertex or in the middle of a side, have no derivative in L², nor have roots
     let steps: [fn([f64; 2]) -> f64; 2] =
         [|[_, y]| if y == 0.0 { 1.0 } else { 0.0 }, |[x, _]| if x < 0.5 { 1.0 } else { 0.0 }];
     for step in steps {
@@ -395,6 +392,9 @@ fn formulas_on_polygons_have_derivatives_along_the_boundary() {
             );
         }
     }
+    let corner = |a: f64| move |[x, y]: [f64; 2]| x.hypot(y).powf(a);
+    let root = Function::on_polygon(&SQUARE, corner(0.4)).unwrap().norm(1.0, 1e-6).unwrap_err();
+    assert!(matches!(root, Error::InfiniteNorm { order: 1.0, .. }), "{root}");
 }
 
 #[test]
