@@ -216,11 +216,7 @@ fn norms_of_every_kind_of_function() -> Result<()> {
             Function::on_curve(&curve, 1, &ring)?,
             [true, true, true, true, true],
         ),
-        (
-            "a formula on a boundary",
-            Function::on_polygon(&square, |[x, _]| x)?,
-            [true; 5],
-        ),
+        ("a formula on a boundary", Function::on_polygon(&square, |[x, _]| x)?, [true; 5]),
         (
             "values on triangles",
             Function::on_triangles(&plane, 1, &at_corners)?,
