@@ -80,7 +80,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
             // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of ℓ: u ↦ mean on (0, 1) −
             // mean on (0, θ), N² = ℓ·G⁻¹ℓ with the matrix G of |·|²_ν on the space of γ; ±: the
-            // change to the smaller space. The errors of γ, γ₁ and N are carried through the formulas.
+            // change to the smaller space. The formulas carry the errors of γ, γ₁ and N.
             let whole = Measured::from(gamma(nu, Constraint::mean_zero(), 1e-8)?.constant);
             let zone = Constraint::mean_zero_on(0.0..theta);
             let mean = Measured::from(mean_constant(nu, zone, 1e-8)?.constant);
