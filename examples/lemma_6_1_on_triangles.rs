@@ -37,9 +37,9 @@
 //! C² ≤ a²b²c²/(16S²) − (a²+b²+c²)/30 − (S²/5)(1/a²+1/b²+1/c²),   sides a, b, c, area S.
 //! ```
 //!
-//! All these numbers have a ±. A comparison holds if it does on the whole error bar, is refuted if it
-//! fails on the whole of it, and undecided otherwise; also where the bar is so wide that √2 for the
-//! factor at s = 1, or 1 for the factor at s < 1 and for C_h(α)/C_h(60°), would pass as well.
+//! All these numbers have a ±. A comparison holds if it does on the whole error bar, is refuted if
+//! it fails on the whole of it, and undecided otherwise; also where the bar is so wide that √2 for
+//! the factor at s = 1, or 1 for the factor at s < 1 and for C_h(α)/C_h(60°), would pass as well.
 //!
 //! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.9,0.3 --angle 15,90,150`
 
