@@ -39,7 +39,7 @@ use std::f64::consts::PI;
 
 example! { seconds "Beside other programs", "the same work on one machine: seconds, and the error of each";
     /// block: n × n squares
-    n: Vec<usize> = "64,256" in "[2, 512]",
+    n: Vec<usize> = "256,512" in "[2, 512]",
     /// equal elements of the interval
     elements: Vec<usize> = "1024,4096" in "[2, 65536]",
 }
