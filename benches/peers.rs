@@ -79,7 +79,7 @@ fn laplacian() -> Result<(), Box<dyn Error>> {
                 let (energy, name) =
                     (form_constant * energy.value, if graded { "graded" } else { "equal" });
                 println!(
-                    "{s:4}  {n:5}  {name:6}  {prepared:13.3}  {product:9.4}  {solution:10.3}  {energy:.14}  {:10.1e}",
+                    "{s:4}  {n:5}  {name:6}  {prepared:13.3}  {product:9.6}  {solution:10.3}  {energy:.14}  {:10.1e}",
                     1.0 - energy / exact
                 );
             }

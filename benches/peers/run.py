@@ -19,7 +19,6 @@ SCRIPTS = [
     ("contact", "scikit-fem", "scikit-fem", ["contact_scikit_fem.py"]),
     ("contact", "NGSolve", "ngsolve", ["contact_ngsolve.py"]),
     ("laplacian", "NumPy", "numpy", ["laplacian_numpy.py"]),
-    ("laplacian", "PyNucleus", "PyNucleus", ["laplacian_pynucleus.py"]),
     ("seminorm", "SciPy", "scipy", ["seminorm_scipy.py"]),
 ]
 
