@@ -51,9 +51,7 @@ fn contact() -> Result<(), Box<dyn Error>> {
 }
 
 fn laplacian() -> Result<(), Box<dyn Error>> {
-    println!(
-        "\n   s      N  mesh    data s  product s  solution s  energy            rel. error"
-    );
+    println!("\n   s      N  mesh    data s  product s  solution s  energy            rel. error");
     for s in [0.25, 0.5, 0.75] {
         // ∫ u of Getoor's solution u = c (1 − x²)^s: 2^(−2s) π/(Γ(s + 1/2) Γ(s + 3/2)).
         let exact =

@@ -25,10 +25,10 @@
 //! of quadrature in the third.
 //!
 //! Refuted if J by two programs differs by more than 1e-9, relatively, or ∫ u^h on equal elements
-//! by more than 1e-6; if ∫ u^h of this library is above ∫ u by more than 1e-11 of it, since a
-//! minimum over fewer functions is above; or if its seminorm, computed again, is off by more than
-//! its stated error. No check compares seconds. Undecided while a bound lies inside of an error
-//! bar.
+//! by more than 1e-6; if ∫ u^h of this library is above ∫ u by more than 1e-11 of it, since
+//! −½ ∫ u^h is a minimum over fewer functions; or if its seminorm, computed again, is off by more
+//! than its stated error. No check compares seconds. Undecided while a bound lies inside of an
+//! error bar.
 
 use example_report::prelude::*;
 use fractional_sobolev::{Function, Gram, Mesh, closed_forms};
