@@ -41,7 +41,7 @@ mod verbs;
 /// | formula minus values | (−1, 2) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
-/// | formula on a polygon's boundary | \[0, 1) | pairs of elements graded towards the vertices, Gauss rules | 10⁷ to 10⁸ values of the kernel, a second |
+/// | formula on a polygon's boundary | (−1, 2) | pairs of elements graded towards the vertices, Gauss rules; above 1 the derivative of polynomials along the sides; below 0 piecewise linear functions | 10⁷ to 10⁸ values of the kernel, a second |
 /// | sum, product, derivative | (−1, 2) | polynomials on common cells | as values on a mesh |
 /// | values on a curve | (−1, 2) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
@@ -590,6 +590,10 @@ impl<'a> Function<'a> {
             }
             Kind::Resolved(u) => u.dual_norm(of, order, tolerance),
             Kind::Curve(u) => u.dual_norm(of, order, tolerance),
+            Kind::CurveFormula(u) if of == DualOf::Slobodeckij => {
+                u.dual_of_slobodeckij(order, tolerance)
+            }
+            Kind::CurveFormula(_) => Err(self.refused("dual norm of an interpolation space")),
             _ => Err(self.refused("dual norm")),
         }
     }
@@ -657,6 +661,7 @@ impl<'a> Function<'a> {
                 self.gradient.iter().map(|part| part.lp(2.0, tolerance)).collect()
             }
             Kind::Curve(u) => Ok(vec![u.derivative()?.l2_norm()?]),
+            Kind::CurveFormula(u) => Ok(vec![u.derivative().l2_norm(tolerance).map_err(one_more)?]),
             _ if self.is_on_interval() => {
                 Ok(vec![self.slope(1.0, tolerance)?.lp(2.0, tolerance).map_err(one_more)?])
             }
@@ -672,6 +677,10 @@ impl<'a> Function<'a> {
             (Kind::Curve(u), _) => {
                 let slope = u.derivative()?.norm(order, tolerance).map_err(one_more);
                 whole([u.l2_norm(), slope], tolerance)
+            }
+            (Kind::CurveFormula(u), _) => {
+                let slope = u.derivative().norm(order, tolerance).map_err(one_more);
+                whole([u.l2_norm(tolerance), slope], tolerance)
             }
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),
@@ -707,6 +716,7 @@ impl<'a> Function<'a> {
                 root_of_squares(&[x?, y?])
             }
             Kind::Curve(u) => u.derivative()?.seminorm(order, tolerance).map_err(one_more),
+            Kind::CurveFormula(u) => u.derivative().seminorm(order, tolerance).map_err(one_more),
             _ if !self.gradient.is_empty() => {
                 let parts = self.gradient.iter().map(|part| part.seminorm(order, tolerance));
                 root_of_squares(&parts.collect::<Result<Vec<_>>>()?)
@@ -765,7 +775,9 @@ impl<'a> Function<'a> {
                 "norms of order in [0, 1), the L^2 norm; of order below 2 with Function::with_gradient"
             }
             Kind::Curve(_) => "norms of order in (-1, 2), L^q norms",
-            Kind::CurveFormula(_) => "norms of order in [0, 1), the L^2 norm",
+            Kind::CurveFormula(_) => {
+                "norms of order in (-1, 2), the L^2 norm, dual norms of DualOf::Slobodeckij"
+            }
         };
         Error::Incompatible {
             what: "the",

@@ -5,6 +5,7 @@
 //! directions of the sides from the vertex: no digits are lost near a corner of any angle.
 
 use crate::error::{Error, Result};
+use crate::grading::geometric_lengths;
 use crate::mesh::Mesh;
 use crate::numeric::check::{require_entry, require_finite_at, require_length};
 use crate::numeric::scale::unit_of;
@@ -239,6 +240,50 @@ impl Curve {
         }
     }
 
+    /// The point of a side at a distance from its first (0) or its last vertex (1).
+    pub(super) fn place_near(&self, side: usize, end: usize, distance: f64) -> Place {
+        let rest = self.side_length(side) - distance;
+        let [from_start, to_end] = if end == 0 { [distance, rest] } else { [rest, distance] };
+        Place { side, from_start, to_end }
+    }
+
+    /// The curve with the first and the last element of every side graded towards its vertices, with `layers(side)` layers
+    /// of the given ratio at both; every side needs two elements. For every element of the result the one it is part of.
+    pub(super) fn graded_at_vertices(
+        &self,
+        ratio: f64,
+        layers: impl Fn(usize) -> [usize; 2],
+    ) -> Result<(Self, Vec<Part>)> {
+        let (mut sides, mut parts, mut element) = (Vec::new(), Vec::new(), 0);
+        for (k, side) in self.sides.iter().enumerate() {
+            let [first, last] = layers(k);
+            let (old, count) = (side.mesh.lengths(), side.mesh.len());
+            let mut lengths = Vec::with_capacity(count + first + last);
+            for (cell, &h) in old.iter().enumerate() {
+                let (is_first, is_last) = (cell == 0, cell + 1 == count);
+                let mut pieces = match (is_first, is_last) {
+                    (true, _) => geometric_lengths(first, ratio, h)?,
+                    (_, true) => geometric_lengths(last, ratio, h)?,
+                    _ => vec![h],
+                };
+                if is_last && !is_first {
+                    pieces.reverse();
+                }
+                let mut start = 0.0;
+                for (j, piece) in pieces.iter().enumerate() {
+                    let at_vertex =
+                        is_first && j == 0 || is_last && !is_first && j + 1 == pieces.len();
+                    parts.push(Part { element, start, at_vertex });
+                    start += piece;
+                }
+                lengths.extend(pieces);
+                element += 1;
+            }
+            sides.push(Side { mesh: Mesh::from_lengths(&lengths)?, ..side.clone() });
+        }
+        Ok((Self { elements: numbered(&sides), sides, ..self.clone() }, parts))
+    }
+
     /// The coordinates of a point, computed from the nearer end of its side.
     pub(super) fn point(&self, place: Place) -> [f64; 2] {
         let side = &self.sides[place.side];
@@ -258,6 +303,22 @@ impl Curve {
                 vertex.iter().zip(self.sides[side].direction).filter(|(_, slope)| *slope != 0.0);
             f64::EPSILON * varying.fold(0.0, |most: f64, (x, _)| most.max(x.abs()))
         })
+    }
+
+    /// The length of a side.
+    pub(super) fn side_length(&self, side: usize) -> f64 {
+        self.sides[side].mesh.total()
+    }
+
+    /// The distance of a point from the first (0) or the last vertex (1) of its side.
+    pub(super) fn distance_to_vertex(place: Place, end: usize) -> f64 {
+        if end == 0 { place.from_start } else { place.to_end }
+    }
+
+    /// The lengths of the first and the last element of a side.
+    pub(super) fn end_lengths(&self, side: usize) -> [f64; 2] {
+        let lengths = self.sides[side].mesh.lengths();
+        [lengths[0], lengths[lengths.len() - 1]]
     }
 
     /// The relative position of the sides of two elements.
@@ -310,6 +371,14 @@ impl Curve {
     pub(super) fn nodes_of(&self, e: usize) -> [usize; 2] {
         [e, if self.closed { (e + 1) % self.len() } else { e + 1 }]
     }
+}
+
+/// A part of an element: its distance from the start of the element, and whether it begins or ends at a vertex.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Part {
+    pub(super) element: usize,
+    pub(super) start: f64,
+    pub(super) at_vertex: bool,
 }
 
 /// A point of a side by its distances to both ends.

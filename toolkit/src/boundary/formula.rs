@@ -12,6 +12,19 @@
 //!
 //! Where u is smooth except at the vertices, the error decreases exponentially in n and in the number of
 //! layers.
+//!
+//! # The derivative along the boundary
+//!
+//! u′ = du/ds, s the arc length, is that of the polynomials through 2n Gauss points x_i of every element, of length h,
+//!
+//! ```text
+//! h p′(x_i) = Σ_{j≠i} (w_j/w_i) (u_j − u_i) / (x_i − x_j),    w_j barycentric weights,
+//! ```
+//!
+//! and its norms are those above. Values of u with the rounding errors ε change it by 2 (2n)² ε/h (Markov). Next to a
+//! vertex, where differences of u between two layers have no digits, one polynomial therefore serves all layers, and the
+//! derivatives of those through n and through 2n points are compared. A function in H¹ changes by at most √δ ‖u′‖ over a
+//! distance δ: where values on both sides of a vertex, or of the middle of a side, differ by more, u jumps.
 
 use super::curve::{Curve, Relation};
 use super::pairs::{OF_CUT, Part, cut, split};
@@ -41,6 +54,15 @@ const SLOWEST: f64 = 0.95;
 const DOUBLES: f64 = 1.9999;
 /// Share of a square above which its growth is not attributed to rounding.
 const GROWTH: f64 = 1e-6;
+/// Relative size of the differences of u between two layers down to which its derivative has digits.
+const DIGITS: f64 = 1e-7;
+/// Distance from a node at which u is compared on both sides, in units of the element and of the rounding of x.
+const BESIDE: f64 = 1e-12;
+const ROUNDED: f64 = 16.0;
+/// Factor by which such differences exceed those of a function in H¹.
+const JUMP: f64 = 4.0;
+/// Message: the function jumps.
+const JUMPS: &str = "a function that jumps has no derivative in L^2";
 /// Message: the layers at a vertex do not decrease.
 const ENDLESS: &str = "the contributions near a vertex do not decay";
 /// Message: what limits the accuracy.
@@ -50,9 +72,11 @@ const LIMIT: &str = "rules graded towards the vertices do not converge: declare 
 /// A function on the boundary of a polygon.
 pub(crate) struct CurveFormula<'a> {
     /// in units of `unit`, a power of two
-    vertices: Vec<[f64; 2]>,
-    unit: f64,
-    f: Box<dyn Fn([f64; 2]) -> f64 + Sync + 'a>,
+    pub(super) vertices: Vec<[f64; 2]>,
+    pub(super) unit: f64,
+    pub(super) f: Box<dyn Fn([f64; 2]) -> f64 + Sync + 'a>,
+    /// whether it is the derivative of f along the boundary
+    is_slope: bool,
 }
 
 impl std::fmt::Debug for CurveFormula<'_> {
@@ -69,13 +93,25 @@ struct End {
     is_cut: bool,
     /// whether the element begins or ends at the vertex
     at_vertex: bool,
+    /// the last elements at this vertex, if differences of u have no digits on them
+    last: Option<Last>,
 }
 
-/// |u|²_ν and ‖u‖², both divided by the square of `size`, with the rounding error of the first.
+/// The points of a side nearer to its first (0) or last vertex (1) than a length.
+#[derive(Clone, Copy)]
+struct Last {
+    side: usize,
+    end: usize,
+    length: f64,
+}
+
+/// |u|²_ν and ‖u‖², both divided by the square of `size`, with the rounding errors of the first, and of the second for a
+/// derivative.
 struct Squares {
     seminorm: f64,
     rounding: f64,
     l2: f64,
+    l2_rounding: f64,
     size: f64,
     points: u64,
 }
@@ -93,7 +129,18 @@ impl<'a> CurveFormula<'a> {
         let vertices: Vec<[f64; 2]> =
             vertices.iter().map(|vertex| vertex.map(|x| x / unit)).collect();
         Curve::closed(&vertices, &vec![one; vertices.len()])?;
-        Ok(Self { vertices, unit, f: Box::new(f) })
+        Ok(Self { vertices, unit, f: Box::new(f), is_slope: false })
+    }
+
+    /// The derivative with respect to the arc length, in the order of the vertices. Its norms return
+    /// [`Error::InfiniteNorm`] if the function jumps.
+    pub(crate) fn derivative(&self) -> CurveFormula<'_> {
+        CurveFormula {
+            vertices: self.vertices.clone(),
+            unit: self.unit,
+            f: Box::new(|x| (self.f)(x)),
+            is_slope: true,
+        }
     }
 
     /// The seminorm |u|_ν, 0 < ν < 1.
@@ -136,7 +183,9 @@ impl<'a> CurveFormula<'a> {
         let order = order.into();
         let kernel = order.map(PowerKernel::new);
         let one_minus = kernel.as_ref().map_or(1.0, |kernel| kernel.one_minus);
-        let units = [self.unit.powf(0.5 * one_minus), self.unit.sqrt()];
+        let per_length = if self.is_slope { self.unit.recip() } else { 1.0 };
+        let units =
+            [self.unit.powf(0.5 * one_minus), self.unit.sqrt()].map(|unit| unit * per_length);
         let (mut work, mut squared, mut unit) = (Work::default(), Vec::new(), None);
         let mut found: Vec<[Estimate; 2]> = Vec::new();
         for (n, layers) in STEPS {
@@ -146,11 +195,17 @@ impl<'a> CurveFormula<'a> {
                 0.5 * squares.rounding / squares.seminorm.max(f64::MIN_POSITIVE) + ENTRY_ROUNDING;
             let roots = [squares.seminorm.sqrt(), squares.l2.sqrt()];
             let share = squares.size / *unit.get_or_insert(squares.size);
-            squared.push(squares.seminorm * share * share);
+            let watched = if order.is_some() { squares.seminorm } else { squares.l2 };
+            squared.push(watched * share * share);
+            let l2_rounding = if self.is_slope {
+                0.5 * squares.l2_rounding / squares.l2.max(f64::MIN_POSITIVE) + ENTRY_ROUNDING
+            } else {
+                rounding
+            };
             let mut now = [0.0; 2].map(|_| Estimate { value: 0.0, error: 0.0, work });
             for k in 0..2 {
                 let value = squares.size * units[k] * roots[k];
-                let floor = rounding * value;
+                let floor = [rounding, l2_rounding][k] * value;
                 let steps: Vec<f64> =
                     found.iter().map(|before| before[k].value).chain([value]).collect();
                 now[k] = Estimate::new(value, distance_to_limit(&steps, floor) + floor, work)?;
@@ -163,8 +218,13 @@ impl<'a> CurveFormula<'a> {
                 break;
             }
         }
-        if let (Some(order), true) = (order, diverges(&squared)) {
-            return Err(Error::InfiniteNorm { order: order.value(), why: ENDLESS });
+        // Noise of values grows with the layers, noise of derivatives does not.
+        let grows = if self.is_slope { 1 } else { 3 };
+        if (order.is_some() || self.is_slope) && diverges(&squared, grows) {
+            return Err(Error::InfiniteNorm {
+                order: order.map_or(0.0, Order::value),
+                why: ENDLESS,
+            });
         }
         // Two steps may agree by accident: the later ones count.
         let last = found.len().saturating_sub(1);
@@ -194,24 +254,59 @@ impl<'a> CurveFormula<'a> {
             let (half, blurs) = (0.5 * plain.element_length(side), plain.blurs(side));
             let resolved = blurs
                 .map(|blur| ((blur / half).ln() / RATIO.ln()).max(1.0).min(layers as f64) as usize);
+            let (resolved, digits) = if self.is_slope {
+                let digits = [0, 1].map(|end| {
+                    resolved[end].min(self.layers_with_digits(&plain, side, end, layers))
+                });
+                ([layers; 2], digits)
+            } else {
+                (resolved, resolved)
+            };
             let [first, last] = resolved.map(|layers| Mesh::geometric(layers, RATIO, half));
             let mut lengths = first?.lengths().to_vec();
             lengths.extend(last?.lengths().iter().rev());
-            let end = |k: usize| match k.checked_sub(resolved[0] + 1) {
-                None => End {
-                    blur: blurs[0],
-                    is_cut: k == 0 && resolved[0] < layers,
-                    at_vertex: k == 0,
-                },
-                Some(k) => {
-                    let at_vertex = k == resolved[1];
-                    End { blur: -blurs[1], is_cut: at_vertex && resolved[1] < layers, at_vertex }
+            // Element j from the vertex reaches to 0.3^{layers − j} of half a side.
+            let end = |k: usize| {
+                let (end, j) = match k.checked_sub(resolved[0] + 1) {
+                    None => (0, k),
+                    Some(k) => (1, resolved[1] - k),
+                };
+                let digits = digits[end];
+                let is_last = digits < resolved[end] && j + digits <= resolved[end];
+                let length = half * RATIO.powi(digits as i32);
+                End {
+                    blur: if end == 0 { blurs[0] } else { -blurs[1] },
+                    is_cut: j == 0 && resolved[end] < layers,
+                    at_vertex: j == 0,
+                    last: is_last.then_some(Last { side, end, length }),
                 }
             };
             ends.extend((0..lengths.len()).map(end));
             meshes.push(Mesh::from_lengths(&lengths)?);
         }
         Ok((Curve::closed(&self.vertices, &meshes)?, ends))
+    }
+
+    /// f at a distance from the first or the last vertex of a side.
+    fn near(&self, curve: &Curve, side: usize, end: usize, distance: f64) -> f64 {
+        (self.f)(curve.point(curve.place_near(side, end, distance)).map(|x| self.unit * x))
+    }
+
+    /// The number of layers at an end of a side between which the differences of u have digits.
+    fn layers_with_digits(&self, plain: &Curve, side: usize, end: usize, most: usize) -> usize {
+        let half = 0.5 * plain.element_length(side);
+        let at = |layer: usize| self.near(plain, side, end, half * RATIO.powi(layer as i32));
+        let (mut before, mut failed) = (at(0), 0);
+        for layer in 1..=most {
+            let value = at(layer);
+            let counts = (value - before).abs() >= DIGITS * value.abs().max(before.abs());
+            failed = if counts && value != before { 0 } else { failed + 1 };
+            if failed == 2 {
+                return (layer - 1).max(1);
+            }
+            before = value;
+        }
+        most
     }
 
     fn squares(
@@ -225,28 +320,79 @@ impl<'a> CurveFormula<'a> {
         let rule = Rule::gauss_legendre(n)?;
         let value =
             |e: usize, t: f64| (self.f)(curve.point(curve.place(e, t)).map(|x| self.unit * x));
-        let at_points = |e: usize| -> Vec<f64> {
-            let h = curve.element_length(e);
-            rule.iter().map(|(s, _)| value(e, s * h)).collect()
+        let sampled = |rule: &Rule| -> Result<Vec<Vec<f64>>> {
+            let at_points = |e: usize| -> Vec<f64> {
+                let h = curve.element_length(e);
+                rule.iter().map(|(s, _)| value(e, s * h)).collect()
+            };
+            let values: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(at_points).collect();
+            let flat = values.iter().flatten().enumerate();
+            match flat.clone().find(|(_, v)| !v.is_finite()) {
+                Some((index, &value)) => {
+                    Err(Error::NotFinite { name: "value of the function", index, value })
+                }
+                None => Ok(values),
+            }
         };
-        let mut values: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(at_points).collect();
-        if let Some((index, &value)) =
-            values.iter().flatten().enumerate().find(|(_, v)| !v.is_finite())
-        {
-            return Err(Error::NotFinite { name: "value of the function", index, value });
-        }
+        let fine = Rule::gauss_legendre(2 * n)?;
+        let slopes = if self.is_slope {
+            let near =
+                |Last { side, end, length }: Last, s: f64| self.near(&curve, side, end, s * length);
+            Some(Slopes::new(&curve, &ends, [&rule, &fine], &sampled(&fine)?, &near))
+        } else {
+            None
+        };
+        let mut values = match &slopes {
+            Some(slopes) => slopes.at(&rule),
+            None => sampled(&rule)?,
+        };
         let size = unit_of(values.iter().flatten());
         values.iter_mut().flatten().for_each(|v| *v /= size);
         let square = |e: usize| {
             let squares = rule.iter().zip(&values[e]).map(|((_, w), v)| w * v * v);
             curve.element_length(e) * squares.sum::<f64>()
         };
-        let l2 = (0..curve.len()).map(square).sum();
+        let l2: f64 = (0..curve.len()).map(square).sum();
+        let mut l2_rounding = 0.0;
+        if let Some(slopes) = &slopes {
+            let largest = |e: usize| values[e].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            let of = |(e, noise): (usize, &f64)| {
+                let noise = noise / size;
+                curve.element_length(e) * noise * (2.0 * largest(e) + noise)
+            };
+            l2_rounding = slopes.noise.iter().enumerate().map(of).sum();
+            let whole = size * l2.sqrt();
+            let is_jump = |left: f64, right: f64, apart: f64| {
+                let rounding = ROUNDED * f64::EPSILON * left.abs().max(right.abs());
+                (left - right).abs() > JUMP * (whole * apart.sqrt() + rounding)
+            };
+            let sides = self.vertices.len();
+            let at_vertex = |side: usize| {
+                let next = (side + 1) % sides;
+                let reach = |side: usize, end: usize| {
+                    (BESIDE * curve.side_length(side)).max(ROUNDED * curve.blurs(side)[end])
+                };
+                let apart = [reach(side, 1), reach(next, 0)];
+                let [left, right] =
+                    [self.near(&curve, side, 1, apart[0]), self.near(&curve, next, 0, apart[1])];
+                is_jump(left, right, apart[0] + apart[1])
+            };
+            let in_middle = |side: usize| {
+                let (half, blurs) = (0.5 * curve.side_length(side), curve.blurs(side));
+                let apart = (BESIDE * half).max(ROUNDED * blurs[0].max(blurs[1]));
+                let [left, right] = [0, 1].map(|end| self.near(&curve, side, end, half - apart));
+                is_jump(left, right, 2.0 * apart)
+            };
+            if (0..sides).any(|side| at_vertex(side) || in_middle(side)) {
+                let order = kernel.map_or(0.0, |kernel| 0.5 * kernel.twice);
+                return Err(Error::InfiniteNorm { order, why: JUMPS });
+            }
+        }
         let first = values[0][0];
         let is_constant = values.iter().flatten().all(|v| *v == first);
         let Some(kernel) = kernel.filter(|_| !is_constant) else {
             let points = (n * curve.len()) as u64;
-            return Ok(Squares { seminorm: 0.0, rounding: 0.0, l2, size, points });
+            return Ok(Squares { seminorm: 0.0, rounding: 0.0, l2, l2_rounding, size, points });
         };
         // The largest change of the values by the rounding of coordinates, on the half of a side that begins or ends here.
         let noise = |e: usize| {
@@ -260,39 +406,26 @@ impl<'a> CurveFormula<'a> {
             };
             rule.iter().zip(&values[e]).map(change).fold(0.0, f64::max)
         };
-        let noise: Vec<f64> = (0..curve.len()).into_par_iter().map(noise).collect();
+        let noise: Vec<f64> = match &slopes {
+            Some(slopes) => slopes.noise.iter().map(|noise| noise / size).collect(),
+            None => (0..curve.len()).into_par_iter().map(noise).collect(),
+        };
         // u away from vertices by interpolation in 2n Gauss points of the element, few values of a function that may be slow
-        let fine = Rule::gauss_legendre(2 * n)?;
         let samples = |e: usize| -> Vec<f64> {
             let h = curve.element_length(e);
-            if ends[e].at_vertex {
-                Vec::new()
-            } else {
-                fine.iter().map(|(s, _)| value(e, s * h) / size).collect()
+            match &slopes {
+                Some(slopes) => slopes.values[e].iter().map(|v| v / size).collect(),
+                None if ends[e].at_vertex => Vec::new(),
+                None => fine.iter().map(|(s, _)| value(e, s * h) / size).collect(),
             }
         };
         let samples: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(samples).collect();
-        let signs = [1.0, -1.0].into_iter().cycle();
-        let weights: Vec<f64> = fine
-            .iter()
-            .zip(signs)
-            .map(|((s, w), sign)| sign * (s * (1.0 - s) * w).sqrt())
-            .collect();
+        let weights = barycentric_weights(&fine);
         let interpolated = |e: usize, t: f64| {
-            if ends[e].at_vertex {
+            if samples[e].is_empty() {
                 return value(e, t) / size;
             }
-            let s = t / curve.element_length(e);
-            let [mut above, mut below] = [0.0; 2];
-            for ((x, weight), sample) in fine.points().iter().zip(&weights).zip(&samples[e]) {
-                if s == *x {
-                    return *sample;
-                }
-                let share = weight / (s - x);
-                above += share * sample;
-                below += share;
-            }
-            above / below
+            interpolate(&fine, &weights, &samples[e], t / curve.element_length(e))
         };
         let pairs = Pairs {
             curve: &curve,
@@ -301,7 +434,8 @@ impl<'a> CurveFormula<'a> {
             values: &values,
             noise: &noise,
             ends: &ends,
-            rule,
+            is_slope: self.is_slope,
+            rule: rule.clone(),
             own: Rule::power_weight(2 * n, kernel.two_minus)?,
             radial: Rule::power_weight(2 * n, kernel.three_minus)?,
             budget: Budget::new(most, 0.0),
@@ -310,8 +444,118 @@ impl<'a> CurveFormula<'a> {
             .into_par_iter()
             .map(|e| pairs.row(e))
             .reduce(PairSum::default, |a, b| a + b);
-        Ok(Squares { seminorm: sum.value, rounding: sum.rounding, l2, size, points: sum.points })
+        let (seminorm, rounding, points) = (sum.value, sum.rounding, sum.points);
+        Ok(Squares { seminorm, rounding, l2, l2_rounding, size, points })
     }
+}
+
+/// The derivative of a function on every element.
+struct Slopes<'a> {
+    rule: &'a Rule,
+    /// at the points of the rule
+    values: Vec<Vec<f64>>,
+    /// largest error of the values
+    noise: Vec<f64>,
+}
+
+impl<'a> Slopes<'a> {
+    /// The derivatives of the polynomials through the points of the second rule, from the values of the function there, or
+    /// on the last elements at a vertex of one polynomial through `near(last, s)`, s in units of their length, which is
+    /// compared with the one through the points of the first rule.
+    fn new(
+        curve: &Curve,
+        ends: &[End],
+        [coarse, rule]: [&'a Rule; 2],
+        of: &[Vec<f64>],
+        near: &dyn Fn(Last, f64) -> f64,
+    ) -> Self {
+        let weights = barycentric_weights(rule);
+        let steep = 2.0 * (rule.points().len() as f64).powi(2);
+        let largest = |all: &[f64]| all.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        // The derivative of a polynomial through values u on a length h, and its rounding error.
+        let slopes_of = |u: &[f64], h: f64, blur: f64| {
+            let slopes: Vec<f64> =
+                differentiate(rule, &weights, u).iter().map(|slope| slope / h).collect();
+            let moved = largest(&slopes) * blur.abs();
+            let off = (4.0 * f64::EPSILON * largest(u) + moved) * steep / h;
+            (slopes, if largest(u) == 0.0 { 0.0 } else { off })
+        };
+        let (mut values, mut noise) = (Vec::with_capacity(of.len()), Vec::with_capacity(of.len()));
+        let mut kept: Vec<Option<(Vec<f64>, f64)>> = vec![None; 2 * of.len()];
+        for (e, u) in of.iter().enumerate() {
+            let h = curve.element_length(e);
+            let Some(last) = ends[e].last else {
+                let (slopes, off) = slopes_of(u, h, ends[e].blur);
+                values.push(slopes);
+                noise.push(off);
+                continue;
+            };
+            let (polynomial, off) = kept[2 * last.side + last.end].get_or_insert_with(|| {
+                let at = |rule: &Rule| -> Vec<f64> {
+                    rule.points().iter().map(|s| near(last, *s)).collect()
+                };
+                let (mut slopes, off) = slopes_of(&at(rule), last.length, ends[e].blur);
+                let other = barycentric_weights(coarse);
+                let fewer = differentiate(coarse, &other, &at(coarse));
+                let apart = rule.points().iter().zip(&slopes).map(|(s, slope)| {
+                    (interpolate(coarse, &other, &fewer, *s) / last.length - slope).abs()
+                });
+                let off = off + BELOW * apart.fold(0.0, f64::max);
+                if last.end == 1 {
+                    slopes.iter_mut().for_each(|slope| *slope = -*slope);
+                }
+                (slopes, off)
+            });
+            let at = |s: &f64| {
+                let distance = Curve::distance_to_vertex(curve.place(e, s * h), last.end);
+                interpolate(rule, &weights, polynomial, distance / last.length)
+            };
+            values.push(rule.points().iter().map(at).collect());
+            noise.push(*off);
+        }
+        Self { rule, values, noise }
+    }
+
+    /// The values at the points of another rule.
+    fn at(&self, rule: &Rule) -> Vec<Vec<f64>> {
+        let weights = barycentric_weights(self.rule);
+        let of = |values: &Vec<f64>| {
+            rule.points().iter().map(|s| interpolate(self.rule, &weights, values, *s)).collect()
+        };
+        self.values.iter().map(of).collect()
+    }
+}
+
+/// The barycentric weights of the points of a Gauss rule.
+fn barycentric_weights(rule: &Rule) -> Vec<f64> {
+    let signs = [1.0, -1.0].into_iter().cycle();
+    rule.iter().zip(signs).map(|((s, w), sign)| sign * (s * (1.0 - s) * w).sqrt()).collect()
+}
+
+/// The value at s of the polynomial through the values at the points of a rule.
+fn interpolate(rule: &Rule, weights: &[f64], values: &[f64], s: f64) -> f64 {
+    let [mut above, mut below] = [0.0; 2];
+    for ((x, weight), value) in rule.points().iter().zip(weights).zip(values) {
+        if s == *x {
+            return *value;
+        }
+        let share = weight / (s - x);
+        above += share * value;
+        below += share;
+    }
+    above / below
+}
+
+/// The derivative at the points of a rule of the polynomial through values there.
+fn differentiate(rule: &Rule, weights: &[f64], values: &[f64]) -> Vec<f64> {
+    let points = rule.points();
+    let at = |i: usize| -> f64 {
+        let others = (0..points.len()).filter(|&j| j != i);
+        let term =
+            |j: usize| weights[j] / weights[i] * (values[j] - values[i]) / (points[i] - points[j]);
+        others.map(term).sum()
+    };
+    (0..points.len()).map(at).collect()
 }
 
 /// The sum over pairs of elements.
@@ -323,6 +567,7 @@ struct Pairs<'a> {
     /// rounding error of the values on an element, from the rounding of the coordinates
     noise: &'a [f64],
     ends: &'a [End],
+    is_slope: bool,
     rule: Rule,
     /// rules for the weights z^{1−2ν} and ξ^{2−2ν}
     own: Rule,
@@ -366,11 +611,12 @@ fn distance_to_limit(values: &[f64], floor: f64) -> f64 {
 }
 
 /// True if the increments of the squares for doubled numbers of layers at least double twice in a row: every layer
-/// then contributes as much as the previous one.
-fn diverges(squares: &[f64]) -> bool {
+/// then contributes as much as the previous one. The first increment must exceed a share of one of the four squares, by
+/// its number.
+fn diverges(squares: &[f64], of: usize) -> bool {
     let &[.., a, b, c, d] = squares else { return false };
     let (first, second, third) = (b - a, c - b, d - c);
-    first > GROWTH * d && second >= DOUBLES * first && third >= DOUBLES * second
+    first > GROWTH * [a, b, c, d][of] && second >= DOUBLES * first && third >= DOUBLES * second
 }
 
 impl Pairs<'_> {
@@ -378,7 +624,8 @@ impl Pairs<'_> {
     fn row(&self, e: usize) -> PairSum {
         let mut sum = PairSum::default();
         let mut add_part = |pair: &[usize], part: PairSum| {
-            let is_cut = pair.iter().any(|&k| self.ends[k].is_cut);
+            // Derivatives have this error in their noise.
+            let is_cut = !self.is_slope && pair.iter().any(|&k| self.ends[k].is_cut);
             let rest = if is_cut { BELOW * part.value } else { 0.0 };
             sum = sum + PairSum { rounding: part.rounding + rest, ..part };
         };

@@ -5,6 +5,7 @@ mod curve;
 mod dual;
 mod formula;
 mod function;
+mod load;
 mod pairs;
 
 pub use curve::Curve;

@@ -329,3 +329,121 @@ fn formulas_on_polygons_agree_with_closed_forms_or_are_refused() {
         Function::on_polygon(&SQUARE, |[x, _]| 1.0 / (x - x)).unwrap().norm(0.5, 1e-6).is_err()
     );
 }
+
+/// ∫ f over (0, 1) by Gauss's rule.
+fn over_side(f: impl Fn(f64) -> f64) -> f64 {
+    fractional_sobolev::gauss_legendre(40).unwrap().integrate(f)
+}
+
+#[test]
+fn formulas_on_polygons_have_derivatives_along_the_boundary() {
+    let within = |found: Estimate, exact: f64, asked: f64| {
+        let off = (found.value - exact).abs();
+        assert!(off <= found.error && found.error <= asked * exact, "{found} {exact}");
+    };
+    // x is linear on the sides: the same function by its values, of which the derivative is constant on every side
+    let x = Function::on_polygon(&SQUARE, |[x, _]| x).unwrap();
+    let by_values = interpolate(Curve::algebraic(&SQUARE, 2, 1.0).unwrap(), |[x, _]| x).unwrap();
+    within(x.norm(1.0, 1e-10).unwrap(), (5.0f64 / 3.0 + 2.0).sqrt(), 1e-10);
+    for (order, asked) in [(1.1, 1e-7), (1.3, 1e-5)] {
+        let [found, exact] = [&x, &by_values].map(|u| u.norm(order, asked).unwrap());
+        assert!((found.value - exact.value).abs() <= found.error + exact.error, "{found} {exact}");
+    }
+    // u′ jumps at the vertices.
+    let few = Tolerance::new(1e-6).unwrap().with_work(1 << 22);
+    assert!(x.norm(1.5, few).is_err());
+    // a smooth function, by the derivative in closed form
+    let waves = Function::on_polygon(&SQUARE, |[x, y]| (3.0 * x + 2.0 * y).sin()).unwrap();
+    let square = over_side(|t| {
+        let legs = [3.0 * (3.0 * t).cos(), 2.0 * (3.0 + 2.0 * t).cos()];
+        let back = [3.0 * (3.0 * t + 2.0).cos(), 2.0 * (2.0 * t).cos()];
+        [legs, back].as_flattened().iter().map(|v| v * v).sum()
+    });
+    within(waves.seminorm(1.0, 1e-9).unwrap(), square.sqrt(), 1e-9);
+    // r^0.8 at a vertex, and its derivative as another formula; with another value at the vertex digits are lost
+    let slope = |[x, y]: [f64; 2]| {
+        let far = |t: f64| 0.8 * t * (1.0 + t * t).powf(-0.6);
+        match (x, y) {
+            (_, 0.0) => 0.8 * x.powf(-0.2),
+            (0.0, _) => -0.8 * y.powf(-0.2),
+            (1.0, _) => far(y),
+            _ => -far(x),
+        }
+    };
+    let slope = Function::on_polygon(&SQUARE, slope).unwrap();
+    for (shift, asked) in [(0.0, 1e-6), (1.0, 1e-2)] {
+        let power = Function::on_polygon(&SQUARE, |[x, y]| shift + x.hypot(y).powf(0.8)).unwrap();
+        let exact = slope.norm(0.0, 1e-9).unwrap();
+        within(power.seminorm(1.0, asked).unwrap(), exact.value, asked);
+    }
+    let power = Function::on_polygon(&SQUARE, |[x, y]| x.hypot(y).powf(0.8)).unwrap();
+    let exact = slope.seminorm(0.2, 1e-2).unwrap();
+    let found = power.seminorm(1.2, 1e-2).unwrap();
+    assert!((found.value - exact.value).abs() <= found.error + exact.error, "{found} {exact}");
+    assert!(power.seminorm(1.35, few).is_err());
+    // functions that jump, at a vertex or in the middle of a side, have no derivative in L², nor have roots
+    let steps: [fn([f64; 2]) -> f64; 2] =
+        [|[_, y]| if y == 0.0 { 1.0 } else { 0.0 }, |[x, _]| if x < 0.5 { 1.0 } else { 0.0 }];
+    for step in steps {
+        for order in [1.0, 1.2] {
+            let refused = Function::on_polygon(&SQUARE, step).unwrap().norm(order, 1e-3);
+            assert!(
+                matches!(refused, Err(Error::InfiniteNorm { order: found, .. }) if found == order)
+            );
+        }
+    }
+    let corner = |a: f64| move |[x, y]: [f64; 2]| x.hypot(y).powf(a);
+    assert!(Function::on_polygon(&SQUARE, corner(0.4)).unwrap().norm(1.0, 1e-6).is_err());
+}
+
+#[test]
+fn dual_norms_of_formulas_on_polygons() {
+    // ∫ v / ‖v‖ is largest for v = 1
+    let one = Function::on_polygon(&SQUARE, |_| 1.0).unwrap();
+    for order in [-0.2, -0.5, -0.8] {
+        let found = one.norm(order, 1e-9).unwrap();
+        assert!((found.value - 2.0).abs() <= found.error && found.error < 1e-8, "{found}");
+    }
+    // the same linear function by its values on another mesh
+    let x = Function::on_polygon(&SQUARE, |[x, _]| x).unwrap();
+    let graded = Curve::algebraic(&SQUARE, 10, 2.0).unwrap();
+    let by_values = interpolate(graded, |[x, _]| x).unwrap();
+    for order in [-0.3, -0.5] {
+        let [found, exact] = [&x, &by_values].map(|u| u.norm(order, 1e-5).unwrap());
+        let off = (found.value - exact.value).abs();
+        assert!(off <= found.error + exact.error, "{order}: {found} {exact}");
+    }
+    // r^{−0.4} and its means on the elements of a graded mesh: the norms differ by at most ‖f − f_h‖, ‖f_h‖² = ‖f‖² −
+    // ‖f − f_h‖²
+    let power = Function::on_polygon(&SQUARE, |[x, y]| x.hypot(y).powf(-0.4)).unwrap();
+    let mesh = Mesh::geometric(85, 0.6, 1.0).unwrap();
+    let mirrored = Mesh::from_lengths(&mesh.lengths().iter().rev().copied().collect::<Vec<_>>());
+    let plain = uniform(30);
+    let meshes = [mesh.clone(), plain.clone(), plain, mirrored.unwrap()];
+    let curve = Curve::closed(&SQUARE, &meshes).unwrap();
+    let nodes = mesh.nodes();
+    let of_power =
+        |pair: &[f64]| (pair[1].powf(0.6) - pair[0].powf(0.6)) / 0.6 / (pair[1] - pair[0]);
+    let near: Vec<f64> = nodes.windows(2).map(of_power).collect();
+    let mean = |k: usize| over_side(|t| (1.0 + ((k as f64 + t) / 30.0).powi(2)).powf(-0.2));
+    let far: Vec<f64> = (0..30).map(mean).collect();
+    let back = |all: &[f64]| all.iter().rev().copied().collect::<Vec<f64>>();
+    let means = [near.clone(), far.clone(), back(&far), back(&near)].concat();
+    let projected = Function::on_curve(&curve, 0, &means).unwrap();
+    let size = 2.0 / 0.2 + 2.0 * over_side(|t| (1.0 + t * t).powf(-0.4));
+    let apart = (size - projected.norm(0.0, 1e-12).unwrap().value.powi(2)).sqrt();
+    for order in [-0.3, -0.6] {
+        let [found, exact] = [&power, &projected].map(|u| u.norm(order, 1e-4).unwrap());
+        let off = (found.value - exact.value).abs();
+        // f − f_h is orthogonal to constants on the elements, which makes its dual norm smaller than its L² norm.
+        assert!(off <= found.error + exact.error + apart * 0.1f64.powf(-order), "{found} {exact}");
+        assert!(apart < 0.2 * exact.value, "{apart}");
+    }
+    // not in L², but a functional on H^{1/2}
+    let strong = Function::on_polygon(&SQUARE, |[x, y]| x.hypot(y).powf(-0.6)).unwrap();
+    assert!(strong.norm(0.0, 1e-3).is_err());
+    let found = strong.norm(-0.5, 1e-3).unwrap();
+    assert!(found.value > power.norm(-0.5, 1e-3).unwrap().value);
+    let refused = strong.dual_norm(DualOf::Interpolation, 0.5, 1e-3).unwrap_err().to_string();
+    assert!(refused.contains("Slobodeckij"), "{refused}");
+}
