@@ -1,7 +1,7 @@
 //! A solution with its guaranteed error: both problems on one mesh, and what follows from them.
 
 use super::dual::Dual;
-use super::element::Linear;
+use super::element::{Linear, Traction};
 use super::parts::Parts;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
@@ -79,6 +79,8 @@ pub struct Enclosure {
     pub stress: Vec<[f64; 3]>,
     /// J*(q), its energy; with oscillation it need not be a lower bound of J(u).
     pub dual_energy: f64,
+    /// Tractions of the stress.
+    pub tractions: Traction,
     pub(super) fields: Vec<Linear>,
     pub(super) at_borders: Vec<[f64; 2]>,
     pub(super) admissible: Vec<f64>,
@@ -130,7 +132,15 @@ impl Body<'_> {
     /// # Errors
     /// As for [`Body::problem`] and [`ContactProblem::solve`].
     pub fn enclose(&self, cone: Cone) -> Result<Enclosure> {
-        self.enclose_on(self.mesh(), cone, None)
+        self.enclose_with(cone, Traction::usual(self.form()))
+    }
+
+    /// The same with the given tractions of the stress.
+    ///
+    /// # Errors
+    /// As for [`Body::enclose`].
+    pub fn enclose_with(&self, cone: Cone, tractions: Traction) -> Result<Enclosure> {
+        self.enclose_on(self.mesh(), cone, tractions, None)
     }
 
     /// The same on a refinement of the mesh, from a guess of the active constraints.
@@ -138,13 +148,14 @@ impl Body<'_> {
         &self,
         mesh: &Triangulation,
         cone: Cone,
+        tractions: Traction,
         guess: Option<ContactSet>,
     ) -> Result<Enclosure> {
         let problem = self.problem_on(mesh)?;
         let start = guess.map_or(Start::Open, Start::Set);
         let settings = Settings { solver: Solver::ActiveSet, start, ..Settings::default() };
         let solution = problem.solve(cone, settings)?;
-        let setting = Setting::new(self, mesh)?;
+        let setting = Setting::new(self, mesh, tractions)?;
         let dual = setting.best_stress(&setting.touching(&problem, cone, &solution))?;
         setting.conclude(problem, cone, solution, dual)
     }
@@ -250,6 +261,7 @@ impl Setting<'_, '_> {
             pressure: self.in_order(&problem, &dual.pressure),
             stress: parts.means,
             dual_energy: -parts.complementary,
+            tractions: self.tractions,
             fields: dual.fields,
             at_borders: dual.pressure,
             admissible,
@@ -452,7 +464,7 @@ mod tests {
                 .load(|_: Point| [0.0, -1.0])
                 .gap(|[x, _]| 0.3 * x * x);
             let (problem, solution) = solved(&body, cone);
-            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
             let off = |displacement: &[f64]| {
                 let overlap = setting.overlap(&problem, displacement).unwrap();
                 overlap.into_iter().fold(0.0, f64::max)
@@ -478,7 +490,7 @@ mod tests {
         let body = Body::new(unit_square(32, SideParts::HANGING).unwrap(), elastic())
             .load(|[x, _]: Point| [0.0, -(std::f64::consts::PI * x).cos()]);
         let (problem, solution) = solved(&body, Cone::Midpoint);
-        let setting = Setting::new(&body, body.mesh()).unwrap();
+        let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
         let u = &solution.displacement;
         let v = problem.normal_displacement(u).unwrap();
         let [w, beside] =
@@ -508,7 +520,7 @@ mod tests {
         {
             let is_flux = form.components() == 1;
             let body = Body::new(mesh(), form);
-            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
             let (inner, root) = (setting.compliance(0), setting.compliance_root(0));
             let last = if is_flux { [0.0; 2] } else { [0.3, -0.7] };
             let (s, t) = ([1.0, 2.0, last[0]], [-0.4, 1.3, last[1]]);

@@ -68,7 +68,7 @@ impl Body<'_> {
             weights.len(),
             problem.edge().nodes().len(),
         )?;
-        let setting = Setting::new(self, problem.mesh())?;
+        let setting = Setting::new(self, problem.mesh(), found.tractions)?;
         let w = problem.extension(weights)?;
         let size = problem.energy_norm(&w)?;
         let mut middle = 0.0;

@@ -163,6 +163,10 @@ impl Setting<'_, '_> {
                     let mut value = combine(&shares, &dual.fields[border.triangle][border.side]);
                     let exact = self.exact_at(&[point])[0];
                     (0..3).for_each(|c| value[c] += exact[c]);
+                    if let Some(own) = &self.own[border.triangle] {
+                        let more = own.at(border.side, shares);
+                        (0..3).for_each(|c| value[c] += more[c]);
+                    }
                     let [n, t] = traction(self.components, value, &side);
                     let given = match self.components {
                         1 => n * x,

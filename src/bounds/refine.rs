@@ -1,5 +1,6 @@
 //! A mesh that is fine where the bound requires it: solve, bound, mark a share of the bound, bisect.
 
+use super::element::Traction;
 use super::enclosure::Enclosure;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Body;
@@ -24,6 +25,8 @@ const AIMED: f64 = 0.98;
 pub struct Refinement {
     /// The discrete cone.
     pub cone: Cone,
+    /// Tractions of the stress; `None`: linear for a flux, reduced for a stress.
+    pub tractions: Option<Traction>,
     /// The guaranteed error in the energy norm relative to |||u||| at which the refinement ends.
     pub tolerance: f64,
     /// Largest number of unknowns of the discrete problem; the mesh that exceeds it is not solved on.
@@ -37,7 +40,14 @@ pub struct Refinement {
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5, growth: 4.0 }
+        Self {
+            cone: Cone::Nodal,
+            tractions: None,
+            tolerance: 0.01,
+            unknowns: 1_000_000,
+            share: 0.5,
+            growth: 4.0,
+        }
     }
 }
 
@@ -96,11 +106,12 @@ impl Refinement {
         Error::require("tolerance", self.tolerance, "(0, inf)", self.tolerance > 0.0)?;
         Error::require("share", self.share, "(0, 1]", self.share > 0.0 && self.share <= 1.0)?;
         let mut meshes = Hierarchy::new(body.mesh().clone());
+        let tractions = self.tractions.unwrap_or(Traction::usual(body.form()));
         let mut guess = None;
         // The square of the bound that was expected on this mesh.
         let (mut expected, mut bias) = (None, 1.0);
         loop {
-            let found = body.enclose_on(meshes.finest(), self.cone, guess.take())?;
+            let found = body.enclose_on(meshes.finest(), self.cone, tractions, guess.take())?;
             each(&found);
             if found.relative_error() <= self.tolerance {
                 return Ok((found, Ended::Tolerance));
