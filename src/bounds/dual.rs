@@ -29,7 +29,7 @@ use crate::cone::{Cone, ContactSet, Ends};
 use crate::contact::edge::{EdgeProblem, solve_on_edge};
 use crate::error::{Error, Result};
 use crate::fem::{BlockMatrix, Condensation};
-use crate::mesh::{Part, Point, doubled_area};
+use crate::mesh::{Part, Point, Triangulation, distance, doubled_area};
 use crate::numeric::scale::careful_dot;
 use rayon::prelude::*;
 
@@ -67,11 +67,12 @@ impl<const F: usize, const R: usize> Local<F, R> {
 }
 
 /// The stress of least complementary energy.
+#[derive(Debug, Clone)]
 pub(super) struct Dual {
     /// q − q_p on every triangle.
     pub(super) fields: Vec<Linear>,
-    /// ‖f − f_T‖ on every triangle.
-    pub(super) left_over: Vec<f64>,
+    /// osc on every triangle.
+    pub(super) oscillation: Vec<f64>,
     /// −q_N ≥ 0 at both ends of every contact segment (its linear part), by number of the border; 0 elsewhere.
     pub(super) pressure: Vec<[f64; 2]>,
     /// Energy norm of the stress that would correct the residual left by rounding.
@@ -83,7 +84,7 @@ pub(super) struct Dual {
 impl Setting<'_, '_> {
     fn basis(&self, t: usize) -> Equilibrated {
         let is_inside = self.sides[t].iter().all(|side| self.border_of[side.edge].is_none());
-        let is_plain = is_inside && self.own[t].is_none();
+        let is_plain = is_inside && self.own_of(t).is_none();
         let (reaction, corners) = (self.reaction() > 0.0, self.mesh.corners(t));
         Equilibrated::new(self.components, self.tractions, reaction, !is_plain, corners)
     }
@@ -186,7 +187,7 @@ impl Setting<'_, '_> {
         }
         let mut known_forces = self.forces::<R>(&known, &sides, &self.sides[t]);
         let mut left_over = 0.0;
-        if let Some(own) = &self.own[t] {
+        if let Some(own) = self.own_of(t) {
             left_over = own.left_over;
             let more: [f64; R] =
                 self.forces_of(&[0, 1, 2].map(|k| own.ends(k)), &sides, &self.sides[t]);
@@ -405,7 +406,11 @@ impl Setting<'_, '_> {
             }
             pressure.iter_mut().zip(&state.multiplier).for_each(|(sum, more)| *sum += more);
         }
-        let left_over = locals.iter().map(|local| local.left_over).collect();
+        let oscillation = locals
+            .iter()
+            .enumerate()
+            .map(|(t, local)| self.oscillation_of(t, local.left_over))
+            .collect();
         let fields = (0..self.sides.len())
             .into_par_iter()
             .with_min_len(256)
@@ -425,7 +430,42 @@ impl Setting<'_, '_> {
                 };
             }
         }
-        Ok(Dual { fields, left_over, pressure: at_borders, rounding, steps })
+        Ok(Dual { fields, oscillation, pressure: at_borders, rounding, steps })
+    }
+
+    /// A stress of this mesh on a refinement.
+    pub(super) fn transferred(&self, fine: &Setting<'_, '_>, dual: &Dual) -> Dual {
+        let area = |mesh: &Triangulation, t: usize| doubled_area(mesh.corners(t));
+        let count = fine.mesh.triangles().len();
+        let oscillation = |t: usize| match dual.oscillation[fine.host(t)] {
+            0.0 => 0.0,
+            // The squares add up to that of the ancestor.
+            whole => whole * (area(fine.mesh, t) / area(self.mesh, fine.host(t))).sqrt(),
+        };
+        let mut pressure = vec![[0.0; 2]; fine.borders.len()];
+        for (own, border) in pressure.iter_mut().zip(&fine.borders) {
+            if border.part != Part::Contact {
+                continue;
+            }
+            let corners = fine.mesh.corners(border.triangle);
+            let ends = [0, 1].map(|end| corners[(border.side + end) % 3]);
+            let middle = [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
+            let (k, _) = fine.on_side(border.triangle, border.side, 0.5, middle);
+            let host = fine.host(border.triangle);
+            if let Some(number) = self.border_of[self.sides[host][k].edge] {
+                let [p, r] = dual.pressure[number];
+                let whole = self.mesh.corners(host);
+                let length = distance(whole[k], whole[(k + 1) % 3]);
+                *own = ends.map(|end| p + (distance(whole[k], end) / length).min(1.0) * (r - p));
+            }
+        }
+        Dual {
+            fields: (0..count).map(|t| dual.fields[fine.host(t)]).collect(),
+            oscillation: (0..count).map(oscillation).collect(),
+            pressure,
+            rounding: dual.rounding,
+            steps: 0,
+        }
     }
 
     fn middle_of(&self, edge: usize) -> Point {

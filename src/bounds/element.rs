@@ -21,7 +21,6 @@
 //! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G. Ciarlet, *The Finite
 //! Element Method for Elliptic Problems*, Section 6.1.
 
-use crate::fem::Form;
 use crate::mesh::{Point, doubled_area, middle};
 
 /// A stress (q_xx, q_yy, q_xy), or a flux (q_x, q_y, 0).
@@ -99,21 +98,15 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
 /// assert!(linear.error < reduced.error);
 /// # Ok::<(), signorini::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Traction {
     /// Of a stress: linear normally, constant tangentially (reduced Hsieh-Clough-Tocher space of Airy functions), three
     /// unknowns an edge. Of a flux: constant (linear stream function), one unknown an edge.
     Reduced,
     /// Linear: the full Hsieh-Clough-Tocher space, four unknowns an edge; a quadratic stream function, two unknowns an
     /// edge. Of second order where the exact stress is smooth.
+    #[default]
     Linear,
-}
-
-impl Traction {
-    /// Linear for a flux, reduced for a stress.
-    pub(super) fn usual(form: &Form) -> Self {
-        if form.components() == 1 { Self::Linear } else { Self::Reduced }
-    }
 }
 
 /// The fields without load on one triangle.

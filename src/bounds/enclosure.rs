@@ -1,13 +1,14 @@
 //! A solution with its guaranteed error: both problems on one mesh, and what follows from them.
 
 use super::dual::Dual;
-use super::element::{Linear, Traction};
+use super::element::Traction;
 use super::parts::Parts;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{Body, ContactProblem, ContactSolution, Settings, Solver, Start};
 use crate::error::{Error, Result};
 use crate::mesh::{Part, Triangulation, distance};
+use std::sync::Arc;
 
 /// Overlaps below this multiple of the largest displacement are rounding.
 const ROUNDED: f64 = 1e-14;
@@ -81,8 +82,9 @@ pub struct Enclosure {
     pub dual_energy: f64,
     /// Tractions of the stress.
     pub tractions: Traction,
-    pub(super) fields: Vec<Linear>,
-    pub(super) at_borders: Vec<[f64; 2]>,
+    pub(super) dual: Dual,
+    /// The mesh of the stress with the ancestor of every triangle there, if it is a coarser one.
+    pub(super) hosts: Option<Arc<(Triangulation, Vec<u32>)>>,
     pub(super) admissible: Vec<f64>,
     pub(super) reach: f64,
     pub(super) work: f64,
@@ -132,32 +134,73 @@ impl Body<'_> {
     /// # Errors
     /// As for [`Body::problem`] and [`ContactProblem::solve`].
     pub fn enclose(&self, cone: Cone) -> Result<Enclosure> {
-        self.enclose_with(cone, Traction::usual(self.form()))
+        self.enclose_with(cone, Traction::default())
     }
 
-    /// The same with the given tractions of the stress.
+    /// The same with the given tractions of the stress: [`Traction::Reduced`] takes less time and memory and gives a larger
+    /// bound.
     ///
     /// # Errors
     /// As for [`Body::enclose`].
     pub fn enclose_with(&self, cone: Cone, tractions: Traction) -> Result<Enclosure> {
-        self.enclose_on(self.mesh(), cone, tractions, None)
+        let solved = self.solved_on(self.mesh(), cone, None)?;
+        self.enclosed(cone, tractions, solved)
     }
 
-    /// The same on a refinement of the mesh, from a guess of the active constraints.
-    pub(super) fn enclose_on(
+    /// The discrete problem on a refinement of the mesh with its solution, from a guess of the active constraints.
+    pub(super) fn solved_on(
         &self,
         mesh: &Triangulation,
         cone: Cone,
-        tractions: Traction,
         guess: Option<ContactSet>,
-    ) -> Result<Enclosure> {
+    ) -> Result<(ContactProblem, ContactSolution)> {
         let problem = self.problem_on(mesh)?;
         let start = guess.map_or(Start::Open, Start::Set);
         let settings = Settings { solver: Solver::ActiveSet, start, ..Settings::default() };
         let solution = problem.solve(cone, settings)?;
-        let setting = Setting::new(self, mesh, tractions)?;
+        Ok((problem, solution))
+    }
+
+    /// The bound by the best stress on the same mesh.
+    pub(super) fn enclosed(
+        &self,
+        cone: Cone,
+        tractions: Traction,
+        (problem, solution): (ContactProblem, ContactSolution),
+    ) -> Result<Enclosure> {
+        let mesh = problem.mesh().clone();
+        let setting = Setting::new(self, &mesh, tractions)?;
         let dual = setting.best_stress(&setting.touching(&problem, cone, &solution))?;
         setting.conclude(problem, cone, solution, dual)
+    }
+
+    /// The bound by the stress of another enclosure, on whose mesh every triangle has the given ancestor.
+    pub(super) fn enclosed_by(
+        &self,
+        cone: Cone,
+        coarse: &Enclosure,
+        of: Vec<u32>,
+        (problem, solution): (ContactProblem, ContactSolution),
+    ) -> Result<Enclosure> {
+        let (mesh, hosts) = (problem.mesh().clone(), coarse.problem.mesh().clone());
+        let own = Setting::new(self, &hosts, coarse.tractions)?;
+        let fine = own.refined(&mesh, of.clone())?;
+        let dual = own.transferred(&fine, &coarse.dual);
+        let mut found = fine.conclude(problem, cone, solution, dual)?;
+        drop((fine, own));
+        found.hosts = Some(Arc::new((hosts, of)));
+        Ok(found)
+    }
+
+    /// The data on the mesh of an enclosure.
+    pub(super) fn setting_of<'s>(&'s self, found: &'s Enclosure) -> Result<Setting<'s, 's>> {
+        let mesh = found.problem.mesh();
+        match found.hosts.as_deref() {
+            Some((hosts, of)) => {
+                Setting::new(self, hosts, found.tractions)?.refined(mesh, of.clone())
+            }
+            None => Setting::new(self, mesh, found.tractions),
+        }
     }
 }
 
@@ -262,8 +305,8 @@ impl Setting<'_, '_> {
             stress: parts.means,
             dual_energy: -parts.complementary,
             tractions: self.tractions,
-            fields: dual.fields,
-            at_borders: dual.pressure,
+            dual,
+            hosts: None,
             admissible,
             reach,
             work,

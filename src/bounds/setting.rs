@@ -8,7 +8,7 @@ use super::polynomial::Particular;
 use super::rule::TriangleRule;
 use crate::contact::Body;
 use crate::error::{Error, Result};
-use crate::fem::{Form, Lame};
+use crate::fem::{Element, Form, Lame};
 use crate::mesh::{Edges, Part, Point, Triangulation, distance, doubled_area};
 use fractional_sobolev::{Rule, gauss_legendre};
 use rayon::prelude::*;
@@ -51,6 +51,14 @@ pub(super) struct Border {
     pub(super) left_over: f64,
 }
 
+/// The triangles on which the stress was computed, if they are not those of the mesh but their ancestors.
+#[derive(Debug, Clone)]
+pub(super) struct Hosts {
+    pub(super) corners: Vec<[Point; 3]>,
+    /// The ancestor of every triangle.
+    pub(super) of: Vec<u32>,
+}
+
 /// The data of a body on one mesh.
 pub(super) struct Setting<'s, 'b> {
     pub(super) body: &'s Body<'b>,
@@ -71,7 +79,9 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) particular: Option<Particular>,
     /// Whether some load is left to the triangles.
     pub(super) local: bool,
-    /// The stress that a triangle has by itself.
+    /// The ancestors of the triangles, which have the stress.
+    pub(super) hosts: Option<Hosts>,
+    /// The stress that a triangle (or the ancestor) has by itself.
     pub(super) own: Vec<Option<Own>>,
     /// Prescribed displacements that are not linear on an edge, by triangle.
     pub(super) lifts: Vec<Vec<Lift>>,
@@ -98,6 +108,37 @@ impl Sample {
 
 impl<'s, 'b> Setting<'s, 'b> {
     pub(super) fn new(
+        body: &'s Body<'b>,
+        mesh: &'s Triangulation,
+        tractions: Traction,
+    ) -> Result<Self> {
+        let mut setting = Self::without_own(body, mesh, tractions)?;
+        let rule = TriangleRule::new(OWN_POINTS)?;
+        setting.own = (0..mesh.triangles().len())
+            .into_par_iter()
+            .with_min_len(256)
+            .map(|t| setting.own_stress(t, &rule))
+            .collect::<Result<_>>()?;
+        Ok(setting)
+    }
+
+    /// The same on a refinement, for a stress of this mesh.
+    pub(super) fn refined<'m>(
+        &self,
+        mesh: &'m Triangulation,
+        of: Vec<u32>,
+    ) -> Result<Setting<'m, 'b>>
+    where
+        's: 'm,
+    {
+        let mut setting = Setting::without_own(self.body, mesh, self.tractions)?;
+        let corners = (0..self.mesh.triangles().len()).map(|t| self.mesh.corners(t)).collect();
+        setting.hosts = Some(Hosts { corners, of });
+        setting.own = self.own.clone();
+        Ok(setting)
+    }
+
+    fn without_own(
         body: &'s Body<'b>,
         mesh: &'s Triangulation,
         tractions: Traction,
@@ -139,6 +180,7 @@ impl<'s, 'b> Setting<'s, 'b> {
             edge_rule: gauss_legendre(EDGE_POINTS)?,
             local: !reaction && (regional || common && particular.is_none()),
             particular,
+            hosts: None,
             own: Vec::new(),
             lifts: vec![Vec::new(); mesh.triangles().len()],
         };
@@ -166,19 +208,13 @@ impl<'s, 'b> Setting<'s, 'b> {
                     let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
                     body.displacement_at(mesh.group(number), point)
                 };
-                setting.lifts[triangle].extend(Lift::through(side, at)?);
+                setting.lifts[triangle].extend(Lift::through(side, &setting.edge_rule, at)?);
             }
             setting.borders.push(border);
         }
         if setting.lifts.iter().any(|lifts| !lifts.is_empty()) {
             setting.fewest = 5; // squares of polynomials of degree four
         }
-        let rule = TriangleRule::new(OWN_POINTS)?;
-        setting.own = (0..mesh.triangles().len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map(|t| setting.own_stress(t, &rule))
-            .collect::<Result<_>>()?;
         Ok(setting)
     }
 
@@ -247,10 +283,39 @@ impl<'s, 'b> Setting<'s, 'b> {
         values
     }
 
+    /// The triangle, or its ancestor, on which the stress was computed.
+    pub(super) fn host(&self, t: usize) -> usize {
+        self.hosts.as_ref().map_or(t, |hosts| hosts.of[t] as usize)
+    }
+
+    /// Its corners.
+    pub(super) fn host_corners(&self, t: usize) -> [Point; 3] {
+        match &self.hosts {
+            Some(hosts) => hosts.corners[hosts.of[t] as usize],
+            None => self.mesh.corners(t),
+        }
+    }
+
+    /// The stress that the triangle, or its ancestor, has by itself.
+    pub(super) fn own_of(&self, t: usize) -> Option<&Own> {
+        self.own[self.host(t)].as_ref()
+    }
+
+    /// The piece and the barycentric coordinates there of a point on a side.
+    pub(super) fn on_side(&self, t: usize, k: usize, s: f64, point: Point) -> (usize, [f64; 3]) {
+        if self.hosts.is_none() {
+            return (k, [1.0 - s, s, 0.0]);
+        }
+        let whole = self.host_corners(t);
+        let at = Element::new(whole).barycentric(whole, point);
+        let low = (0..3).fold(0, |low, m| if at[m] < at[low] { m } else { low });
+        ((low + 1) % 3, in_piece(at, (low + 1) % 3))
+    }
+
     /// The rule for a triangle.
     fn rule_for(&self, t: usize) -> &TriangleRule {
         let corners = self.mesh.corners(t);
-        let fewest = if self.own[t].is_some() { CUBIC_POINTS } else { 2 };
+        let fewest = if self.own_of(t).is_some() { CUBIC_POINTS } else { 2 };
         let diameter =
             (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])));
         let points =
@@ -258,29 +323,47 @@ impl<'s, 'b> Setting<'s, 'b> {
         &self.rules[points.max(self.fewest).max(fewest) - 2]
     }
 
-    /// The points of the rule on the pieces of a triangle.
+    /// The points of the rule on the pieces of a triangle, or on its parts in the pieces of the ancestor.
     pub(super) fn samples(&self, t: usize) -> Vec<Sample> {
         let corners = self.mesh.corners(t);
-        let share = doubled_area(corners) / 6.0;
-        let all = pieces(corners);
         let rule = self.rule_for(t);
-        let points: Vec<Point> = all
-            .iter()
-            .flat_map(|piece| rule.points.iter().map(|(shares, _)| combine(shares, piece)))
-            .collect();
-        let exact = self.exact_at(&points);
-        let count = rule.points.len();
-        (0..points.len())
-            .map(|i| {
-                let (shares, weight) = rule.points[i % count];
-                let mut exact = exact[i];
-                if let Some(own) = &self.own[t] {
-                    let more = own.at(i / count, shares);
-                    (0..3).for_each(|c| exact[c] += more[c]);
+        let mut samples = Vec::with_capacity(3 * rule.points.len());
+        let mut add = |piece: usize, shares: [f64; 3], point: Point, weight: f64| {
+            samples.push(Sample { piece, shares, point, weight, exact: [0.0; 3] });
+        };
+        if self.hosts.is_some() {
+            let whole = self.host_corners(t);
+            let element = Element::new(whole);
+            let at = corners.map(|point| element.barycentric(whole, point));
+            let area = 0.5 * doubled_area(whole);
+            for piece in 0..3 {
+                let (part, count) = clipped(at, piece);
+                for i in 2..count {
+                    let triangle = [part[0], part[i - 1], part[i]];
+                    let weight = area * determinant(&triangle);
+                    for (shares, share) in &rule.points {
+                        let at = combine(shares, &triangle);
+                        add(piece, in_piece(at, piece), combine(&at, &whole), share * weight);
+                    }
                 }
-                Sample { piece: i / count, shares, point: points[i], weight: weight * share, exact }
-            })
-            .collect()
+            }
+        } else {
+            let share = doubled_area(corners) / 6.0;
+            for (piece, own) in pieces(corners).iter().enumerate() {
+                for (shares, weight) in &rule.points {
+                    add(piece, *shares, combine(shares, own), weight * share);
+                }
+            }
+        }
+        let points: Vec<Point> = samples.iter().map(|sample| sample.point).collect();
+        for (sample, exact) in samples.iter_mut().zip(self.exact_at(&points)) {
+            sample.exact = exact;
+            if let Some(own) = self.own_of(t) {
+                let more = own.at(sample.piece, sample.shares);
+                (0..3).for_each(|c| sample.exact[c] += more[c]);
+            }
+        }
+        samples
     }
 
     /// For an edge of the boundary: the linear part of F − q_p n, or of −q_p n on Γ_C, the rest up to degree three, and the
@@ -376,7 +459,7 @@ impl<'s, 'b> Setting<'s, 'b> {
     /// The linear part of what is known beforehand of the field of one triangle, apart from the exact stress: that of its
     /// own load, and the slopes of its sides.
     pub(super) fn known_field(&self, t: usize, slopes: &[Linear; 3]) -> Linear {
-        let own = self.own[t].as_ref();
+        let own = self.own_of(t);
         let mut field = own.map_or([[[0.0; 3]; 3]; 3], |own| own.field);
         for k in 0..3 {
             let mut slope = self.border_of[self.sides[t][k].edge]
@@ -391,6 +474,46 @@ impl<'s, 'b> Setting<'s, 'b> {
         }
         field
     }
+}
+
+/// Barycentric coordinates in a piece, whose corners are `piece`, the next one and the centroid.
+fn in_piece(at: [f64; 3], piece: usize) -> [f64; 3] {
+    let low = at[(piece + 2) % 3];
+    [at[piece] - low, at[(piece + 1) % 3] - low, 3.0 * low]
+}
+
+/// The part of a triangle in a piece of another one, a convex polygon, in barycentric coordinates of the latter: there the
+/// coordinate of the corner opposite to the piece is the smallest.
+fn clipped(triangle: [[f64; 3]; 3], piece: usize) -> ([[f64; 3]; 5], usize) {
+    let low = (piece + 2) % 3;
+    let mut part = [[0.0; 3]; 5];
+    part[..3].copy_from_slice(&triangle);
+    let mut count = 3;
+    for other in [piece, (piece + 1) % 3] {
+        let above = |at: &[f64; 3]| at[other] - at[low];
+        let (old, before) = (part, count);
+        count = 0;
+        for i in 0..before {
+            let (a, b) = (old[i], old[(i + 1) % before]);
+            let (fa, fb) = (above(&a), above(&b));
+            if fa >= 0.0 {
+                part[count] = a;
+                count += 1;
+            }
+            if (fa < 0.0) != (fb < 0.0) && fa != 0.0 && fb != 0.0 {
+                let s = fa / (fa - fb);
+                part[count] = [0, 1, 2].map(|m| a[m] + s * (b[m] - a[m]));
+                count += 1;
+            }
+        }
+    }
+    (part, count)
+}
+
+/// The area of a triangle in units of that in whose barycentric coordinates it is given.
+fn determinant([a, b, c]: &[[f64; 3]; 3]) -> f64 {
+    let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+    p[0] * q[1] - p[1] * q[0]
 }
 
 pub(super) fn reaction(form: &Form) -> f64 {

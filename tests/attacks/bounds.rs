@@ -542,10 +542,10 @@ fn report(all: &mut [Found], refused: &[String], made: usize) {
         let Found { seed, cone, poisson, acting, beside } = found;
         let enclosure = &beside.found;
         println!(
-            "scene {seed:6} {cone:9} ν {poisson:.4} ratio {:9.4} (linear tractions {:.4}) relative {:.3} osc {:.2e} correction {:.2e} \
+            "scene {seed:6} {cone:9} ν {poisson:.4} ratio {:9.4} (reduced tractions {:.4}) relative {:.3} osc {:.2e} correction {:.2e} \
              rounding {:.1e} of the bound, fine bound {:.2}, {} triangles; {acting}; {}",
             beside.effectivity(),
-            beside.effectivity_of_linear(),
+            beside.effectivity_of_reduced(),
             enclosure.relative_error(),
             enclosure.oscillation / enclosure.error,
             enclosure.correction / enclosure.error,
@@ -571,8 +571,8 @@ fn report(all: &mut [Found], refused: &[String], made: usize) {
         let tame = all.iter().filter(|found| is_tame(found) && belongs(found));
         median(name, "bound over error", tame.map(|found| found.beside.effectivity()).collect());
         let tame = all.iter().filter(|found| is_tame(found) && belongs(found));
-        let linear = tame.map(|found| found.beside.effectivity_of_linear()).collect();
-        median(name, "bound by linear tractions over error", linear);
+        let reduced = tame.map(|found| found.beside.effectivity_of_reduced()).collect();
+        median(name, "bound by reduced tractions over error", reduced);
     }
     let ratio = |[coarse, fine]: &[Interval; 2]| {
         let middle = |interval: &Interval| 0.5 * (interval.lower + interval.upper);

@@ -194,10 +194,10 @@ impl Beside {
         self.found.error / self.closer.unwrap_or(self.distance)
     }
 
-    /// The same with linear tractions of the stress.
-    pub fn effectivity_of_linear(&self) -> f64 {
+    /// The same with reduced tractions of the stress.
+    pub fn effectivity_of_reduced(&self) -> f64 {
         match self.other {
-            (Traction::Linear, error, _) if self.found.error > 0.0 => {
+            (Traction::Reduced, error, _) if self.found.error > 0.0 => {
                 error / self.closer.unwrap_or(self.distance)
             }
             _ => self.effectivity(),

@@ -95,8 +95,11 @@ fn energies_of_the_block_are_those_of_the_table() {
         Refinement { tolerance: 0.01, ..Refinement::default() }.solve(&body).unwrap().energy;
     println!("J(u) in {exact:?}");
     for (n, above, below, accuracy) in table {
-        let found =
-            block(unit_square(n, SideParts::HANGING).unwrap()).enclose(Cone::Nodal).unwrap();
+        let body = block(unit_square(n, SideParts::HANGING).unwrap());
+        let found = body.enclose_with(Cone::Nodal, Traction::Reduced).unwrap();
+        let better = body.enclose(Cone::Nodal).unwrap();
+        println!("linear tractions: {:.12} bound {:.5}", better.dual_energy, better.error);
+        assert!(better.error < 0.95 * found.error && better.dual_energy > found.dual_energy);
         let distance = (2.0 * (found.solution.energy - exact.upper)).sqrt();
         println!(
             "{n}: {:.12} {:.12} bound {:.5} over (2 (J(u^h) − J(u)))^½ {:.4}",
@@ -564,6 +567,61 @@ fn a_load_on_one_region() {
             .load_on("1", |[x, y]: Point| [(3.0 * x).sin(), (2.0 * y).cos()])
     });
     check(&scene);
+}
+
+/// The last displacement is bounded by the stress of the mesh before: its energy is the same there, integrated over the
+/// parts of the ancestors, and the identity holds.
+#[test]
+fn the_last_displacement_is_bounded_by_the_stress_of_the_mesh_before() {
+    let mesh = with_hole();
+    let middle = |t: usize| (0..3).map(|k| mesh.corners(t)[k][1]).sum::<f64>() / 3.0;
+    let regions: Vec<u32> =
+        (0..mesh.triangles().len()).map(|t| u32::from(middle(t) > 2.0)).collect();
+    let mesh = mesh.clone().with_regions(&regions).unwrap();
+    let acting = |body: Body<'static>| {
+        body.load_on("1", |[x, y]: Point| [0.1 * x - 0.1, -0.1 - 0.02 * x * y])
+            .traction(|[x, y]: Point| [0.02 * y * y, 0.01 * x])
+            .displacement(|[x, _]: Point| [0.05 * x, -0.02 * x])
+            .gap(|[x, _]| 0.02 * x * (4.0 - x))
+    };
+    let scalar = Body::new(mesh.clone(), Form::LAPLACE)
+        .load_on("1", |[x, y]: Point| 0.4 - 0.1 * x * y)
+        .displacement(|[x, _]: Point| 0.1 * x)
+        .gap(|[x, _]| 0.02 * x * (4.0 - x));
+    let bodies = [
+        (block(unit_square(4, SideParts::HANGING).unwrap()), 0.03),
+        (acting(Body::new(mesh.clone(), elastic(1.0, 1.0))), 0.05),
+        (scalar, 0.03),
+    ];
+    for ((body, tolerance), tractions) in
+        bodies.iter().flat_map(|body| [(body, Traction::Linear), (body, Traction::Reduced)])
+    {
+        let mut energies = Vec::new();
+        let refinement = Refinement { tolerance: *tolerance, tractions, ..Refinement::default() };
+        let (found, _) = refinement.run(body, |found| energies.push(found.dual_energy)).unwrap();
+        let [.., before, last] = energies[..] else { panic!("{energies:?}") };
+        println!(
+            "{tractions:?} {}: {last:.14} {before:.14} {:.3e} {:.4}",
+            found.problem.free_unknowns(),
+            found.energy.lower - last,
+            found.relative_error()
+        );
+        assert_eq!(found.dual_steps, 0, "the stress is that of the mesh before");
+        let size = found.norm.upper.powi(2);
+        assert!((last - before).abs() < 1e-12 * size, "{last} {before}");
+        assert!((found.energy.lower - last).abs() < IDENTITY * size, "{}", found.energy.lower);
+        for edge in 0..found.problem.edge().pieces().len() {
+            let force = body.contact_force(&found, edge).unwrap().unwrap();
+            let finer = Refinement { tolerance: 0.5 * tolerance, ..refinement };
+            let other = finer.solve(body).unwrap();
+            assert!(found.energy.lower <= other.energy.upper);
+            assert!(other.energy.lower <= found.energy.upper);
+            let other = body.contact_force(&other, edge).unwrap().unwrap();
+            println!("{force:?} {other:?}");
+            assert!(force.lower <= other.upper && other.lower <= force.upper);
+            assert!(other.width() < force.width());
+        }
+    }
 }
 
 /// Quadratic loads of one region and cubic tractions are carried exactly: no oscillation, and the lower end, J(v) less half
