@@ -80,7 +80,11 @@ fn bodies() -> signorini::Result<Vec<(&'static str, Body<'static>)>> {
 }
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
-    out.column("relative", "bound/|||u|||", "guaranteed, on the last mesh");
+    out.column(
+        "relative",
+        "bound/|||u|||",
+        "guaranteed, on the last mesh: over a lower bound of |||u|||",
+    );
     out.column("order", "order in N", "of the bound");
     out.column("seconds", "s", "all meshes up to this one, both problems on each");
     let mut curves = Vec::new();
