@@ -9,9 +9,10 @@
 //! ```
 //!
 //! The paper has no such number. q is the best stress q_p + q_0, q_p an antiderivative of the load,
-//! q_0 on the triangles of u^h without load: of an Airy function in the reduced Hsieh-Clough-Tocher
-//! space (block: example `two_sided_energies`, where this one problem is in the file), or (∂_y ψ,
-//! −∂_x ψ) with ψ linear on triangles. bound² is a sum over triangles and contact segments. On
+//! q_0 on the triangles of u^h without load: of an Airy function in the Hsieh-Clough-Tocher space
+//! (block: example `two_sided_energies` has this one problem in the file, with the reduced space;
+//! here ∂φ/∂n is quadratic along edges, so that all tractions are linear), or (∂_y ψ, −∂_x ψ) with
+//! ψ continuous and quadratic on triangles. bound² is a sum over triangles and contact segments. On
 //! uniform meshes every triangle is cut into four. On adaptive meshes the fewest triangles that
 //! carry half of bound² are bisected twice at their longest edges, and neighbours so that no node
 //! hangs; both problems are solved again (`Refinement`).

@@ -75,7 +75,7 @@
 //! `cargo run --release --example two_sided_energies -- --levels 6 --out out`
 
 use example_report::prelude::*;
-use signorini::bounds::Enclosure;
+use signorini::bounds::{Enclosure, Traction};
 use signorini::cone::Cone;
 use signorini::contact::{Body, Solver};
 use signorini::fem::{Form, Lame};
@@ -113,7 +113,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         .iter()
         // Both problems by elimination to the contact edge and an active set there; exact to
         // rounding. q: stresses on triangles, multipliers on edges for equal tractions.
-        .map(|mesh| block(mesh.clone())?.enclose(options.cone))
+        .map(|mesh| block(mesh.clone())?.enclose_with(options.cone, Traction::Reduced))
         .collect::<signorini::Result<_>>()?;
     (0..3).try_for_each(|_| meshes.refine())?;
     let finest = meshes.levels().len() - 1;
@@ -145,7 +145,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let mut adaptive: Vec<(f64, f64)> = Vec::new();
     let mut meshes = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
     loop {
-        let found = block(meshes.finest().clone())?.enclose(options.cone)?;
+        let body = block(meshes.finest().clone())?;
+        let found = body.enclose_with(options.cone, Traction::Reduced)?;
         adaptive.push((found.problem.free_unknowns() as f64, found.error));
         if found.problem.free_unknowns() >= options.unknowns {
             break;

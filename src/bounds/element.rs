@@ -15,6 +15,9 @@
 //!
 //! Scalar: q = (ψ_y, −ψ_x), ψ linear: constant, with constant q·n; q·n = s − ½ on one side comes from ψ quadratic.
 //!
+//! With these three functions as unknowns, [`Traction::Linear`], φ is in the full Hsieh-Clough-Tocher space, ψ is
+//! quadratic, and all tractions are linear.
+//!
 //! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G. Ciarlet, *The Finite
 //! Element Method for Elliptic Problems*, Section 6.1.
 
@@ -35,7 +38,7 @@ pub(super) fn pieces(corners: [Point; 3]) -> [[Point; 3]; 3] {
 }
 
 /// Fields of one triangle at most.
-pub(super) const FIELDS: usize = 6;
+pub(super) const FIELDS: usize = 9;
 
 const ZERO: Linear = [[[0.0; 3]; 3]; 3];
 
@@ -85,9 +88,31 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
     [force[0] * nx + force[1] * ny, force[0] * tx + force[1] * ty]
 }
 
+/// The tractions of an equilibrated stress on the edges of its mesh.
+///
+/// ```
+/// use signorini::{bounds::Traction, cone::Cone, contact::Body, fem::Form, mesh::{SideParts, unit_square}};
+/// let body = Body::new(unit_square(8, SideParts::HANGING)?, Form::LAPLACE).load(|[x, _]: [f64; 2]| 1.0 - 3.0 * x);
+/// let reduced = body.enclose_with(Cone::Nodal, Traction::Reduced)?;
+/// let linear = body.enclose_with(Cone::Nodal, Traction::Linear)?;
+/// assert!(linear.error < reduced.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Traction {
+    /// Of a stress: linear normally, constant tangentially (reduced Hsieh-Clough-Tocher space of Airy functions), three
+    /// unknowns an edge. Of a flux: constant (linear stream function), one unknown an edge.
+    Reduced,
+    /// Linear: the full Hsieh-Clough-Tocher space, four unknowns an edge; a quadratic stream function, two unknowns an
+    /// edge. Of second order where the exact stress is smooth.
+    #[default]
+    Linear,
+}
+
 /// The fields without load on one triangle.
 pub(super) struct Equilibrated {
-    /// Six stresses, or two fluxes; the third flux x − x_T, with divergence 2, is used with a reaction term.
+    /// Six stresses, or two fluxes; with linear tractions also the slopes; last, with a reaction term, the flux x − x_T,
+    /// which has the divergence 2.
     fields: [Linear; FIELDS],
     count: usize,
     /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the other sides.
@@ -98,11 +123,29 @@ impl Equilibrated {
     /// The fields of a triangle; the slopes only if wanted, otherwise zero.
     pub(super) fn new(
         components: usize,
+        tractions: Traction,
         reaction: bool,
         slopes: bool,
         corners: [Point; 3],
     ) -> Self {
-        if components == 1 { scalar(reaction, corners) } else { elastic(slopes, corners) }
+        let is_linear = tractions == Traction::Linear;
+        let mut found = match components {
+            1 => scalar(corners),
+            _ => elastic(slopes || is_linear, corners),
+        };
+        if is_linear {
+            found.slopes.iter().for_each(|slope| {
+                found.fields[found.count] = *slope;
+                found.count += 1;
+            });
+        }
+        if reaction {
+            let centre = middle(corners);
+            found.fields[found.count] = pieces(corners)
+                .map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
+            found.count += 1;
+        }
+        found
     }
 
     pub(super) fn fields(&self) -> &[Linear] {
@@ -110,7 +153,7 @@ impl Equilibrated {
     }
 }
 
-fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
+fn scalar(corners: [Point; 3]) -> Equilibrated {
     let constant = |value: Value| [[value; 3]; 3];
     let doubled = doubled_area(corners);
     // ψ = L λ_a λ_b/2 up to sign has ψ_s = (1 − 2s)/2 on the side from a to b of length L.
@@ -130,11 +173,9 @@ fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
             |corner: usize| [f64::from(u8::from(corner == k)), f64::from(u8::from(corner == next))];
         [0, 1, 2].map(|piece| [at(shares(piece)), at(shares((piece + 1) % 3)), at([1.0 / 3.0; 2])])
     };
-    let centre = middle(corners);
-    let radial =
-        pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
-    let fields = [constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]), radial, ZERO, ZERO, ZERO];
-    Equilibrated { fields, count: if reaction { 3 } else { 2 }, slopes: [0, 1, 2].map(slope) }
+    let mut fields = [ZERO; FIELDS];
+    (fields[0], fields[1]) = (constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]));
+    Equilibrated { fields, count: 2, slopes: [0, 1, 2].map(slope) }
 }
 
 /// Values and gradients of φ at the three vertices, and per side the second difference of ∂_n φ.
@@ -151,14 +192,15 @@ fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
     let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
     let local = corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]);
     let geometry = Geometry::new(local);
-    let fields = [3, 4, 5, 6, 7, 8].map(|number| {
+    let mut fields = [ZERO; FIELDS];
+    for (field, number) in fields.iter_mut().zip(3..9) {
         let mut airy = Airy::default();
         match number % 3 {
             0 => airy.value[number / 3] = 1.0,
             axis => airy.gradient[number / 3][axis - 1] = 1.0,
         }
-        geometry.stress(&airy)
-    });
+        *field = geometry.stress(&airy);
+    }
     let slopes = [0, 1, 2].map(|k| {
         if !with_slopes {
             return ZERO;
@@ -169,7 +211,7 @@ fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
         airy.bulge[k] = 0.25 * geometry.lengths[k];
         geometry.stress(&airy)
     });
-    Equilibrated { fields, count: FIELDS, slopes }
+    Equilibrated { fields, count: 6, slopes }
 }
 
 /// The affine geometry of the three pieces.
@@ -266,14 +308,17 @@ mod tests {
 
     #[test]
     fn stresses_are_in_equilibrium_with_linear_normal_and_constant_tangential_traction() {
-        for components in [1, 2] {
-            let found = Equilibrated::new(components, false, true, CORNERS);
+        for (components, tractions) in
+            [1, 2].into_iter().flat_map(|c| [(c, Traction::Reduced), (c, Traction::Linear)])
+        {
+            let found = Equilibrated::new(components, tractions, false, true, CORNERS);
+            let first_slope = if components == 1 { 2 } else { 6 };
             for (number, field) in found.fields().iter().chain(&found.slopes).enumerate() {
                 let mut resultant = [0.0; 3];
                 for k in 0..3 {
                     let side = side(CORNERS, k);
                     let [first, last] = ends(components, field, k);
-                    let slope = number.checked_sub(found.count) == Some(k);
+                    let slope = number.checked_sub(first_slope).is_some_and(|j| j % 3 == k);
                     let expected = if slope { 1.0 } else { 0.0 };
                     let of = if components == 1 { 0 } else { 1 };
                     assert!(
@@ -306,7 +351,7 @@ mod tests {
 
     #[test]
     fn normal_components_are_continuous_across_the_pieces() {
-        let found = Equilibrated::new(2, false, true, CORNERS);
+        let found = Equilibrated::new(2, Traction::Linear, false, true, CORNERS);
         let centre = middle(CORNERS);
         for field in found.fields().iter().chain(&found.slopes) {
             for i in 0..3 {

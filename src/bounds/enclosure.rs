@@ -1,13 +1,14 @@
 //! A solution with its guaranteed error: both problems on one mesh, and what follows from them.
 
 use super::dual::Dual;
-use super::element::Linear;
+use super::element::Traction;
 use super::parts::Parts;
 use super::setting::Setting;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::{Body, ContactProblem, ContactSolution, Settings, Solver, Start};
 use crate::error::{Error, Result};
 use crate::mesh::{Part, Triangulation, distance};
+use std::sync::Arc;
 
 /// Overlaps below this multiple of the largest displacement are rounding.
 const ROUNDED: f64 = 1e-14;
@@ -79,8 +80,11 @@ pub struct Enclosure {
     pub stress: Vec<[f64; 3]>,
     /// J*(q), its energy; with oscillation it need not be a lower bound of J(u).
     pub dual_energy: f64,
-    pub(super) fields: Vec<Linear>,
-    pub(super) at_borders: Vec<[f64; 2]>,
+    /// Tractions of the stress.
+    pub tractions: Traction,
+    pub(super) dual: Dual,
+    /// The mesh of the stress with the ancestor of every triangle there, if it is a coarser one.
+    pub(super) hosts: Option<Arc<(Triangulation, Vec<u32>)>>,
     pub(super) admissible: Vec<f64>,
     pub(super) reach: f64,
     pub(super) work: f64,
@@ -130,23 +134,73 @@ impl Body<'_> {
     /// # Errors
     /// As for [`Body::problem`] and [`ContactProblem::solve`].
     pub fn enclose(&self, cone: Cone) -> Result<Enclosure> {
-        self.enclose_on(self.mesh(), cone, None)
+        self.enclose_with(cone, Traction::default())
     }
 
-    /// The same on a refinement of the mesh, from a guess of the active constraints.
-    pub(super) fn enclose_on(
+    /// The same with the given tractions of the stress: [`Traction::Reduced`] takes less time and memory and gives a larger
+    /// bound.
+    ///
+    /// # Errors
+    /// As for [`Body::enclose`].
+    pub fn enclose_with(&self, cone: Cone, tractions: Traction) -> Result<Enclosure> {
+        let solved = self.solved_on(self.mesh(), cone, None)?;
+        self.enclosed(cone, tractions, solved)
+    }
+
+    /// The discrete problem on a refinement of the mesh with its solution, from a guess of the active constraints.
+    pub(super) fn solved_on(
         &self,
         mesh: &Triangulation,
         cone: Cone,
         guess: Option<ContactSet>,
-    ) -> Result<Enclosure> {
+    ) -> Result<(ContactProblem, ContactSolution)> {
         let problem = self.problem_on(mesh)?;
         let start = guess.map_or(Start::Open, Start::Set);
         let settings = Settings { solver: Solver::ActiveSet, start, ..Settings::default() };
         let solution = problem.solve(cone, settings)?;
-        let setting = Setting::new(self, mesh)?;
+        Ok((problem, solution))
+    }
+
+    /// The bound by the best stress on the same mesh.
+    pub(super) fn enclosed(
+        &self,
+        cone: Cone,
+        tractions: Traction,
+        (problem, solution): (ContactProblem, ContactSolution),
+    ) -> Result<Enclosure> {
+        let mesh = problem.mesh().clone();
+        let setting = Setting::new(self, &mesh, tractions)?;
         let dual = setting.best_stress(&setting.touching(&problem, cone, &solution))?;
         setting.conclude(problem, cone, solution, dual)
+    }
+
+    /// The bound by the stress of another enclosure, on whose mesh every triangle has the given ancestor.
+    pub(super) fn enclosed_by(
+        &self,
+        cone: Cone,
+        coarse: &Enclosure,
+        of: Vec<u32>,
+        (problem, solution): (ContactProblem, ContactSolution),
+    ) -> Result<Enclosure> {
+        let (mesh, hosts) = (problem.mesh().clone(), coarse.problem.mesh().clone());
+        let own = Setting::new(self, &hosts, coarse.tractions)?;
+        let fine = own.refined(&mesh, of.clone())?;
+        let dual = own.transferred(&fine, &coarse.dual);
+        let mut found = fine.conclude(problem, cone, solution, dual)?;
+        drop((fine, own));
+        found.hosts = Some(Arc::new((hosts, of)));
+        Ok(found)
+    }
+
+    /// The data on the mesh of an enclosure.
+    pub(super) fn setting_of<'s>(&'s self, found: &'s Enclosure) -> Result<Setting<'s, 's>> {
+        let mesh = found.problem.mesh();
+        match found.hosts.as_deref() {
+            Some((hosts, of)) => {
+                Setting::new(self, hosts, found.tractions)?.refined(mesh, of.clone())
+            }
+            None => Setting::new(self, mesh, found.tractions),
+        }
     }
 }
 
@@ -250,8 +304,9 @@ impl Setting<'_, '_> {
             pressure: self.in_order(&problem, &dual.pressure),
             stress: parts.means,
             dual_energy: -parts.complementary,
-            fields: dual.fields,
-            at_borders: dual.pressure,
+            tractions: self.tractions,
+            dual,
+            hosts: None,
             admissible,
             reach,
             work,
@@ -452,7 +507,7 @@ mod tests {
                 .load(|_: Point| [0.0, -1.0])
                 .gap(|[x, _]| 0.3 * x * x);
             let (problem, solution) = solved(&body, cone);
-            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
             let off = |displacement: &[f64]| {
                 let overlap = setting.overlap(&problem, displacement).unwrap();
                 overlap.into_iter().fold(0.0, f64::max)
@@ -478,7 +533,7 @@ mod tests {
         let body = Body::new(unit_square(32, SideParts::HANGING).unwrap(), elastic())
             .load(|[x, _]: Point| [0.0, -(std::f64::consts::PI * x).cos()]);
         let (problem, solution) = solved(&body, Cone::Midpoint);
-        let setting = Setting::new(&body, body.mesh()).unwrap();
+        let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
         let u = &solution.displacement;
         let v = problem.normal_displacement(u).unwrap();
         let [w, beside] =
@@ -508,7 +563,7 @@ mod tests {
         {
             let is_flux = form.components() == 1;
             let body = Body::new(mesh(), form);
-            let setting = Setting::new(&body, body.mesh()).unwrap();
+            let setting = Setting::new(&body, body.mesh(), Traction::Reduced).unwrap();
             let (inner, root) = (setting.compliance(0), setting.compliance_root(0));
             let last = if is_flux { [0.0; 2] } else { [0.3, -0.7] };
             let (s, t) = ([1.0, 2.0, last[0]], [-0.4, 1.3, last[1]]);

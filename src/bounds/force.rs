@@ -68,7 +68,7 @@ impl Body<'_> {
             weights.len(),
             problem.edge().nodes().len(),
         )?;
-        let setting = Setting::new(self, problem.mesh())?;
+        let setting = self.setting_of(found)?;
         let w = problem.extension(weights)?;
         let size = problem.energy_norm(&w)?;
         let mut middle = 0.0;
@@ -96,7 +96,7 @@ impl Setting<'_, '_> {
     /// ∫ d : ε(w) on a triangle, with the reaction term.
     fn pairing(&self, t: usize, found: &Enclosure, w: &[f64]) -> Result<f64> {
         let (inner, test) = (self.compliance(t), self.stress_of(t, w));
-        let (field, stress) = (&found.fields[t], self.stress_of(t, &found.admissible));
+        let (field, stress) = (&found.dual.fields[t], self.stress_of(t, &found.admissible));
         let (corners, nodes, reaction) =
             (self.mesh.corners(t), self.mesh.triangles()[t], self.reaction());
         let element = Element::new(corners);
@@ -117,7 +117,7 @@ impl Setting<'_, '_> {
     /// −∫ q_N w_N over Γ_C.
     fn pressure_against(&self, found: &Enclosure, w: &[f64]) -> f64 {
         let mut sum = 0.0;
-        for (border, [p, r]) in self.borders.iter().zip(&found.at_borders) {
+        for (border, [p, r]) in self.borders.iter().zip(&found.dual.pressure) {
             if border.part == Part::Contact && (*p > 0.0 || *r > 0.0) {
                 let side = self.side(border.triangle, border.side);
                 let [a, b] = self.normal_at(border, w);

@@ -31,12 +31,13 @@ mod dual;
 mod element;
 mod enclosure;
 mod force;
-mod lift;
+mod own;
 mod parts;
 mod polynomial;
 mod refine;
 mod rule;
 mod setting;
 
+pub use element::Traction;
 pub use enclosure::{Enclosure, Interval};
 pub use refine::{Ended, Refinement};

@@ -159,10 +159,14 @@ impl Setting<'_, '_> {
                     if x == 0.0 && y == 0.0 {
                         continue;
                     }
-                    let shares = [1.0 - s, s, 0.0];
-                    let mut value = combine(&shares, &dual.fields[border.triangle][border.side]);
+                    let (piece, shares) = self.on_side(border.triangle, border.side, s, point);
+                    let mut value = combine(&shares, &dual.fields[border.triangle][piece]);
                     let exact = self.exact_at(&[point])[0];
                     (0..3).for_each(|c| value[c] += exact[c]);
+                    if let Some(own) = self.own_of(border.triangle) {
+                        let more = own.at(piece, shares);
+                        (0..3).for_each(|c| value[c] += more[c]);
+                    }
                     let [n, t] = traction(self.components, value, &side);
                     let given = match self.components {
                         1 => n * x,
@@ -238,7 +242,7 @@ impl Setting<'_, '_> {
     /// f + div q at a point, for a problem with reaction term.
     fn source(&self, t: usize, sample: &Sample, field: &Linear) -> Result<f64> {
         let load = self.body.load_at(self.mesh.region(t), sample.point)?[0];
-        Ok(load + divergence(self.mesh.corners(t), field))
+        Ok(load + divergence(self.host_corners(t), field))
     }
 
     fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<OnTriangle> {
@@ -260,7 +264,7 @@ impl Setting<'_, '_> {
             }
         }
         found.mean.iter_mut().for_each(|mean| *mean /= area);
-        found.oscillation = self.oscillation_of(t, dual.left_over[t]) + rest;
+        found.oscillation = dual.oscillation[t] + rest;
         Ok(found)
     }
 
@@ -315,7 +319,7 @@ impl Setting<'_, '_> {
     }
 
     /// osc_T.
-    fn oscillation_of(&self, t: usize, volume: f64) -> f64 {
+    pub(super) fn oscillation_of(&self, t: usize, volume: f64) -> f64 {
         let corners = self.mesh.corners(t);
         let area = 0.5 * doubled_area(corners);
         let lengths = [0, 1, 2].map(|k| distance(corners[k], corners[(k + 1) % 3]));

@@ -1,5 +1,6 @@
 //! A mesh that is fine where the bound requires it: solve, bound, mark a share of the bound, bisect.
 
+use super::element::Traction;
 use super::enclosure::Enclosure;
 use crate::cone::{Cone, ContactSet};
 use crate::contact::Body;
@@ -10,7 +11,19 @@ use fractional_sobolev::{Estimate, Work};
 /// Share of the tolerance that the expected bound of the last mesh is to meet.
 const AIMED: f64 = 0.98;
 
+/// Share of the stress in the square of the bound where it is not known yet.
+const USUAL: f64 = 0.3;
+/// Share of what is wanted that the stress of the mesh before the last is to have.
+const STRESS: f64 = 0.45;
+/// The largest factor from the mesh of the last stress to the last mesh.
+const FARTHEST: f64 = 10.0;
+
 /// How a mesh is refined to a tolerance, and where it ends.
+///
+/// The stress requires several times the work of the displacement, and its error is the smaller part of the bound. So
+/// the last displacement is bounded by the stress of the mesh before, which is as good on a refinement: no stress is
+/// computed on the last mesh. [`Body::contact_force`](crate::contact::Body::contact_force) and the other results of an
+/// [`Enclosure`] hold as they stand.
 ///
 /// ```
 /// use signorini::{bounds::Refinement, contact::Body, fem::{Form, Lame}, mesh::{SideParts, unit_square}};
@@ -24,6 +37,8 @@ const AIMED: f64 = 0.98;
 pub struct Refinement {
     /// The discrete cone.
     pub cone: Cone,
+    /// Tractions of the stress.
+    pub tractions: Traction,
     /// The guaranteed error in the energy norm relative to |||u||| at which the refinement ends.
     pub tolerance: f64,
     /// Largest number of unknowns of the discrete problem; the mesh that exceeds it is not solved on.
@@ -37,7 +52,14 @@ pub struct Refinement {
 
 impl Default for Refinement {
     fn default() -> Self {
-        Self { cone: Cone::Nodal, tolerance: 0.01, unknowns: 1_000_000, share: 0.5, growth: 4.0 }
+        Self {
+            cone: Cone::Nodal,
+            tractions: Traction::default(),
+            tolerance: 0.01,
+            unknowns: 1_000_000,
+            share: 0.5,
+            growth: 4.0,
+        }
     }
 }
 
@@ -96,11 +118,14 @@ impl Refinement {
         Error::require("tolerance", self.tolerance, "(0, inf)", self.tolerance > 0.0)?;
         Error::require("share", self.share, "(0, 1]", self.share > 0.0 && self.share <= 1.0)?;
         let mut meshes = Hierarchy::new(body.mesh().clone());
-        let mut guess = None;
+        let per_node = body.form().components();
+        let fits = |meshes: &Hierarchy| meshes.finest().nodes().len() * per_node <= self.unknowns;
+        let mut solved = body.solved_on(meshes.finest(), self.cone, None)?;
         // The square of the bound that was expected on this mesh.
         let (mut expected, mut bias) = (None, 1.0);
+        let mut before = None;
         loop {
-            let found = body.enclose_on(meshes.finest(), self.cone, guess.take())?;
+            let found = body.enclosed(self.cone, self.tractions, solved)?;
             each(&found);
             if found.relative_error() <= self.tolerance {
                 return Ok((found, Ended::Tolerance));
@@ -112,35 +137,93 @@ impl Refinement {
             meshes.forget();
             if self.share >= 1.0 {
                 meshes.refine()?;
-            } else {
-                if let Some(expected) = expected {
-                    bias = found.shares.iter().sum::<f64>() / expected;
+                if !fits(&meshes) {
+                    return Ok((found, Ended::Unknowns));
                 }
-                let wanted = AIMED * self.tolerance * found.norm.lower;
-                expected = Some(self.grow(&mut meshes, &found, wanted * wanted / bias)?);
+                let guess = self.guess(&meshes, &found)?;
+                solved = body.solved_on(meshes.finest(), self.cone, guess)?;
+                continue;
             }
-            let per_node = body.form().components();
-            if meshes.finest().nodes().len() * per_node > self.unknowns {
-                return Ok((found, Ended::Unknowns));
+            let total = found.shares.iter().sum::<f64>();
+            if let Some(expected) = expected {
+                bias = total / expected;
             }
-            if self.cone == Cone::Nodal {
-                guess = Some(refined_set(&meshes, &found)?);
+            let wanted = (AIMED * self.tolerance * found.norm.lower).powi(2);
+            let now = Now::of(&found);
+            let of_stress = now.share_of_stress(before.as_ref());
+            before = Some(now);
+            // |||u − v|||² on the last mesh and |||σ(u) − q|||² on this one have to add up to what is wanted.
+            let stress = of_stress * total;
+            let is_last = |displacement: f64| {
+                self.growth > 1.0 && displacement <= FARTHEST * (wanted - stress)
+            };
+            if !is_last(total - stress) {
+                let target =
+                    (STRESS * wanted / of_stress).clamp(wanted, 0.5 * total.max(2.0 * wanted));
+                let grown = self.grow(&mut meshes, &found.shares, target / bias, self.growth)?;
+                if !fits(&meshes) {
+                    return Ok((found, Ended::Unknowns));
+                }
+                expected = Some(grown.expected);
+                let guess = self.guess(&meshes, &found)?;
+                solved = body.solved_on(meshes.finest(), self.cone, guess)?;
+                continue;
+            }
+            let mut origins: Vec<u32> = (0..found.shares.len() as u32).collect();
+            let (mut shares, mut displacement) = (found.shares.clone(), total - stress);
+            loop {
+                let sum: f64 = shares.iter().sum();
+                let target = sum * ((wanted - stress) / displacement).min(0.9);
+                let grown = self.grow(&mut meshes, &shares, target, f64::INFINITY)?;
+                if !fits(&meshes) {
+                    return Ok((found, Ended::Unknowns));
+                }
+                origins = grown.origins.iter().map(|&origin| origins[origin as usize]).collect();
+                let guess = self.guess(&meshes, &found)?;
+                solved = body.solved_on(meshes.finest(), self.cone, guess)?;
+                let last = body.enclosed_by(self.cone, &found, origins.clone(), solved)?;
+                if last.relative_error() <= self.tolerance {
+                    each(&last);
+                    return Ok((last, Ended::Tolerance));
+                }
+                shares = last.shares;
+                displacement = shares.iter().sum::<f64>() - stress;
+                solved = (last.problem, last.solution);
+                // The estimate of the stress was wrong: another one, on this mesh.
+                if !is_last(displacement) || displacement <= wanted - stress {
+                    expected = None;
+                    break;
+                }
             }
         }
+    }
+
+    /// The active nodes to start from on the finest mesh.
+    fn guess(&self, meshes: &Hierarchy, found: &Enclosure) -> Result<Option<ContactSet>> {
+        (self.cone == Cone::Nodal).then(|| refined_set(meshes, found)).transpose()
     }
 
     /// Bisects the triangles that carry the share of the bound, and again with the shares that are to be expected, until
     /// the mesh has `growth` times as many triangles or the square of the bound is expected to be as wanted.
     ///
     /// A share is of the order of the square of the area, so that of a piece is that of its origin times the square of its
-    /// part of the area. Returns the square of the bound to be expected.
-    fn grow(&self, meshes: &mut Hierarchy, found: &Enclosure, wanted: f64) -> Result<f64> {
-        let enough = self.growth * found.shares.len() as f64;
-        let mut shares = found.shares.clone();
+    /// part of the area.
+    fn grow(
+        &self,
+        meshes: &mut Hierarchy,
+        shares: &[f64],
+        wanted: f64,
+        growth: f64,
+    ) -> Result<Grown> {
+        let enough = growth * shares.len() as f64;
+        let mut shares = shares.to_vec();
+        let mut origins: Vec<u32> = (0..shares.len() as u32).collect();
         loop {
             let marked = bulk(&shares, self.share, wanted);
             meshes.refine_where(|_, t| marked[t])?;
-            let [.., coarse, fine] = meshes.levels() else { return Ok(wanted) };
+            let [.., coarse, fine] = meshes.levels() else {
+                return Ok(Grown { expected: wanted, origins });
+            };
             let area = |mesh: &Triangulation, t: usize| doubled_area(mesh.corners(t));
             shares = meshes
                 .origins()
@@ -151,11 +234,42 @@ impl Refinement {
                     part * part * shares[origin as usize]
                 })
                 .collect();
+            origins = meshes.origins().iter().map(|&origin| origins[origin as usize]).collect();
             let expected = shares.iter().sum();
             if shares.len() as f64 >= enough || expected <= wanted {
-                return Ok(expected);
+                return Ok(Grown { expected, origins });
             }
         }
+    }
+}
+
+/// A grown mesh: the square of the bound to be expected, and the triangle of the mesh before in which each lies.
+struct Grown {
+    expected: f64,
+    origins: Vec<u32>,
+}
+
+/// Unknowns and energies of one mesh.
+struct Now {
+    unknowns: f64,
+    upper: f64,
+    lower: f64,
+}
+
+impl Now {
+    fn of(found: &Enclosure) -> Self {
+        let unknowns = found.problem.free_unknowns() as f64;
+        Self { unknowns, upper: found.energy.upper, lower: found.energy.lower }
+    }
+
+    /// The share of |||σ(u) − q|||² = 2 (J(u) − J*(q)) in the square of the bound, with J(u) extrapolated from two meshes:
+    /// J(v) − J(u) is of the order 1/N. An estimate by which only the size of the next mesh is chosen.
+    fn share_of_stress(&self, before: Option<&Self>) -> f64 {
+        let Some(before) = before else { return USUAL };
+        let ratio = self.unknowns / before.unknowns;
+        let energy = (ratio * self.upper - before.upper) / (ratio - 1.0);
+        let share = (energy - self.lower) / (self.upper - self.lower);
+        if ratio > 1.5 && share.is_finite() { share.clamp(0.03, 0.7) } else { USUAL }
     }
 }
 
