@@ -54,7 +54,7 @@ use std::time::Instant;
 example! { seconds "A guaranteed error, its cost",
     "the bound of |||u − u^h||| falls like N^(−1/2) on adaptive meshes, whatever the corners";
     /// largest number of unknowns
-    unknowns: usize = "20000" in "[2000, 2000000]",
+    unknowns: usize = "20000" in "[20000, 2000000]",
 }
 
 /// One mesh of a sequence.
