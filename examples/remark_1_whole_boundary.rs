@@ -37,8 +37,10 @@
 //! a residual of the discrete contact conditions (equilibrium, signs, complementarity), over the
 //! largest of its terms, is above 1e-10; or if two solvers differ in J = ½ a(u, u) − l(u), for the
 //! load f = 4 cos πx + 4 cos πy with g = 0, by more than 1e-8 of it. The theorems are loose if for
-//! τ < 2 the error over h^q does not grow either, with q half way from the printed exponent to τ −
-//! 1. Only the two J have an error bar, their rounding: undecided while 1e-8 lies inside of it. The
+//! τ < 2 the error over h^q does not grow either, with q half way from the printed exponent to
+//! τ − 1.
+//!
+//! Only the two J have an error bar, their rounding: undecided while 1e-8 lies inside of it. The
 //! other comparisons are of plain numbers.
 //!
 //! `cargo run --release --example remark_1_whole_boundary -- --meshes 9`

@@ -14,9 +14,9 @@
 //! the mean of v* over (0, θ) is the largest that v has over any set of measure θ, and |v*|_ν ≤
 //! |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting them lowers Σ (f_i − f_j)² over |i −
 //! j| ≤ k, for every k. Let u have mean zero on E and mean m ≤ 0 on (0, 1) (else take −u), and let
-//! c ≥ 0 be the mean of u* over (0, θ): u* − c has mean zero there, and ‖u* − c‖₀² = ‖u‖₀² − 2 c m
-//! + c² ≥ ‖u‖₀². If u vanishes on E, sort |u|: the result vanishes on (0, θ), with the same norm
-//! and no larger seminorm.
+//! c ≥ 0 be the mean of u* over (0, θ): u* − c has mean zero there, and
+//! ‖u* − c‖₀² = ‖u‖₀² − 2 c m + c² ≥ ‖u‖₀². If u vanishes on E, sort |u|: the result vanishes on
+//! (0, θ), with the same norm and no larger seminorm.
 //!
 //! The paper's proof cuts (0, 1) inside E into I₁ and I₂ and uses Lemma 5.2 on both, as if the mean
 //! over each part of E were zero:
