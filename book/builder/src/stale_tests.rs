@@ -56,6 +56,16 @@ fn a_finding_about_seconds_may_turn_on_a_busy_machine_and_no_other() {
     assert!(found.iter().any(|s| s.entry == "ex/findings/0/outcome"), "{found:?}");
 }
 
+/// An example whose name speaks of seconds is compared like any other.
+#[test]
+fn the_name_of_an_example_hides_nothing() {
+    let old = OLD.replace(r#""ex":"#, r#""error_against_seconds":"#);
+    let new = old.replace("0.29155661", "0.2916");
+    let found = compare(&data(&old, "<svg/>"), &data(&new, "<svg/>"));
+    let entries: Vec<&str> = found.iter().map(|stale| stale.entry.as_str()).collect();
+    assert_eq!(entries, ["error_against_seconds/values/gamma"]);
+}
+
 /// Another name of a check, source of a bound, range of a corrected form or status is stale; digits are not.
 #[test]
 fn words_of_findings_are_compared() {
