@@ -92,6 +92,9 @@ struct Segment {
 fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
     match problem {
         NamedProblem::Mesh(body) => {
+            // A contact edge without two ends is refused here, before the long solve.
+            let coarse = body.problem(8)?;
+            EdgeTrace::of_solution(&coarse, &coarse.solve(Cone::Nodal, Solver::ActiveSet)?)?;
             let problem = body.problem(8 * finest)?;
             // u_N = 0 at the active nodes, Cholesky; a node with λ < 0 leaves, one with u_N > 0
             // enters, until none does: exact up to rounding.

@@ -31,7 +31,7 @@
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
 use crate::cone::Cone;
-use crate::error::Result;
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::search::golden_section;
 use fractional_sobolev::{BestConstant, Estimate, Given, Moment, Order, Tolerance, Work, moment};
 
@@ -174,9 +174,28 @@ fn product(
     length: f64,
     tolerance: Tolerance,
 ) -> Result<BestConstant> {
-    let first = moment(order, length..1.0, moments.0, tolerance)?;
-    let second = moment(order, 0.0..length, moments.1, tolerance)?;
-    Ok(first.product(&second)?)
+    let first = moment(order, length..1.0, moments.0, tolerance);
+    let second = moment(order, 0.0..length, moments.1, tolerance);
+    if let (Ok(first), Ok(second)) = (&first, &second) {
+        return Ok(first.product(second)?);
+    }
+    // A refused moment carries its own best value; that of the product is the product.
+    let first = Estimate::or_best(first.map(|found| found.constant))?;
+    let second = Estimate::or_best(second.map(|found| found.constant))?;
+    let value = first.value * second.value;
+    let error = value * (first.relative_error() + second.relative_error());
+    let best = Estimate::new(value, error, first.work + second.work)?;
+    Err(Error::not_met("ratio of one gap", tolerance.relative(), best, "a moment does not meet it"))
+}
+
+/// The refusal of a maximum over the gap: the value for one gap is not its best value.
+fn without_value(error: Error) -> Error {
+    match error {
+        Error::Toolkit(ToolkitError::ToleranceNotMet { asked, reached, why, .. }) => {
+            Error::out_of_reach("largest product of moments", asked, reached, why)
+        }
+        other => other,
+    }
 }
 
 /// The search interval of the maximum, the width of the golden-section search, and the half width of the
@@ -205,18 +224,19 @@ fn largest_product(
         )
     });
     if let Some(error) = failure {
-        return Err(error);
+        return Err(without_value(error));
     }
     let sharper = Tolerance::new((0.25 * tolerance.relative()).max(1e-15))?;
+    let exact = |e: f64| product(order, moments, e, sharper).map_err(without_value);
     let mut values = [0.0; 5];
     let mut work = Work::default();
     for (k, value) in values.iter_mut().enumerate() {
-        let found = product(order, moments, rough + STEP * (k as f64 - 2.0), sharper)?.constant;
+        let found = exact(rough + STEP * (k as f64 - 2.0))?.constant;
         *value = found.value;
         work += found.work;
     }
     let contact = rough + STEP * stationary(&values);
-    let mut best = product(order, moments, contact, sharper)?;
+    let mut best = exact(contact)?;
     best.constant.work += work;
     Ok(SegmentConstant { best, contact })
 }
