@@ -12,7 +12,8 @@
 //!
 //! by scikit-fem and NGSolve with a primal-dual active set written by hand, by NumPy's dense
 //! matrix, and by SciPy's adaptive double integral. The file `results.json` keeps what `run.py`
-//! measured: processor seconds, and the numbers found. This file computes none of the seconds. It computes what the numbers should be,
+//! measured: processor seconds, and the numbers found. This file computes none of the seconds. It
+//! computes what the numbers should be,
 //!
 //! ```text
 //! J(u^h)    by this library, the same discrete problem;
@@ -36,7 +37,8 @@ use serde_json::Value;
 use signorini::{cone::Cone, contact::Solver, problems::TestProblem};
 use std::f64::consts::PI;
 
-example! { seconds "Beside other programs", "the same work on one machine: seconds, and the error of each";
+example! { seconds "Beside other programs",
+    "the same work on one machine: seconds, and the error of each";
     /// block: n × n squares
     n: Vec<usize> = "256,512" in "[2, 512]",
     /// equal elements of the interval

@@ -22,16 +22,24 @@
 //! ```
 //!
 //! in the nodal cone −∫ σ_N u^h ≤ 0 is dropped. Refuted if F(u^h) is above F(I^h u), or C above 2;
-//! or if (4.8) fails: its right less its left side is −∫ πσ_N u^h, so that it asks the sign of the
-//! means of u^h.
-//! Undecided while a bound lies inside of an error bar.
+//! or if (4.8) fails: its right less its left side is ∫ πσ_N u^h ≥ 0, as the means of σ_N and of
+//! u^h are ≤ 0; or if −∫ σ_N u^h is above 0 in the nodal cone (both by more than 1e-9 of
+//! ‖u − u^h‖² + ‖u − I^h u‖²); or if `by_definition` and the library differ by 1e-9. Undecided
+//! while a bound lies inside of an error bar, which is rounding.
 //!
 //! Test problem: as in Theorem 3.1 (`theorem_3_1_rates`), u is harmonic on the unit square, 0 on
 //! top, ∂u/∂n = 0 on the sides, with the values g ≤ 0 and the pressure λ = −σ_N ≥ 0, g λ = 0,
-//! chosen on the edge. For `transition` the terms are means over the places a = 5/12 and 11/24, and
-//! C is mean over mean. The fine edge has N = 64·2^finest cells; u is the discrete harmonic
-//! function on N × N squares with the values g there, and the load on the edge is ∂u/∂n of that
-//! function plus the forces of λ, so that u is the solution. Other sets: see `section_2_strip`.
+//! chosen on the edge. For `transition`
+//!
+//! ```text
+//! g = −(d (2 − 2a − d)/(2 − 2a))^(τ−1), d = x − a, for x > a;     λ = (a − x)^(τ−2) for x < a,
+//! ```
+//!
+//! the integral of λ over a fine cell half to each of its nodes, that from the last node below a up
+//! to a to that node; the terms are means over the places a = 5/12 and 11/24, and C is mean over
+//! mean. The fine edge has N = 64·2^finest cells; u is the discrete harmonic function on N × N
+//! squares with the values g there, and the load on the edge is ∂u/∂n of that function plus the
+//! forces of λ, so that u is the solution. Other sets: see `section_2_strip`.
 //!
 //! `cargo run --release --example falk_terms -- --problem fat-cantor --tau 1.6`
 

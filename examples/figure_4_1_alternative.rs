@@ -92,7 +92,7 @@ struct Segment {
 fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
     match problem {
         NamedProblem::Mesh(body) => {
-            // A contact edge without two ends is refused here, before the long solve.
+            // A contact edge without two ends is rejected here, before the long solve.
             let coarse = body.problem(8)?;
             EdgeTrace::of_solution(&coarse, &coarse.solve(Cone::Nodal, Solver::ActiveSet)?)?;
             let problem = body.problem(8 * finest)?;

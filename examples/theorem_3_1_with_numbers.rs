@@ -49,8 +49,8 @@
 //! ```
 //!
 //! The signs are those that make u_N ≤ 0. The edge also carries the load ∂u/∂n − σ_N (elastic: Re
-//! Z' − σ_N), and u is prescribed on the other sides. |∇u|_s is taken on the half disc about (2/5,
-//! 0) through (1, 1), which contains the square.
+//! Z' − σ_N), and u is prescribed on the other sides. |∇u|_s is taken on the half disc about
+//! (2/5, 0) through (1, 1), which contains the square.
 //!
 //! Refuted if an error is above E h^(τ² − 5τ/2 + 2), at τ = 2 above E h |ln h|^(1/2), or if P
 //! differs from `by_definition` by 0.5 %. The paper is loose if every error is at most E h^(τ−1),
