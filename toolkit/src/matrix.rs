@@ -270,8 +270,10 @@ impl Gram {
     /// They are computed by a block iteration with preconditioned residuals (LOBPCG), which for the largest
     /// one starts, among others, from the Ritz vectors of windows of 48 basis functions: 5 to 30 steps of a
     /// few products each, up to 200 on a uniform mesh, where the largest eigenvalues are close together and
-    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual, the
-    /// rounding of the product and its tolerance. On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue
+    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual, for the
+    /// smallest one by its square over the distance to the next eigenvalue, plus the rounding of the product and its
+    /// tolerance. For at most 128 basis functions the number of eigenvalues in between is counted by the inertia of
+    /// A − σM; for more, the distance is that of the Ritz values, less the residual of the next one. On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue
     /// may exceed the tolerance: it is 4e-15 Σ a_ii x_i² for a vector x with ∫ x² = 1. The ratio of the two eigenvalues is the condition number of A relative
     /// to M, on the functions of mean zero if constants have seminorm zero.
     ///
@@ -287,8 +289,8 @@ impl Gram {
     ///
     /// # Errors
     /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis functions;
-    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value;
-    /// [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
+    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value, without one if a larger
+    /// eigenvalue than the one found is counted; [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
         if self.len() < 4 {
@@ -296,7 +298,8 @@ impl Gram {
             return Err(Error::CountOutOfRange { name, value: self.len(), range });
         }
         let (fast, inverse) = (self.fast()?, self.inverse());
-        extreme_eigenvalues(fast, inverse, &self.mesh, self.basis, self.tolerance)
+        let dense = || self.to_dense();
+        extreme_eigenvalues(fast, inverse, &dense, &self.mesh, self.basis, self.tolerance)
     }
 
     /// The diagonal of A, stored with the fast product.

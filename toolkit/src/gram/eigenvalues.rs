@@ -14,10 +14,11 @@ use super::{GramOperator, Spectral};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
-use crate::numeric::block_iteration::{Pencil, smallest};
+use crate::numeric::block_iteration::{Count, Pencil, smallest};
 use crate::numeric::dense::symmetric_eigen;
 use crate::numeric::sum::pairwise_dot;
 use nalgebra::DMatrix;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 /// Number of vectors in a block.
@@ -39,14 +40,28 @@ const TAKEN: usize = 6;
 /// Smallest share of a product that a new direction of a window has.
 const NEW: f64 = 1e-8;
 
+/// Relative distance above the largest eigenvalue found at which eigenvalues are counted, and the message if there are
+/// more.
+const ABOVE_LARGEST: f64 = 1e-9;
+const LARGER: &str = "the block iteration converged to an eigenvalue that is not the largest one";
+
 /// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
 
 /// Rounding error of xᵀA x, in units of ε Σ a_ii x_i².
 const ROUNDING: f64 = 16.0;
 
+/// Largest number of basis functions for which eigenvalues are counted, and the size of an eigenvalue of the matrix
+/// scaled to a diagonal of 1, per row, whose sign rounding may decide.
+const COUNTED: usize = 128;
+const UNDECIDED: f64 = 1e-12;
+
 struct Small<'a> {
     operator: &'a GramOperator,
+    /// A and M as dense matrices, for counts
+    dense: &'a dyn Fn() -> Result<DMatrix<f64>>,
+    matrices: OnceCell<[DMatrix<f64>; 2]>,
+    has_constants: bool,
     spectral: &'a Spectral,
     mass: Network,
     mass_factor: Tridiagonal,
@@ -67,12 +82,44 @@ impl Pencil for Small<'_> {
         out
     }
 
+    fn without_kernel(&self, x: &mut [f64]) -> bool {
+        self.spectral.without_constant(x);
+        self.has_constants
+    }
+
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.mass_factor.solve(r)
     }
 
     fn is_separated(&self) -> bool {
         true
+    }
+
+    /// By the signs of the eigenvalues of D (A − σ M) D, D² the inverse of the diagonal of A + σ M.
+    fn counted_below(&self, sigma: f64) -> Result<Count> {
+        let n = self.operator.dimension();
+        if n > COUNTED {
+            return Ok(Count::TooLarge);
+        }
+        if self.matrices.get().is_none() {
+            let mut mass = DMatrix::zeros(n, n);
+            for j in 0..n {
+                let unit: Vec<f64> = (0..n).map(|i| f64::from(i == j)).collect();
+                mass.column_mut(j).copy_from_slice(&self.mass.times(&unit));
+            }
+            let _ = self.matrices.set([(self.dense)()?, mass]);
+        }
+        let Some([a, m]) = self.matrices.get() else { return Ok(Count::TooLarge) };
+        let unit = |i: usize| (a[(i, i)] + sigma * m[(i, i)]).sqrt().recip();
+        let scaled = DMatrix::from_fn(n, n, |i, j| {
+            (a[(i, j)] * unit(i)) * unit(j) - (sigma * m[(i, j)] * unit(i)) * unit(j)
+        });
+        let Some((values, _)) = symmetric_eigen(&scaled) else { return Ok(Count::Undecided) };
+        if values.iter().any(|value| value.abs() <= UNDECIDED * n as f64) {
+            return Ok(Count::Undecided);
+        }
+        let below = values.iter().filter(|value| **value < 0.0).count();
+        Ok(Count::Exact(below.saturating_sub(usize::from(self.has_constants))))
     }
 
     fn rounding(&self, x: &[f64]) -> f64 {
@@ -100,6 +147,11 @@ impl Pencil for Large<'_> {
         self.shifted.solve(r)
     }
 
+    // Constants have the smallest eigenvalue of −A; vectors of the largest ones of A are far from them.
+    fn without_kernel(&self, _: &mut [f64]) -> bool {
+        false
+    }
+
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.small.mass_inverse(r)
     }
@@ -108,22 +160,35 @@ impl Pencil for Large<'_> {
         false
     }
 
+    fn counted_below(&self, _: f64) -> Result<Count> {
+        Ok(Count::Undecided)
+    }
+
     fn rounding(&self, x: &[f64]) -> f64 {
         self.small.rounding(x)
     }
 }
 
-/// The smallest positive and the largest eigenvalue.
+/// The smallest positive and the largest eigenvalue; `dense` is A as a dense matrix.
 pub(crate) fn extreme_eigenvalues(
     operator: &GramOperator,
     spectral: &Spectral,
+    dense: &dyn Fn() -> Result<DMatrix<f64>>,
     mesh: &Mesh,
     basis: Basis,
     tolerance: Tolerance,
 ) -> Result<[Estimate; 2]> {
     let count = basis.count(mesh);
     let mass = Network::new(mesh, basis, 0.0, 1.0);
-    let small = Small { operator, spectral, mass_factor: mass.factor(), mass };
+    let small = Small {
+        operator,
+        dense,
+        matrices: OnceCell::new(),
+        has_constants: basis != Basis::InnerHats,
+        spectral,
+        mass_factor: mass.factor(),
+        mass,
+    };
     let waves = (1..=BLOCK.min(count)).map(|k| wave(mesh, basis, k));
     let start = waves
         .map(|mut x| {
@@ -161,27 +226,39 @@ pub(crate) fn extreme_eigenvalues(
             peaks.push(i);
         }
     }
+    let quotient = |x: &[f64]| -> Result<f64> {
+        Ok(pairwise_dot(x, &small.apply(x)?) / pairwise_dot(x, &small.mass(x)))
+    };
     for peak in peaks {
-        let mut x = vec![0.0; count];
-        for (offset, value) in [(-1, -0.5), (0, 1.0), (1, -0.5)] {
+        let mut unit = vec![0.0; count];
+        unit[peak] = 1.0;
+        let mut x = unit.clone();
+        for offset in [-1, 1] {
             if let Some(x) = peak.checked_add_signed(offset).and_then(|i| x.get_mut(i)) {
-                *x = value;
+                *x = -0.5;
             }
         }
-        start.push(x);
+        // On equal elements the sign alternates; beside a much longer element that one would outweigh the peak.
+        start.push(if quotient(&x)? >= quotient(&unit)? { x } else { unit });
     }
     let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
     for first in [0, WINDOW / 2] {
         for x in vectors_of_windows(&small, count, first)? {
-            windows
-                .push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
+            windows.push((quotient(&x)?, x));
         }
     }
     windows.sort_by(|a, b| b.0.total_cmp(&a.0));
     start.extend(windows.into_iter().take(TAKEN).map(|(_, x)| x));
-    let high =
-        found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
-    Ok([low, high])
+    let large = Large { small, shifted };
+    let high = found(smallest(&large, start, tolerance.relative(), STEPS)?, tolerance)?;
+    let above = high.value * (1.0 + ABOVE_LARGEST) + high.error;
+    let positive = count - usize::from(large.small.has_constants);
+    match large.small.counted_below(above)? {
+        Count::Exact(below) if below < positive => {
+            Err(Error::out_of_reach("eigenvalue", tolerance.relative(), f64::INFINITY, LARGER))
+        }
+        _ => Ok([low, high]),
+    }
 }
 
 /// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.
