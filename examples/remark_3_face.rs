@@ -2,10 +2,10 @@
 //! seminorms.
 //!
 //! Let T be the right isosceles triangle with legs 1, in contact but for a gap at each corner, the
-//! triangle there that is similar to T and has legs r. Let σ = −1 in contact and 0 in the gaps; u = 0 in contact and −1 at
-//! the corners, linear in each gap; so the linear function I u with the values of u at the corners
-//! is −1. With ν = τ − 3/2 < 1/2 and |v|²_ν = ∬ |v(x) − v(y)|² / |x − y|^(2+2ν) dx dy over T × T,
-//! this file computes the terms of one face over both seminorms,
+//! triangle there that is similar to T and has legs r. Let σ = −1 in contact and 0 in the gaps; u
+//! = 0 in contact and −1 at the corners, linear in each gap; so the linear function I u with the
+//! values of u at the corners is −1. With ν = τ − 3/2 < 1/2 and |v|²_ν = ∬ |v(x) − v(y)|² / |x −
+//! y|^(2+2ν) dx dy over T × T, this file computes the terms of one face over both seminorms,
 //!
 //! ```text
 //! nodal cone:     ∫ σ I u / (|σ|_ν |∇u|_ν),
@@ -20,9 +20,9 @@
 //!
 //! The claim is refuted if the nodal quotient does not grow with every halving of r, if its
 //! exponent is off 2ν − 1 by more than 0.01, if the quotient of means is once above that of the
-//! largest gaps, or if `of_gaps` is off by 0.1 %. The ± of a quotient is that of both seminorms; the
-//! exponent's has also the change from the size before. Undecided while a bound lies inside of an
-//! error bar.
+//! largest gaps, or if `of_gaps` is off by 0.1 %. The ± of a quotient is that of both seminorms;
+//! the exponent's has also the change from the size before. Undecided while a bound lies inside of
+//! an error bar.
 //!
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 

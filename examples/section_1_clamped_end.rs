@@ -152,8 +152,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let [zone, _, ..] = parts.as_slice()
             && zone.in_contact
         {
-            // For 1e-4 ℓ ≤ 4r ≤ ℓ: the largest difference of ln(pressure/formula) from its mean. The
-            // first radii of a zone that begins at the smallest radius read are left out, a decade.
+            // For 1e-4 ℓ ≤ 4r ≤ ℓ: the largest difference of ln(pressure/formula) from its mean. A
+            // decade above the smallest radius read is left out.
             let near =
                 |r: f64| 1e-4 * zone.to <= 4.0 * r && 4.0 * r <= zone.to && r >= 10.0 * zone.from;
             let formula = |r: f64| (2.0 * epsilon * (r / zone.to).sqrt().acos()).sinh() / r.sqrt();

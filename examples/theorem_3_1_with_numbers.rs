@@ -97,7 +97,7 @@ fn by_definition(nu: Order) -> Result<f64> {
 }
 
 /// The constants of E for one τ, each with its error added. C(s), s < 1, and P: largest eigenvalues
-/// on polynomials, Legendre series on the triangle and on the interval. K: the largest product, over
+/// on polynomials, Legendre series on the triangle and the interval. K: the largest product, over
 /// the lengths e and 1 − e of two intervals, of the norms of f ↦ ∫ f on them; each is the root of
 /// b·A⁻¹b, b the integrals of the basis functions, A the matrix of |·|²_ν on (0, 1) for functions
 /// on one interval, zero outside of it.
