@@ -7,17 +7,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// terms of one sign.
 pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// √(Σ parts²) without overflow, with its error.
+/// √(Σ v²) without overflow, with its error ([`Estimate::hypot`]).
 pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
-    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
-    let mut error = 0.0;
-    let mut work = Work::default();
-    for part in parts {
-        let weight = if value > 0.0 { part.value / value } else { 1.0 };
-        error += part.error * weight;
-        work += part.work;
-    }
-    Estimate::new(value, error, work)
+    let zero = Estimate::new(0.0, 0.0, Work::default())?;
+    parts.iter().try_fold(zero, |root, part| root.hypot(*part))
 }
 
 /// The estimate, or [`Error::ToleranceNotMet`] with the reason if its error exceeds the tolerance.

@@ -93,7 +93,7 @@ impl Resolved {
                 ));
             }
             let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
-            let found = Estimate { error: found.error + off, ..found };
+            let found = Estimate::new(found.value, found.error + off, found.work)?;
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
         let rest =
