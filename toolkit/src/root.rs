@@ -27,3 +27,19 @@ pub(super) fn accept(
     }
     Err(Error::not_met(what, tolerance.relative(), estimate, why))
 }
+
+/// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance; otherwise with the
+/// reason for which the first part was refused, or `why`.
+pub(super) fn whole(
+    parts: [Result<Estimate>; 2],
+    tolerance: Tolerance,
+    why: &'static str,
+) -> Result<Estimate> {
+    let reason = |part: &Result<Estimate>| match part {
+        Err(Error::ToleranceNotMet { why, .. }) => Some(*why),
+        _ => None,
+    };
+    let why = parts.iter().find_map(reason).unwrap_or(why);
+    let [a, b] = parts.map(Estimate::or_best);
+    accept("norm", root_of_squares(&[a?, b?])?, tolerance, why)
+}

@@ -152,8 +152,8 @@ impl<'a> CurveFormula<'a> {
     /// the best value if the rules do not converge: for kinks inside a side, or strong singularities at vertices
     /// where x is rounded.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let [seminorm, _] = self.settle(order, tolerance, [1.0, 0.0])?;
-        judged("seminorm", seminorm, tolerance)
+        let ([seminorm, _], why) = self.settle(order, tolerance, [1.0, 0.0])?;
+        accept("seminorm", seminorm, tolerance, why)
     }
 
     /// The norm ‖u‖_ν, 0 < ν < 1.
@@ -161,8 +161,8 @@ impl<'a> CurveFormula<'a> {
     /// # Errors
     /// As [`CurveFormula::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let parts = self.settle(order, tolerance, [1.0, 1.0])?;
-        judged("norm", root_of_squares(&parts)?, tolerance)
+        let (parts, why) = self.settle(order, tolerance, [1.0, 1.0])?;
+        accept("norm", root_of_squares(&parts)?, tolerance, why)
     }
 
     /// The L² norm ‖u‖.
@@ -170,18 +170,18 @@ impl<'a> CurveFormula<'a> {
     /// # Errors
     /// As [`CurveFormula::seminorm`].
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let [_, norm] = self.settle(None, tolerance, [0.0, 1.0])?;
-        judged("norm", norm, tolerance)
+        let ([_, norm], why) = self.settle(None, tolerance, [0.0, 1.0])?;
+        accept("norm", norm, tolerance, why)
     }
 
     /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares meets the
-    /// tolerance; otherwise the most accurate pair.
+    /// tolerance; otherwise the most accurate pair. With what limits their accuracy.
     fn settle(
         &self,
         order: impl Into<Option<Order>>,
         tolerance: Tolerance,
         weights: [f64; 2],
-    ) -> Result<[Estimate; 2]> {
+    ) -> Result<([Estimate; 2], &'static str)> {
         let order = order.into();
         let kernel = order.map(PowerKernel::new);
         let one_minus = kernel.as_ref().map_or(1.0, |kernel| kernel.one_minus);
@@ -190,6 +190,7 @@ impl<'a> CurveFormula<'a> {
             [self.unit.powf(0.5 * one_minus), self.unit.sqrt()].map(|unit| unit * per_length);
         let (mut work, mut squared, mut unit) = (Work::default(), Vec::new(), None);
         let mut found: Vec<[Estimate; 2]> = Vec::new();
+        let mut why = LIMIT;
         for (n, layers) in STEPS {
             let squares = self.squares(kernel.as_ref(), n, layers, tolerance.work())?;
             work.points += squares.points;
@@ -214,9 +215,10 @@ impl<'a> CurveFormula<'a> {
             }
             found.push(now);
             if relative(&now, weights) <= tolerance.relative() {
-                return Ok(now);
+                return Ok((now, LIMIT));
             }
-            if work.points > tolerance.work() {
+            if work.points > tolerance.work() && found.len() < STEPS.len() {
+                why = SPENT;
                 break;
             }
         }
@@ -241,9 +243,8 @@ impl<'a> CurveFormula<'a> {
         }
         let best =
             found.iter().min_by(|a, b| relative(a, weights).total_cmp(&relative(b, weights)));
-        best.map_or(Ok([Estimate::new(0.0, 0.0, work)?; 2]), |best| {
-            Ok(best.map(|part| Estimate { work, ..part }))
-        })
+        let nothing = [Estimate::new(0.0, 0.0, work)?; 2];
+        Ok((best.map_or(nothing, |best| best.map(|part| Estimate { work, ..part })), why))
     }
 
     /// The mesh with this many layers at every vertex, or fewer if the elements reach the rounding of the
@@ -602,11 +603,6 @@ fn add(sum: &mut PairSum, weight: f64, difference: f64, noise: f64) {
     let twice = 2.0 * (noise + 4.0 * f64::EPSILON);
     sum.rounding += weight.abs() * (difference.abs() * twice + noise * noise);
     sum.points += 1;
-}
-
-/// The estimate if it meets the tolerance, otherwise [`Error::ToleranceNotMet`].
-fn judged(what: &'static str, found: Estimate, tolerance: Tolerance) -> Result<Estimate> {
-    accept(what, found, tolerance, if found.work.points > tolerance.work() { SPENT } else { LIMIT })
 }
 
 /// The relative error of the square root of the weighted sum of squares.
