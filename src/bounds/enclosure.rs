@@ -227,6 +227,15 @@ struct Bounded {
 }
 
 impl Setting<'_, '_> {
+    /// What rules may miss of l(v): tractions, and a load that is no polynomial.
+    pub(super) fn missed(&self, v: &[f64]) -> Result<f64> {
+        if self.local || self.reaction() > 0.0 || self.body.has_tractions() {
+            self.body.missed_load(self.mesh, v)
+        } else {
+            Ok(0.0)
+        }
+    }
+
     /// The ends of the contact segments at which the discrete solution touches, by border.
     fn touching(
         &self,
@@ -279,13 +288,7 @@ impl Setting<'_, '_> {
         let upper = upper + lifted.iter().map(|lift| lift.gained).sum::<f64>();
         // The bound is one of u^h + z, z the lift of u_D.
         error += lifted.iter().map(|lift| lift.square).sum::<f64>().sqrt();
-        // A load that is no polynomial is integrated by a rule, whose error is in J(v).
-        let missed = if self.local || self.reaction() > 0.0 {
-            self.body.missed_load(self.mesh, &admissible)?
-        } else {
-            0.0
-        };
-        let room = 4.0 * solution.energy_rounding + missed;
+        let room = 4.0 * solution.energy_rounding + self.missed(&admissible)?;
         let lower = upper - 0.5 * (reach * reach + 2.0 * work);
         let energy = Interval { lower: lower - room, upper: upper + room };
         let size = problem.energy_norm(&solution.displacement)?;

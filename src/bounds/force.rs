@@ -7,7 +7,8 @@
 //! −∫ σ_N(u) w_N = l(w) − a(u, w) = −∫ q_N w_N − ½ ∫ d : ε(w) ± |||w||| ( (¼ A² + b + osc E)^(1/2) + osc ),   |||u − v||| ≤ E.
 //! ```
 //!
-//! w has the given values of w_N at the nodes of Γ_C and least energy.
+//! w has the given values of w_N at the nodes of Γ_C and least energy. What the rules for loads and tractions may miss of
+//! l(w) is added: it is all of the error where w is a rigid motion.
 
 use super::enclosure::{Enclosure, Interval};
 use super::setting::Setting;
@@ -80,7 +81,7 @@ impl Body<'_> {
         // |||u − v|||, v in K.
         let distance = 0.5 * (found.reach + (found.reach * found.reach + 4.0 * found.work).sqrt());
         let square = 0.25 * found.reach * found.reach + found.work + off * distance;
-        Ok(Interval::around(middle, size * (square.sqrt() + off)))
+        Ok(Interval::around(middle, size * (square.sqrt() + off) + setting.missed(&w)?))
     }
 }
 
