@@ -135,7 +135,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
                 out.slope("theta", "gamma", |theta| (1.0 / theta).ln(), |gamma| gamma * gamma);
             let law = 1.5 / PI.powi(2);
             // Undecided where slope 0, that of a bounded γ, would pass too.
-            let claim = out.not_sharp("slope of γ² against ln(1/θ)").undecided_if_it_admits(0.0);
+            let claim = out.not_sharp("slope of γ² against ln(1/θ)").undecided_if_also_true_of(0.0);
             claim.whole_error_bars_differ_by_at_most(slope, law, 0.01, "3/(2π²)");
             of_nu.growth = slope.value;
             let limit = gamma(nu, Constraint::mean_zero(), 1e-10)?.constant;
@@ -148,7 +148,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
             // Undecided where the exponent of the other law would pass too: 0 for ν < 1/2, and
             // −|ν − 1/2| for ν > 1/2.
             let other = -nu.offset().abs() - power;
-            let claim = out.check(format!("ν = {nu}: exponent of θ")).undecided_if_it_admits(other);
+            let claim =
+                out.check(format!("ν = {nu}: exponent of θ")).undecided_if_also_true_of(other);
             claim.whole_error_bars_differ_by_at_most(exponent, power, next.max(0.01), "Lemma 5.2");
             of_nu.growth = exponent.value;
         }

@@ -254,7 +254,7 @@ impl<'a> Claim<'a> {
     /// The same claim, whose tolerance must rule out this other plausible outcome: if the
     /// comparison would hold for that one as well, the check is undecided. For tolerances that
     /// depend on the data, as the next term of an expansion.
-    pub fn undecided_if_it_admits(self, alternative: f64) -> Self {
+    pub fn undecided_if_also_true_of(self, alternative: f64) -> Self {
         Self { alternative: Some(alternative), ..self }
     }
 
@@ -371,8 +371,10 @@ mod tests {
         assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
         // A tolerance that admits another outcome decides nothing; a violation stays one.
         let against = |value, tolerance| {
-            decided(|c| c.undecided_if_it_admits(0.0).differ_by_at_most(value, 1.0, tolerance, ""))
-                .decision()
+            decided(|c| {
+                c.undecided_if_also_true_of(0.0).differ_by_at_most(value, 1.0, tolerance, "")
+            })
+            .decision()
         };
         assert_eq!([against(0.9, 0.2), against(0.9, 1.0)], [Decision::Holds, Decision::Undecided]);
         assert_eq!(against(3.0, 1.0), Decision::Fails);
