@@ -17,8 +17,8 @@
 //! **On the unit square with prescribed contact sets** (example `section_2_strip`). On the edge y =
 //! 0 with N cells the displacement g = u_N ≤ 0 and the pressure λ ≥ 0, g λ = 0, are given; u is
 //! discrete harmonic inside and 0 at y = 1. v·A_N v is the energy of the discrete harmonic function
-//! with the edge values v: A_N takes the wave cos kπx to itself times sinh η coth Nη, cosh η = 2 −
-//! cos(kπ/N), at end nodes to half of that. With the interpolation P from n to N cells, for values
+//! with the edge values v: A_N takes the wave cos kπx to itself times sinh η coth Nη, sinh(η/2) =
+//! sin(kπ/2N), at end nodes to half of that. With the interpolation P from n to N cells, for values
 //! v on n cells
 //!
 //! ```text

@@ -63,7 +63,7 @@ example! { quick "Falk's lemma, (4.5), (4.8)",
 
 /// ‖u − v‖², u discrete harmonic with values g on N cells, v with values on n. In waves c_k = Σ v_i
 /// cos kπi/n (end nodes by half), k = 0, .., n, the energy is ‖v‖² = Σ S_k c_k², S_k = (2/n) sinh η
-/// coth nη (k = 0, n by half), cosh η = 2 − cos(kπ/n).
+/// coth nη (k = 0, n by half), sinh(η/2) = sin(kπ/2n), S_0 = 1/n².
 fn by_definition(g: &[f64], v: &[f64]) -> f64 {
     let form = |v: &[f64], w: &[f64]| -> f64 {
         let n = v.len() - 1;
@@ -74,7 +74,7 @@ fn by_definition(g: &[f64], v: &[f64]) -> f64 {
                 .map(|(i, v)| half(i) * v * ((k * i % (2 * n)) as f64 * PI / n as f64).cos())
                 .sum()
         };
-        let symbol = |k: usize| match (2.0 - (k as f64 * PI / n as f64).cos()).acosh() {
+        let symbol = |k: usize| match 2.0 * (0.5 * k as f64 * PI / n as f64).sin().asinh() {
             0.0 => 1.0 / (n * n) as f64,
             eta => 2.0 * half(k) / n as f64 * eta.sinh() / (n as f64 * eta).tanh(),
         };

@@ -22,10 +22,12 @@
 //! nodes; the force per area is the interpolant of (0, −cos πx) between nodes, integrated exactly.
 //! u is the P1 solution on 8n × 8n squares, n the largest of the list, each cut from bottom left to
 //! top right. At each node of the edge the floor exerts a force λ = a(u, φ) − l(φ) ≥ 0, φ = (0, 1)
-//! times the hat function of the node; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets
-//! of intervals between neighbouring nodes, or of single nodes. |u_N| below 1e-12 of the largest
-//! |u_N| of the edge counts as zero, and so does λ. For a prescribed set, as below, u_N = −δ^(τ−1)
-//! in the gaps and −σ_N = r^(τ−2) in contact (formulas in example `worst_contact_set`).
+//! times the hat function of the node; so σ_N is a force −λ at each node, and ∫ σ_N is a sum of
+//! these; both u_N = 0 and λ > 0 are sets of intervals between neighbouring nodes, or of single
+//! nodes. |u_N| below 1e-12 of the largest |u_N| of the edge counts as zero, and so does λ. For a
+//! prescribed set, as below, u_N = −δ^(τ−1) in a gap (a, b), δ = (x − a)(b − x)/(b − a), and −σ_N =
+//! r^(τ−2) in contact, r the distance to the nearest gap (for Cantor sets the exponents of example
+//! `worst_contact_set`).
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
 //! than the contact set has ends inside the edge (both ends of each interval of {u_N = 0}, so that

@@ -25,7 +25,8 @@
 //!
 //! So (5.1) and (5.3) have the right order, and (5.2) has ln(1/θ) where its root is enough. Why
 //! 3/(2π²): put x = e^(−t), L = ln(1/θ), and let u = 1 − t/L fall from 1 at x = 1 to 0 on the zone.
-//! Then ‖u‖₀ → 1 as L → ∞, and with W(r) = ∫ (u(t + r) − u(t))² dt ≈ r²/L
+//! Then ‖u‖₀ → 1 as L → ∞, dx dy/|x − y|² = dt ds/(4 sinh²((t − s)/2)), and with W(r) = ∫ (u(t+r) −
+//! u(t))² dt ≈ r²/L
 //!
 //! ```text
 //! |u|² = 2 ∫ W(r) / (4 sinh²(r/2)) dr ≈ (2/L) ∫ r² / (4 sinh²(r/2)) dr = 2π²/(3L),   r > 0.
@@ -35,11 +36,12 @@
 //! the constant γ₁ > 0 for mean zero on (0, 1), but ln(1/θ) tends to 0: no C serves (5.2) for all
 //! θ < 1; one does for θ ≤ 1/2.
 //!
-//! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term
-//! where that is larger; if γ exceeds √(γ₁² + N²), N the best constant in |∫ u| ≤ N |u|_ν for the
-//! same u; or if the two values of γ differ by 0.5 %. The growth is that of the library's γ, and
-//! its ± comes from those of both γ. That (5.2) is false for all θ < 1 is a line that is expected
-//! to fail: γ₁ ≤ 0. Undecided while a bound lies inside of an error bar.
+//! Refuted if the growth is off the law by more than 0.01, or by more than the law's next term,
+//! θ^(2 min(ν, |ν − 1/2|)) at the second shortest zone θ, where that is larger; if γ exceeds
+//! √(γ₁²+N²), N the best constant in |∫ u| ≤ N |u|_ν for the same u; or if the two values of γ
+//! differ by 0.5 %. The growth is that of the library's γ, and its ± comes from those of both γ.
+//! That (5.2) is false for all θ < 1 is a line that is expected to fail: γ₁ ≤ 0. Undecided while a
+//! bound lies inside of an error bar.
 //!
 //! Another order with its law is an option. Near ν = 1/2 the next term falls slowly, and only
 //! shorter zones distinguish the laws of both sides (else the check of the exponent is undecided):

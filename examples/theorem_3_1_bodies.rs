@@ -18,11 +18,11 @@
 //! (`order_of_squares`):
 //!
 //! ```text
-//! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p);
+//! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p),     p = ¼ log₂ |t(h)/t(h/4)|,
 //! ```
 //!
 //! p over the last two halvings, ± its largest change since the three meshes before, or as many as
-//! there are.
+//! there are; then p is cut at 1.
 //!
 //! Expected is min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
 //! below the printed exponent.

@@ -419,9 +419,9 @@ impl Setting<'_, '_> {
         let mut at_borders = vec![[0.0; 2]; self.borders.len()];
         let mut next = pressure.chunks_exact(c.min(2));
         for (number, border) in self.borders.iter().enumerate() {
-            if border.part == Part::Contact
-                && let Some(forces) = next.next()
-            {
+            if border.part == Part::Contact {
+                let no_forces = || Error::count("forces of a contact segment", 0, "[1, 2]");
+                let forces = next.next().ok_or_else(no_forces)?;
                 let length = self.side(border.triangle, border.side).length;
                 // A rounded negative pressure is none: its correction is within `rounding`.
                 at_borders[number] = match forces {
@@ -434,7 +434,10 @@ impl Setting<'_, '_> {
     }
 
     /// A stress of this mesh on a refinement.
-    pub(super) fn transferred(&self, fine: &Setting<'_, '_>, dual: &Dual) -> Dual {
+    ///
+    /// # Errors
+    /// [`Error::Solver`] if a contact segment of the refinement is in none of this mesh.
+    pub(super) fn transferred(&self, fine: &Setting<'_, '_>, dual: &Dual) -> Result<Dual> {
         let area = |mesh: &Triangulation, t: usize| doubled_area(mesh.corners(t));
         let count = fine.mesh.triangles().len();
         let oscillation = |t: usize| match dual.oscillation[fine.host(t)] {
@@ -452,20 +455,27 @@ impl Setting<'_, '_> {
             let middle = [0, 1].map(|axis| 0.5 * (ends[0][axis] + ends[1][axis]));
             let (k, _) = fine.on_side(border.triangle, border.side, 0.5, middle);
             let host = fine.host(border.triangle);
-            if let Some(number) = self.border_of[self.sides[host][k].edge] {
-                let [p, r] = dual.pressure[number];
-                let whole = self.mesh.corners(host);
-                let length = distance(whole[k], whole[(k + 1) % 3]);
-                *own = ends.map(|end| p + (distance(whole[k], end) / length).min(1.0) * (r - p));
-            }
+            // A pressure of 0 for lack of a segment would be a smaller bound than the stress has.
+            let number = self.border_of[self.sides[host][k].edge]
+                .filter(|&number| self.borders[number].part == Part::Contact)
+                .ok_or_else(|| Error::Solver {
+                    reason: format!(
+                        "the contact segment at ({}, {}) is in none of the coarser mesh of the stress",
+                        middle[0], middle[1]
+                    ),
+                })?;
+            let [p, r] = dual.pressure[number];
+            let whole = self.mesh.corners(host);
+            let length = distance(whole[k], whole[(k + 1) % 3]);
+            *own = ends.map(|end| p + (distance(whole[k], end) / length).min(1.0) * (r - p));
         }
-        Dual {
+        Ok(Dual {
             fields: (0..count).map(|t| dual.fields[fine.host(t)]).collect(),
             oscillation: (0..count).map(oscillation).collect(),
             pressure,
             rounding: dual.rounding,
             steps: 0,
-        }
+        })
     }
 
     fn middle_of(&self, edge: usize) -> Point {

@@ -62,7 +62,12 @@ pub struct Enclosure {
     pub energy: Interval,
     /// An upper bound of |||u − u^h|||, the energy norm of the error of `solution.displacement`.
     pub error: f64,
-    /// The energy norm |||u||| of the exact solution.
+    /// The energy norm |||u||| of the exact solution: |||u^h||| ± `error`, and for a body without gap and prescribed
+    /// displacement also the roots of −2J at the ends of `energy`.
+    ///
+    /// There u and 2u are in the cone of admissible displacements with 0, so that a(u, v − u) ≥ l(v − u) for v = 0 and v = 2u
+    /// gives a(u, u) = l(u) and J(u) = −½ |||u|||². Hence |||u|||² ≥ −2 J(v) for every admissible v. For a nodal u^h on a
+    /// straight edge that is |||u^h|||² itself, without the error.
     pub norm: Interval,
     /// The share of every triangle in the square of the bound, with that of its contact segments.
     pub shares: Vec<f64>,
@@ -185,7 +190,7 @@ impl Body<'_> {
         let (mesh, hosts) = (problem.mesh().clone(), coarse.problem.mesh().clone());
         let own = Setting::new(self, &hosts, coarse.tractions)?;
         let fine = own.refined(&mesh, of.clone())?;
-        let dual = own.transferred(&fine, &coarse.dual);
+        let dual = own.transferred(&fine, &coarse.dual)?;
         let mut found = fine.conclude(problem, cone, solution, dual)?;
         drop((fine, own));
         found.hosts = Some(Arc::new((hosts, of)));
@@ -282,7 +287,15 @@ impl Setting<'_, '_> {
         };
         let room = 4.0 * solution.energy_rounding + missed;
         let lower = upper - 0.5 * (reach * reach + 2.0 * work);
+        let energy = Interval { lower: lower - room, upper: upper + room };
         let size = problem.energy_norm(&solution.displacement)?;
+        let mut norm = Interval { lower: (size - error).max(0.0), upper: size + error };
+        if self.body.has_zero_data() {
+            // |||u|||² = −2 J(u).
+            let root = |energy: f64| (-2.0 * energy).max(0.0).sqrt();
+            norm.lower = norm.lower.max(root(energy.upper));
+            norm.upper = norm.upper.min(root(energy.lower)).max(norm.lower);
+        }
         let mut shares: Vec<f64> =
             parts.distance.iter().zip(&parts.oscillation).map(|(d, o)| d + o * o).collect();
         for (border, contact) in self.borders.iter().zip(&parts.contact) {
@@ -293,9 +306,9 @@ impl Setting<'_, '_> {
         }
         shares.iter_mut().zip(&lifted).for_each(|(share, lift)| *share += lift.square);
         Ok(Enclosure {
-            energy: Interval { lower: lower - room, upper: upper + room },
+            energy,
             error,
-            norm: Interval { lower: (size - error).max(0.0), upper: size + error },
+            norm,
             shares,
             oscillation: osc,
             rounding: dual.rounding,

@@ -38,6 +38,10 @@ type Quadratic = [[Value; 6]; 3];
 const BUBBLES: usize = 9;
 /// A load whose values on a triangle agree to this multiple of the largest one is constant there.
 const CONSTANT: f64 = 1e-14;
+/// Singular values below this are 0: the equations of the unit stresses depend on each other.
+const RANK: f64 = 1e-10;
+/// Largest residual of the equations of the unit stresses, relative to the largest load.
+const SOLVED: f64 = 1e-12;
 /// Coordinates along a side, from −1 to 1, at which a linear factor of a bubble is 1 at its first or second end.
 type Factor = [f64; 2];
 
@@ -431,16 +435,92 @@ fn solve_unit_stresses() -> Option<[Quadratic; 3]> {
         }
     }
     let matrix = DMatrix::from_fn(rows.len(), 54, |i, j| rows[i][j]);
-    let decomposed = matrix.svd(true, true);
+    let loads = DMatrix::from_fn(right.len(), 3, |i, which| right[i][which]);
+    let solved = least_solutions(&matrix, &loads)?;
     let mut found = [[[[0.0; 3]; 6]; 3]; 3];
     for (which, stress) in found.iter_mut().enumerate() {
-        let load = DVector::from_fn(right.len(), |i, _| right[i][which]);
-        let values = decomposed.solve(&load, 1e-10).ok()?;
         for (k, node, c) in
             (0..3).flat_map(|k| (0..6).flat_map(move |n| (0..3).map(move |c| (k, n, c))))
         {
-            stress[k][node][c] = values[number(k, node, c)];
+            stress[k][node][c] = solved[(number(k, node, c), which)];
         }
     }
     Some(found)
+}
+
+/// The solutions X of least norm of A X = B, or `None` if A X − B exceeds [`SOLVED`]: then the equations contradict each
+/// other, or singular values were taken for 0.
+fn least_solutions(matrix: &DMatrix<f64>, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let found = matrix.clone().svd(true, true).solve(right, RANK).ok()?;
+    let residual = (matrix * &found - right).amax();
+    (residual <= SOLVED * right.amax()).then_some(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equations_that_are_not_solved_are_refused() {
+        let matrix = DMatrix::from_row_slice(3, 2, &[1.0, 0.0, 0.0, 1.0, 1.0, 1.0]);
+        let [right, wrong] = [3.0, 3.1].map(|sum| DMatrix::from_row_slice(3, 1, &[1.0, 2.0, sum]));
+        let found = least_solutions(&matrix, &right).unwrap();
+        assert!((found[0] - 1.0).abs() < 1e-14 && (found[1] - 2.0).abs() < 1e-14);
+        assert!(least_solutions(&matrix, &wrong).is_none());
+        // Singular values below `RANK` count as 0, and their equations do not hold.
+        let flat = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, 0.1 * RANK]);
+        assert!(least_solutions(&flat, &DMatrix::from_row_slice(2, 1, &[1.0, 1.0])).is_none());
+    }
+
+    /// Centred differences of a quadratic are its derivatives: div S + M x = 0 in every piece, and no traction jumps.
+    #[test]
+    fn unit_stresses_have_their_loads() {
+        let corners: [Point; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let centre = middle(corners);
+        let loads = [|z: Point| [z[0], -z[1]], |z: Point| [z[1], 0.0], |z: Point| [0.0, z[0]]];
+        for (stress, load) in unit_stresses().unwrap().iter().zip(loads) {
+            for (k, piece) in pieces(corners).into_iter().enumerate() {
+                let element = Element::new(piece);
+                let value = |point: Point| {
+                    let [a, b, c] = element.barycentric(piece, point);
+                    let weights = [
+                        a * (2.0 * a - 1.0),
+                        b * (2.0 * b - 1.0),
+                        c * (2.0 * c - 1.0),
+                        4.0 * a * b,
+                        4.0 * b * c,
+                        4.0 * c * a,
+                    ];
+                    let entry = |i: usize| -> f64 {
+                        weights.iter().zip(&stress[k]).map(|(w, value)| w * value[i]).sum()
+                    };
+                    [entry(0), entry(1), entry(2)]
+                };
+                let step = 1e-3;
+                for shares in [[0.6, 0.3, 0.1], [0.2, 0.2, 0.6]] {
+                    let [x, y] = combine(&shares, &piece);
+                    let along = |axis: usize| {
+                        let by = [[step, 0.0], [0.0, step]][axis];
+                        let (last, first) =
+                            (value([x + by[0], y + by[1]]), value([x - by[0], y - by[1]]));
+                        [0, 1, 2].map(|c| (last[c] - first[c]) / (2.0 * step))
+                    };
+                    let ([sx, _, tx], [_, sy, ty]) = (along(0), along(1));
+                    let [fx, fy] = load([x - centre[0], y - centre[1]]);
+                    assert!((sx + ty + fx).abs() < 1e-12, "{k}: {sx} {ty} {fx}");
+                    assert!((tx + sy + fy).abs() < 1e-12, "{k}: {tx} {sy} {fy}");
+                }
+                let (next, other) = ((k + 1) % 3, &stress[(k + 1) % 3]);
+                // Piece k and the next one meet on the segment from corner k + 1 to the centroid.
+                let normal = [corners[next][1] - centre[1], centre[0] - corners[next][0]];
+                for (own, beside) in [(1, 0), (2, 2), (4, 5)] {
+                    let force = |[xx, yy, xy]: Value| {
+                        [xx * normal[0] + xy * normal[1], xy * normal[0] + yy * normal[1]]
+                    };
+                    let (own, beside) = (force(stress[k][own]), force(other[beside]));
+                    assert!((own[0] - beside[0]).abs().max((own[1] - beside[1]).abs()) < 1e-12);
+                }
+            }
+        }
+    }
 }

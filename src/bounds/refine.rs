@@ -88,7 +88,7 @@ impl Refinement {
     /// The solution on the first mesh whose guaranteed error is within the tolerance.
     ///
     /// # Errors
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with J(u) on the last mesh if the
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with the best J(u) if the
     /// refinement ended otherwise; as for [`Refinement::run`].
     pub fn solve(&self, body: &Body<'_>) -> Result<Enclosure> {
         let (found, ended) = self.run(body, |_| {})?;
@@ -105,7 +105,11 @@ impl Refinement {
         Err(Error::not_met("energy J of the body", self.tolerance, best, why))
     }
 
-    /// The solution on the last mesh, and why the refinement ended; `each` receives the result on every mesh.
+    /// The solution with the smallest bound, and why the refinement ended.
+    ///
+    /// `each` receives the result on every mesh on which a stress was computed, and at the end the one that is returned, if
+    /// it is bounded by the stress of the mesh before. A mesh that was too coarse for that stress to end the refinement is
+    /// not reported before it has a stress of its own.
     ///
     /// # Errors
     /// As for [`Body::enclose`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a tolerance that
@@ -171,29 +175,34 @@ impl Refinement {
             }
             let mut origins: Vec<u32> = (0..found.shares.len() as u32).collect();
             let (mut shares, mut displacement) = (found.shares.clone(), total - stress);
+            // The result by the stress of `found` on the finest mesh so far.
+            let mut last: Option<Enclosure> = None;
             loop {
                 let sum: f64 = shares.iter().sum();
                 let target = sum * ((wanted - stress) / displacement).min(0.9);
                 let grown = self.grow(&mut meshes, &shares, target, f64::INFINITY)?;
                 if !fits(&meshes) {
-                    return Ok((found, Ended::Unknowns));
+                    let better = last.filter(|last| last.error < found.error);
+                    better.iter().for_each(&mut each);
+                    return Ok((better.unwrap_or(found), Ended::Unknowns));
                 }
                 origins = grown.origins.iter().map(|&origin| origins[origin as usize]).collect();
                 let guess = self.guess(&meshes, &found)?;
                 solved = body.solved_on(meshes.finest(), self.cone, guess)?;
-                let last = body.enclosed_by(self.cone, &found, origins.clone(), solved)?;
-                if last.relative_error() <= self.tolerance {
-                    each(&last);
-                    return Ok((last, Ended::Tolerance));
+                let next = body.enclosed_by(self.cone, &found, origins.clone(), solved)?;
+                if next.relative_error() <= self.tolerance {
+                    each(&next);
+                    return Ok((next, Ended::Tolerance));
                 }
-                shares = last.shares;
-                displacement = shares.iter().sum::<f64>() - stress;
-                solved = (last.problem, last.solution);
+                displacement = next.shares.iter().sum::<f64>() - stress;
                 // The estimate of the stress was wrong: another one, on this mesh.
                 if !is_last(displacement) || displacement <= wanted - stress {
                     expected = None;
+                    solved = (next.problem, next.solution);
                     break;
                 }
+                shares.clone_from(&next.shares);
+                last = Some(next);
             }
         }
     }
@@ -306,4 +315,36 @@ fn refined_set(meshes: &Hierarchy, found: &Enclosure) -> Result<ContactSet> {
     }
     let edge = ContactEdge::in_pieces(meshes.finest())?;
     Ok(ContactSet::new(&edge.nodes().iter().map(|&node| active[node]).collect::<Vec<_>>()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::fem::{Form, Lame};
+    use crate::mesh::{Point, SideParts, unit_square};
+
+    fn block() -> Body<'static> {
+        let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+        Body::new(unit_square(4, SideParts::HANGING).unwrap(), form)
+            .load(|[x, _]: Point| [0.0, -(std::f64::consts::PI * x).cos()])
+    }
+
+    /// Where the limit of unknowns is reached after a mesh that was bounded by the stress of the one before, that mesh is
+    /// returned, since its bound is smaller; and it is the last one reported.
+    #[test]
+    fn the_limit_of_unknowns_returns_the_smallest_bound() {
+        let (mut before, mut by_older_stress) = (f64::INFINITY, 0);
+        for unknowns in (520..700).step_by(4) {
+            let refinement = Refinement { tolerance: 0.12, unknowns, ..Refinement::default() };
+            let mut reported = Vec::new();
+            let (found, ended) = refinement.run(&block(), |one| reported.push(one.error)).unwrap();
+            assert_eq!(found.error, reported.iter().copied().fold(f64::INFINITY, f64::min));
+            assert_eq!(reported.last(), Some(&found.error));
+            assert!(found.error <= before, "{unknowns}: {} {before}", found.error);
+            assert!(found.problem.mesh().nodes().len() * 2 <= unknowns);
+            before = found.error;
+            by_older_stress += usize::from(ended == Ended::Unknowns && found.dual_steps == 0);
+        }
+        assert!(by_older_stress > 2, "{by_older_stress}");
+    }
 }

@@ -371,6 +371,11 @@ impl<'a> Body<'a> {
             .map(|everywhere| self.loads.iter().any(|load| load.place.is_none() == everywhere))
     }
 
+    /// Whether neither a gap nor a displacement was given, so that the admissible displacements are a cone.
+    pub(crate) fn has_zero_data(&self) -> bool {
+        self.gaps.is_empty() && self.displacements.is_empty()
+    }
+
     /// F at a point of a group of Γ_N.
     pub(crate) fn traction_at(&self, group: &str, point: Point) -> Result<Point> {
         sum("traction", acting_on(&self.tractions, group), point)
