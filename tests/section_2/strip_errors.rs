@@ -83,7 +83,8 @@ impl Body {
     /// (u_x, u_y) on the edge for given u_N without tangential force, by a dense solve.
     fn with_tangential(&self, normal: &[f64]) -> Vec<f64> {
         let n = normal.len();
-        let part = |a: usize, b: usize| Mat::from_fn(n, n, |i, j| self.edge[(2 * i + a, 2 * j + b)]);
+        let part =
+            |a: usize, b: usize| Mat::from_fn(n, n, |i, j| self.edge[(2 * i + a, 2 * j + b)]);
         let pull = part(0, 1) * Mat::from_fn(n, 1, |i, _| normal[i]);
         let x = part(0, 0).llt(Side::Lower).unwrap().solve(&pull);
         (0..n).flat_map(|i| [x[(i, 0)], -normal[i]]).collect()
