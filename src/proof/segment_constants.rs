@@ -182,9 +182,7 @@ fn product(
     // A refused moment carries its own best value; that of the product is the product.
     let first = Estimate::or_best(first.map(|found| found.constant))?;
     let second = Estimate::or_best(second.map(|found| found.constant))?;
-    let value = first.value * second.value;
-    let error = value * (first.relative_error() + second.relative_error());
-    let best = Estimate::new(value, error, first.work + second.work)?;
+    let best = first.product(second)?;
     Err(Error::not_met("ratio of one gap", tolerance.relative(), best, "a moment does not meet it"))
 }
 

@@ -261,10 +261,9 @@ impl BestConstant {
     /// # Errors
     /// [`Error::NotFinite`] for a product that overflows.
     pub fn product(&self, other: &Self) -> Result<Self> {
-        let upper = self.upper.zip(other.upper).map(|(a, b)| multiplied(a, b)).transpose()?;
-        let (constant, lower) =
-            (multiplied(self.constant, other.constant)?, multiplied(self.lower, other.lower)?);
-        let product = Self::new(constant, lower, upper);
+        let upper = self.upper.zip(other.upper).map(|(a, b)| a.product(b)).transpose()?;
+        let constant = self.constant.product(other.constant)?;
+        let product = Self::new(constant, self.lower.product(other.lower)?, upper);
         if self.bounds.is_none() && other.bounds.is_none() {
             return Ok(product);
         }
@@ -293,12 +292,6 @@ impl BestConstant {
         let known = "a constant whose extremal function is known";
         self.extremal.as_ref().ok_or_else(|| unknown("extremal function", known))?()
     }
-}
-
-/// The product of two positive estimates; their relative errors add up.
-fn multiplied(a: Estimate, b: Estimate) -> Result<Estimate> {
-    let value = a.value * b.value;
-    Estimate::new(value, value * (a.relative_error() + b.relative_error()), a.work + b.work)
 }
 
 /// [`Error::Incompatible`] for what is not known of a constant.

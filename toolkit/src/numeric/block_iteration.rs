@@ -1,16 +1,18 @@
-//! Extreme eigenvalues of A x = λ M x by the locally optimal block preconditioned conjugate gradient method (LOBPCG;
-//! Knyazev 2001): each step minimises the Rayleigh quotient over the block, its preconditioned residuals and the last
-//! directions.
+//! Extreme eigenvalues of A x = λ M x by the locally optimal block preconditioned conjugate
+//! gradient method (LOBPCG; Knyazev 2001): each step minimises the Rayleigh quotient over the
+//! block, its preconditioned residuals and the last directions.
 //!
-//! On very unequal elements the quotients of these directions differ by many orders of magnitude. The smallest Ritz values of a
-//! positive definite form are therefore computed from its inverse, after a scaling of all directions to energy 1:
-//! their errors are those of rounding relative to themselves, not to the largest Ritz value (Demmel & Veselić, SIAM J.
-//! Matrix Anal. Appl. 13 (1992) 1204-1245). Images are computed anew before a value is returned, which is then the
+//! On very unequal elements the quotients of these directions differ by many orders of magnitude.
+//! The smallest Ritz values of a positive definite form are therefore computed from its inverse,
+//! after a scaling of all directions to energy 1: their errors are those of rounding relative to
+//! themselves, not to the largest Ritz value (Demmel & Veselić, SIAM J. Matrix Anal. Appl. 13
+//! (1992) 1204-1245). Images are computed anew before a value is returned, which is then the
 //! Rayleigh quotient of its vector.
 //!
-//! A residual of size r bounds the distance of θ_0 to the spectrum by r, and by r²/(σ − θ_0) if no other eigenvalue
-//! lies below σ. Ritz values lie *above* the eigenvalues, by any amount for a vector that the block has not found, so
-//! that they are no such σ: the eigenvalues below σ are counted where the pencil can do so.
+//! A residual of size r bounds the distance of θ_0 to the spectrum by r, and by r²/(σ − θ_0) if no
+//! other eigenvalue lies below σ. Ritz values lie *above* the eigenvalues, by any amount for a
+//! vector that the block has not found, so that they are no such σ: the eigenvalues below σ are
+//! counted where the pencil can do so.
 
 use super::dense::symmetric_eigen;
 use super::sum::pairwise_dot;
@@ -33,7 +35,8 @@ pub(crate) trait Pencil {
     fn apply(&self, x: &[f64]) -> Result<Vec<f64>>;
     /// The product M x.
     fn mass(&self, x: &[f64]) -> Vec<f64>;
-    /// Subtracts from x its component in the kernel of A, which is no part of the problem; true if there is such a kernel.
+    /// Subtracts from x its component in the kernel of A, which is no part of the problem; true if
+    /// there is such a kernel.
     fn without_kernel(&self, x: &mut [f64]) -> bool;
     /// The preconditioner applied to a residual.
     fn precondition(&self, r: &[f64]) -> Vec<f64>;
@@ -46,8 +49,11 @@ pub(crate) trait Pencil {
     fn counted_below(&self, sigma: f64) -> Result<Count>;
     /// The product M⁻¹ r.
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64>;
-    /// A bound of the rounding error of xᵀA x.
-    fn rounding(&self, x: &[f64]) -> f64;
+    /// xᵀA x and a bound of its rounding error, from the product of x with A x.
+    ///
+    /// # Errors
+    /// Those of a more accurate computation.
+    fn form(&self, x: &[f64], product: f64) -> Result<(f64, f64)>;
 }
 
 /// The number of positive eigenvalues below a value.
@@ -83,7 +89,8 @@ impl Imaged {
         Ok(Some(Self { a: pencil.apply(&x)?, m: m.iter().map(|m| m / size).collect(), x }))
     }
 
-    /// The same vector with images that are not sums of others, and without what rounding left of the kernel.
+    /// The same vector with images that are not sums of others, and without what rounding left of
+    /// the kernel.
     fn renewed(self, pencil: &impl Pencil) -> Result<Option<Self>> {
         let mut x = self.x;
         pencil.without_kernel(&mut x);
@@ -110,20 +117,22 @@ impl Imaged {
     }
 }
 
-/// The smallest eigenvalue of the pencil, a bound of its distance to the spectrum, and the number of steps.
+/// The smallest eigenvalue of the pencil, a bound of its distance to the spectrum, and the number
+/// of steps.
 pub(crate) struct Smallest {
     pub(crate) value: f64,
     pub(crate) error: f64,
     pub(crate) steps: usize,
 }
 
-/// The smallest eigenvalue from a block of start vectors, when the error is below `tolerance` times the value
-/// or the number of steps is reached.
+/// The smallest eigenvalue from a block of start vectors, when the error is below `tolerance` times
+/// the value or the number of steps is reached.
 ///
-/// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(σ − θ_0 − ‖R_k‖), where R_k are the
-/// residuals of the first k Ritz vectors in the norm of M⁻¹ and σ has k eigenvalues below: there is an eigenvalue
-/// within ‖R_1‖. The rounding error of the quotient is added. During the iteration, and where eigenvalues are not
-/// counted, σ is the next Ritz value minus the size of its own residual.
+/// The error is the smaller of ‖R_k‖ and, if eigenvalues are separated, ‖R_k‖²/(σ − θ_0 − ‖R_k‖),
+/// where R_k are the residuals of the first k Ritz vectors in the norm of M⁻¹ and σ has k
+/// eigenvalues below: there is an eigenvalue within ‖R_1‖. The rounding error of the quotient is
+/// added. During the iteration, and where eigenvalues are not counted, σ is the next Ritz value
+/// minus the size of its own residual.
 pub(crate) fn smallest(
     pencil: &impl Pencil,
     start: Vec<Vec<f64>>,
@@ -179,7 +188,7 @@ pub(crate) fn smallest(
             if is_renewed {
                 counts += 1;
                 let first = &block[0];
-                let value = pairwise_dot(&first.x, &first.a) / pairwise_dot(&first.x, &first.m);
+                let product = pairwise_dot(&first.x, &first.a);
                 let error = bound(&mut |k| {
                     let Some(next) = values.get(k + 1).filter(|_| pencil.is_separated()) else {
                         return Ok(None);
@@ -194,8 +203,10 @@ pub(crate) fn smallest(
                     }
                     Ok(None)
                 })?;
-                if error <= tolerance * value.abs() || steps >= most || counts == COUNTS {
-                    let error = error + pencil.rounding(&first.x);
+                if error <= tolerance * product.abs() || steps >= most || counts == COUNTS {
+                    let (form, rounding) = pencil.form(&first.x, product)?;
+                    let size = pairwise_dot(&first.x, &first.m);
+                    let (value, error) = (form / size, error + rounding / size);
                     return Ok(Some(Smallest { value, error, steps }));
                 }
             }
@@ -240,8 +251,8 @@ pub(crate) fn smallest(
     Ok(None)
 }
 
-/// The Ritz values in ascending order and the coefficients of their vectors, which have norm 1 with respect to
-/// M.
+/// The Ritz values in ascending order and the coefficients of their vectors, which have norm 1 with
+/// respect to M.
 fn ritz(basis: &[Imaged]) -> Option<(Vec<f64>, DMatrix<f64>)> {
     let n = basis.len();
     let (a, m) = (products(basis, |one| &one.a), products(basis, |one| &one.m));

@@ -67,11 +67,7 @@ impl UniformLaw {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
         } else if p > NEAR_HALF {
             let limit = mellin::reached(order, Tolerance::reference())?;
-            Estimate::new(
-                p * limit.value * limit.value,
-                2.0 * p * limit.value * limit.error,
-                limit.work,
-            )?
+            limit.product(limit)?.times(p)?
         } else {
             let [far, ..] = dual_moments(order, SHORTER, tolerance)?;
             let span = growth(SHORTER) - growth(SHORT);

@@ -28,7 +28,7 @@ use crate::functions::of_residual;
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial};
-use crate::root::{accept, root_of_squares};
+use crate::root::{accept, whole};
 
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the error of the polynomials that represent the function, or the rounding of its values, limits the accuracy";
@@ -62,8 +62,7 @@ impl Resolved {
     /// As [`Resolved::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
-        let [a, b] = parts.map(Estimate::or_best);
-        accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
+        whole(parts, tolerance, LIMIT)
     }
 
     /// ‖u‖.
@@ -93,7 +92,7 @@ impl Resolved {
                 ));
             }
             let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
-            let found = Estimate { error: found.error + off, ..found };
+            let found = Estimate::new(found.value, found.error + off, found.work)?;
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
         let rest =

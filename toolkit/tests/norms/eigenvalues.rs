@@ -297,13 +297,21 @@ fn smallest_eigenvalues_of_many_unequal_elements() -> Result<()> {
                 let apart = (low.value - exact).abs();
                 assert!(apart <= low.error + 1e-11 * exact, "{s} {lengths:?}: {low}, {exact}");
             }
-            Err(e) => {
-                println!("XX {e}");
-                refused += 1
-            }
+            Err(_) => refused += 1,
         }
     }
     println!("many unequal elements: {tried} tried, {refused} refused");
-    assert!(3 * refused <= tried, "{refused} of {tried} refused");
+    assert!(5 * refused <= tried, "{refused} of {tried} refused");
+    Ok(())
+}
+
+/// Σ a_ii x_i² is so many times the smallest eigenvalue that rounding of xᵀ(A x) alone was above the tolerance.
+#[test]
+fn rounding_of_the_form_does_not_limit_the_smallest_eigenvalue() -> Result<()> {
+    let mesh = unequal(4000, 3.0)?;
+    for form in [Gram::new(&mesh, 0.5, 1e-11)?, Gram::zero_outside(&mesh, 0.5, 1e-11)?] {
+        let [low, _] = form.extreme_eigenvalues()?;
+        assert!(low.relative_error() <= 2.2e-11, "{low}");
+    }
     Ok(())
 }
