@@ -35,7 +35,9 @@
 //! follow from σ_N u_N = 0, so that only an error of the program refutes them; what is not trivial
 //! are the shares of both cases.
 //!
-//! Another contact set (for the other cone see example `figure_3_2_alternative`):
+//! Another contact set: `transition` (one end of contact), `transitions:3` (three gaps, so six
+//! ends), `cantor:0.3:4` (ratio, generations), `fat-cantor:4`, or `samples:FILE` with a line `u_N
+//! λ` for each node of equal cells. (For the other cone see example `figure_3_2_alternative`.)
 //!
 //! `cargo run --release --example figure_4_1_alternative -- --problem transitions:3`
 
@@ -90,7 +92,7 @@ struct Segment {
 }
 
 /// u on the edge: the solution on a mesh eight times finer than the finest one of the list, or a
-/// prescribed pair (u_N, σ_N).
+/// prescribed pair (u_N, σ_N) on 2^16 cells, or 64 n for the largest n if that is more.
 fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
     match problem {
         NamedProblem::Mesh(body) => {
@@ -129,7 +131,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for &n in &options.n {
         let k = cells / n; // cells of u in a segment
-        Error::unless(cells == k * n, "n", "divisors of the largest one")?;
+        Error::unless(cells == k * n, "n", "divisors of the number of cells of u")?;
         let h = 1.0 / n as f64;
         let theta = if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) };
         let mut segments = Vec::new();
@@ -167,8 +169,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     out.column("integral", "term", "(4.9) over the edge");
     out.column("carried_by", "carried by", "segments with a term");
     out.remark(format!(
-        "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
-         row for the same n differs."
+        "u is given on {cells} cells of the edge. If another largest n changes their number, a row \
+         for the same n differs."
     ));
     Ok(rows)
 }

@@ -178,18 +178,18 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 claim.whole_error_bars_at_most(c, BABUSKA_AZIZ, "Babuška, Aziz 1976");
             }
             if angle >= 135.0 {
-                let claim = out.check("α ≥ 135°: C_h(α)/C_h(60°)").undecided_if_it_admits(1.0);
+                let claim = out.check("α ≥ 135°: C_h(α)/C_h(60°)").undecided_if_also_true_of(1.0);
                 claim.whole_error_bars_at_least(c_h / c_h_at(60.0), 2.0, "C grows as α → 180°");
             }
         }
         let factor = c_h_at(10.0) / c_h_at(20.0);
         if s == 1.0 {
-            let claim = out.check("s = 1: C_h(10°)/C_h(20°)").undecided_if_it_admits(SQRT_2);
+            let claim = out.check("s = 1: C_h(10°)/C_h(20°)").undecided_if_also_true_of(SQRT_2);
             claim.whole_error_bars_at_most(factor, 1.05, "1 as α → 0");
         } else if s <= 0.75 {
             let half_way = 2f64.powf(0.5 * (1.0 - s).min(0.5));
             let claim =
-                out.check(format!("s = {s}: C_h(10°)/C_h(20°)")).undecided_if_it_admits(1.0);
+                out.check(format!("s = {s}: C_h(10°)/C_h(20°)")).undecided_if_also_true_of(1.0);
             claim.whole_error_bars_at_least(
                 factor,
                 half_way,

@@ -97,7 +97,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         claim.whole_error_bars_at_most(short / end, 1.0 + 4e-8, "(5.3) with C = γ₀");
         let correction = SHORT.powf(delta).max(4e-8);
         // As ν → 1/2 it tends to 1, and every γ(θ) between 0 and γ₀ would pass: then undecided.
-        let claim = out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀")).undecided_if_it_admits(0.0);
+        let claim =
+            out.check(format!("ν = {nu}, θ = 1e-12: γ(θ)/γ₀")).undecided_if_also_true_of(0.0);
         claim.whole_error_bars_differ_by_at_most(short / end, 1.0, correction, "θ^(2ν−1)");
         let claim = out.check("interior point: best constant/γ₀");
         claim.whole_error_bars_at_most(inside / end, 1.0 + 4e-8, "the end is worst");

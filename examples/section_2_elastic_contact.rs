@@ -229,14 +229,14 @@ fn solve(
     const COARSE: f64 = 1e-3; // where such a difference would pass too, nothing is decided
     // Loads, reactions of Γ_D and forces of the floor in both directions, over the size of the
     // terms.
-    let claim = out.check("resultant of all forces, scaled").undecided_if_it_admits(COARSE);
+    let claim = out.check("resultant of all forces, scaled").undecided_if_also_true_of(COARSE);
     claim.at_most(u.balance, allowed, "global equilibrium");
     let apart = |j: f64| (j / u.energy - 1.0).abs();
     let two_solvers = apart(other.energy);
-    let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_it_admits(COARSE);
+    let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_also_true_of(COARSE);
     claim.at_most(two_solvers, allowed, "eight digits");
     if let Some(j) = definition {
-        let claim = out.check("J: |by_definition/library − 1|").undecided_if_it_admits(COARSE);
+        let claim = out.check("J: |by_definition/library − 1|").undecided_if_also_true_of(COARSE);
         claim.at_most(apart(j), allowed, "eight digits");
     }
     Ok(Solved { body, cone, n, problem, u, two_solvers })

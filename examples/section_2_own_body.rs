@@ -419,12 +419,12 @@ fn on_refinements(
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over
         // the size of their terms.
         let claim =
-            out.check("resultant of load and reactions, scaled").undecided_if_it_admits(COARSE);
+            out.check("resultant of load and reactions, scaled").undecided_if_also_true_of(COARSE);
         claim.at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
         if other.status.is_converged() {
             let of_j = apart(other.energy, u.energy);
-            let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_it_admits(COARSE);
+            let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_also_true_of(COARSE);
             claim.at_most(of_j, allowed, "eight digits");
         }
         if let (true, Some((_, before))) = (is_nested, &last) {

@@ -29,7 +29,9 @@
 //! **2. The supremum of τ for a body.** It is 1 + the smallest Re λ over all corners, changes of
 //! conditions and ends of contact, without polynomials, and without terms for which both signs of
 //! r^λ U violate u_N ≤ 0 on an open or σ_N ≤ 0 on a closed side. Which conditions meet at an end of
-//! the contact edge is taken from the contact set on a mesh that is cut towards it.
+//! the contact edge is taken from the contact set on 16 × 16 squares whose triangles within
+//! 2^(−k)/4 of that end are cut for k = 0, .., 35: the end is closed if there is contact at 1e-7 of
+//! the length of the edge.
 //!
 //! ```text
 //! block      the unit square fixed at y = 1, free sides, contact at y = 0, λ = μ = 1,

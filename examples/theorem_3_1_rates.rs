@@ -14,8 +14,9 @@
 //! no flux at the sides; ‖v‖² = ∫ |∇v|². At the transition a, λ and g behave like the powers τ − 2
 //! and τ − 1 of the distance, so that u is in H^s for s < τ only: h^p for this u is more than the
 //! theorem says. u^h is linear on n × n squares cut into triangles, h = 1/n, with u^h ≤ 0 at the
-//! nodes of the edge; u itself is taken on N = 32 · 2^finest cells. The error e is the root mean
-//! square over the places a = 5/12 and 11/24.
+//! nodes of the edge; u itself is taken on N = 32 · 2^finest cells. The error e depends on where a
+//! lies in its segment; it is the root mean square over a = 5/12 and 11/24, which lie at a third or
+//! two thirds of a segment on every mesh.
 //!
 //! Refuted if the last increment of e/h^p is above 0.95 times the modulus of the one before: then
 //! e/h^p keeps growing. (Growth like h^(−δ) has increments that grow by 2^δ from one halving of h
@@ -34,8 +35,8 @@
 //! its ± is the largest |q − q'| over the q' of the three meshes before, plus what the ± of e does
 //! to q. The ± of e is rounding and what conjugate gradients leave.
 //!
-//! Another regularity is an option; for the other cone change `CONE`, for another contact set
-//! `transition`:
+//! Another regularity is an option; for another contact set change `transition`, for the other
+//! cone `CONE` (for which Theorem 4.1 has the same p):
 //!
 //! `cargo run --release --example theorem_3_1_rates -- --tau 1.7`
 
@@ -45,7 +46,7 @@ use signorini::cone::Cone;
 use signorini::strip::{EdgeData, LateralCondition, Reference, StripKind, StripProblem};
 
 example! { seconds "Theorem 3.1",
-    "nodal cone, u in H^τ:  ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2),  3/2 < τ < 2";
+    "u in H^τ:  ‖u − u^h‖ ≤ C h^(τ² − 5τ/2 + 2),  3/2 < τ < 2";
     /// regularities τ of the solution
     tau: Vec<f64> = "1.55,1.65,1.75,1.85,1.95" in "(1.5, 2)" slider "1.55 to 1.95",
     /// meshes of 8, 16, .. 2^finest cells along the edge

@@ -1,9 +1,10 @@
 //! Displacements prescribed on Γ_D that are not linear on its edges.
 //!
-//! With e = u_D − I u_D on an edge from a to b of a triangle, e = λ_a λ_b (c_0 + c_1 r + c_2 r²), r = λ_b − λ_a, is carried
-//! into the triangle by the same polynomial in barycentric coordinates: it vanishes on the other two sides, and added to
-//! u^h it gives a function with the values u_D, of which the bound is one. u_D is taken as a polynomial of degree four on
-//! every edge, with the same values at the ends and the same moments ∫ e r^k, k = 0, 1, 2, so that linear tractions do the
+//! With e = u_D − I u_D on an edge from a to b of a triangle, e = λ_a λ_b (c_0 + c_1 r + c_2 r²), r
+//! = λ_b − λ_a, is carried into the triangle by the same polynomial in barycentric coordinates: it
+//! vanishes on the other two sides, and added to u^h it gives a function with the values u_D, of
+//! which the bound is one. u_D is taken as a polynomial of degree four on every edge, with the same
+//! values at the ends and the same moments ∫ e r^k, k = 0, 1, 2, so that linear tractions do the
 //! same work.
 
 use crate::error::Result;
@@ -11,7 +12,8 @@ use crate::fem::Element;
 use crate::mesh::Point;
 use fractional_sobolev::Rule;
 
-/// A prescribed displacement whose deviation from its interpolant is below this multiple of it is linear.
+/// A prescribed displacement whose deviation from its interpolant is below this multiple of it is
+/// linear.
 const LINEAR: f64 = 1e-13;
 
 /// c_0, c_1, c_2 for every component.

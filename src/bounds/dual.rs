@@ -1,30 +1,34 @@
 //! The best equilibrated stress: the dual problem on the same triangulation, in hybrid form.
 //!
-//! Among the stresses q = q_p + q_T (q_p exact for the load, q_T of module `element` on every triangle) with continuous
-//! traction, given traction on Γ_N, q_T = 0 and q_N ≤ 0 on Γ_C, the one of least ½∫ q : 𝒜⁻¹q − ∫_{Γ_D} q n·u_D −
-//! ∫_{Γ_C} q_N g. Continuity is required by multipliers on the edges, which are weighted means of a displacement:
+//! Among the stresses q = q_p + q_T (q_p exact for the load, q_T of module `element` on every
+//! triangle) with continuous traction, given traction on Γ_N, q_T = 0 and q_N ≤ 0 on Γ_C, the one
+//! of least ½∫ q : 𝒜⁻¹q − ∫_{Γ_D} q n·u_D − ∫_{Γ_C} q_N g. Continuity is required by multipliers on
+//! the edges, which are weighted means of a displacement:
 //!
 //! ```text
 //! per edge of length L:   (2/L) ∫ u_N (1 − s),  (2/L) ∫ u_N s,  (1/L) ∫ u_T
 //! ```
 //!
-//! paired with the forces q_N(0) L/2, q_N(1) L/2, q_T L (linear q_T: (2/L) ∫ u_T (1 − s), (2/L) ∫ u_T s with q_T(0) L/2,
-//! q_T(1) L/2; a flux: those of u with q·n, or (1/L) ∫ u with q·n L if it is constant). On a triangle with fields s_i, C_ij = ∫ s_i : 𝒜⁻¹s_j, forces N x of
-//! Σ x_i s_i and known part (c, t₀), least energy for given multipliers λ is at x = C⁻¹(Nᵀλ − c), so that the edges have
-//! the equations
+//! paired with the forces q_N(0) L/2, q_N(1) L/2, q_T L (linear q_T: (2/L) ∫ u_T (1 − s), (2/L) ∫
+//! u_T s with q_T(0) L/2, q_T(1) L/2; a flux: those of u with q·n, or (1/L) ∫ u with q·n L if it is
+//! constant). On a triangle with fields s_i, C_ij = ∫ s_i : 𝒜⁻¹s_j, forces N x of Σ x_i s_i and
+//! known part (c, t₀), least energy for given multipliers λ is at x = C⁻¹(Nᵀλ − c), so that the
+//! edges have the equations
 //!
 //! ```text
-//! Σ_T (N C⁻¹Nᵀ λ − N C⁻¹c + t₀) = given forces,        λ ≤ (2/L) ∫ g (1 − s), (2/L) ∫ g s  beside  −q_N ≥ 0  on Γ_C
+//! Σ_T (N C⁻¹Nᵀ λ − N C⁻¹c + t₀) = given forces,
+//! λ ≤ (2/L) ∫ g (1 − s), (2/L) ∫ g s  beside  −q_N ≥ 0  on Γ_C
 //! ```
 //!
-//! with a positive definite matrix: a contact problem with bounds as its only constraints, solved as the primal one, by
-//! elimination to the contact unknowns and an active set. Its condition number is that of the primal problem, where the
-//! equations of an Airy function would have the square; holes and several clamped parts need no further fields. The
-//! stresses are those of an Airy function in the reduced or full Hsieh-Clough-Tocher space (scalar: of a linear or
-//! quadratic stream function), locally, and the minimum is the same.
+//! with a positive definite matrix: a contact problem with bounds as its only constraints, solved
+//! as the primal one, by elimination to the contact unknowns and an active set. Its condition
+//! number is that of the primal problem, where the equations of an Airy function would have the
+//! square; holes and several clamped parts need no further fields. The stresses are those of an
+//! Airy function in the reduced or full Hsieh-Clough-Tocher space (scalar: of a linear or quadratic
+//! stream function), locally, and the minimum is the same.
 
 use super::element::{Equilibrated, Linear, Side, Traction, add, combine, side, traction};
-use super::setting::{Border, Sample, Setting, SideOf};
+use super::setting::{Border, OF_EQUATIONS, Sample, Setting, SideOf};
 use crate::cone::{Cone, ContactSet, Ends};
 use crate::contact::edge::{EdgeProblem, solve_on_edge};
 use crate::error::{Error, Result};
@@ -38,15 +42,18 @@ const NODAL: usize = 27;
 const TERMS: usize = NODAL + 9;
 /// Edges of one task of the assembly.
 const CHUNK: usize = 4096;
+/// Edges that are eliminated at once. An edge has four neighbours: of the sizes from 8 to 60, 12
+/// takes the least time and memory.
+const LEAF: usize = 12;
 
-/// The equations of one triangle with F fields at most and R forces, solved for its fields.
+/// The equations of one triangle with F fields at most and R forces, for C = L Lᵀ.
 struct Local<const F: usize, const R: usize> {
     /// Number of fields.
     count: usize,
-    /// N: forces of every field.
+    /// L, lower triangular.
+    root: [[f64; F]; F],
+    /// W = L⁻¹ Nᵀ, N the forces of every field, and w = L⁻¹ c: Lᵀ x = W λ − w.
     forces: [[f64; R]; F],
-    /// C⁻¹ Nᵀ and C⁻¹ c: x = response · λ − offset.
-    response: [[f64; R]; F],
     offset: [f64; F],
     /// t₀, the forces of the known field.
     known_forces: [f64; R],
@@ -54,12 +61,12 @@ struct Local<const F: usize, const R: usize> {
 }
 
 impl<const F: usize, const R: usize> Local<F, R> {
-    /// Entry of A = N C⁻¹ Nᵀ.
+    /// Entry of N C⁻¹ Nᵀ = Wᵀ W.
     fn stiffness(&self, row: usize, column: usize) -> f64 {
-        (0..self.count).map(|i| self.forces[i][row] * self.response[i][column]).sum()
+        (0..self.count).map(|i| self.forces[i][row] * self.forces[i][column]).sum()
     }
 
-    /// N C⁻¹ c − t₀.
+    /// N C⁻¹ c − t₀ = Wᵀ w − t₀.
     fn load(&self, row: usize) -> f64 {
         (0..self.count).map(|i| self.forces[i][row] * self.offset[i]).sum::<f64>()
             - self.known_forces[row]
@@ -73,7 +80,8 @@ pub(super) struct Dual {
     pub(super) fields: Vec<Linear>,
     /// osc on every triangle.
     pub(super) oscillation: Vec<f64>,
-    /// −q_N ≥ 0 at both ends of every contact segment (its linear part), by number of the border; 0 elsewhere.
+    /// −q_N ≥ 0 at both ends of every contact segment (its linear part), by number of the border; 0
+    /// elsewhere.
     pub(super) pressure: Vec<[f64; 2]>,
     /// Energy norm of the stress that would correct the residual left by rounding.
     pub(super) rounding: f64,
@@ -113,7 +121,8 @@ impl Setting<'_, '_> {
         for k in 0..3 {
             let ends = ends[k];
             let [start, end] = if of[k].flipped { [ends[1], ends[0]] } else { ends };
-            // q_N and q_T have the same sign on both sides of an edge, the force has not; a flux has opposite signs.
+            // q_N and q_T have the same sign on both sides of an edge, the force has not; a flux
+            // has opposite signs.
             let is_against = of[k].flipped && self.components == 2;
             let half = if is_against { -0.5 } else { 0.5 } * sides[k].length;
             let own = &mut forces[c * k..c * (k + 1)];
@@ -137,7 +146,8 @@ impl Setting<'_, '_> {
         let fields = basis.fields();
         let count = fields.len();
         let area = 0.5 * doubled_area(corners);
-        // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the triangle.
+        // ∫ l m = |piece|/12 (Σ l_k m_k + Σ l_k Σ m_k) for linear l, m; a piece is a third of the
+        // triangle.
         let mut rooted = [[0.0; TERMS]; F];
         for (terms, field) in rooted.iter_mut().zip(fields) {
             let (values, totals) = terms.split_at_mut(NODAL);
@@ -159,7 +169,7 @@ impl Setting<'_, '_> {
         }
         // ∫ of the known stress against the barycentric coordinates of the pieces.
         let mut moments: Linear = [[[0.0; 3]; 3]; 3];
-        let samples = self.samples(t);
+        let samples = self.samples(t, OF_EQUATIONS);
         for Sample { piece, shares, weight, exact, .. } in &samples {
             let own = combine(shares, &known[*piece]);
             for c in 0..3 {
@@ -196,11 +206,11 @@ impl Setting<'_, '_> {
         let what = "compliance of the stresses on one triangle";
         let root =
             factor(compliance, count).ok_or_else(|| Error::not_positive_definite(what, t))?;
-        let (mut response, mut offset) = (forces, shift.map(|value| [value]));
-        solve(&root, count, &mut response);
+        let mut offset = shift.map(|value| [value]);
+        solve(&root, count, &mut forces);
         solve(&root, count, &mut offset);
         let offset = offset.map(|[value]| value);
-        Ok(Local { count, forces, response, offset, known_forces, left_over })
+        Ok(Local { count, root, forces, offset, known_forces, left_over })
     }
 
     /// The equations of all triangles.
@@ -300,7 +310,8 @@ impl Setting<'_, '_> {
         }
     }
 
-    /// The stress of least complementary energy; `touches` is a guess of the contact segments' ends, by border.
+    /// The stress of least complementary energy; `touches` is a guess of the contact segments'
+    /// ends, by border.
     pub(super) fn best_stress(&self, touches: &[[bool; 2]]) -> Result<Dual> {
         match (self.components, self.tractions) {
             (1, Traction::Reduced) => self.best::<3, 3>(touches),
@@ -348,13 +359,14 @@ impl Setting<'_, '_> {
             }
         }
         let places: Vec<Point> = (0..self.edges()).map(|edge| self.middle_of(edge)).collect();
-        let condensation = Condensation::new(&matrix, &places, &prescribed, &kept)?;
+        let condensation = Condensation::with_leaves(LEAF, &matrix, &places, &prescribed, &kept)?;
         let fixed = vec![false; kept.len()];
         let mut pressure = vec![0.0; kept.len()];
         let mut set = ContactSet::new(&guess);
         let mut steps = 0;
         let mut rounding = 0.0;
-        // Solution, and one correction for its residual; the energy norm of that bounds what rounding leaves.
+        // Solution, and one correction for its residual; the energy norm of that bounds what
+        // rounding leaves.
         for pass in 0..2 {
             let product = matrix.multiply(&multipliers);
             let mut residual: Vec<f64> = load.iter().zip(&product).map(|(f, k)| f - k).collect();
@@ -460,7 +472,7 @@ impl Setting<'_, '_> {
                 .filter(|&number| self.borders[number].part == Part::Contact)
                 .ok_or_else(|| Error::Solver {
                     reason: format!(
-                        "the contact segment at ({}, {}) is in none of the coarser mesh of the stress",
+                        "the contact segment at ({}, {}) is in none of the mesh of the stress",
                         middle[0], middle[1]
                     ),
                 })?;
@@ -494,12 +506,25 @@ impl Setting<'_, '_> {
         multipliers: &[f64],
     ) -> Linear {
         let c = self.per_edge();
-        let basis = self.basis(t);
-        let mut sum = self.known_field(t, &basis.slopes);
-        for (i, field) in basis.fields().iter().enumerate() {
-            let own = |row: usize| multipliers[c * self.sides[t][row / c].edge + row % c];
-            let moved: f64 = (0..R).map(|row| local.response[i][row] * own(row)).sum();
-            add(&mut sum, moved - local.offset[i], field);
+        let own = |row: usize| multipliers[c * self.sides[t][row / c].edge + row % c];
+        let values: [f64; R] = std::array::from_fn(own);
+        let mut x = local.offset.map(|value| -value);
+        for (x, forces) in x.iter_mut().zip(&local.forces) {
+            *x += forces.iter().zip(&values).map(|(force, value)| force * value).sum::<f64>();
+        }
+        for i in (0..local.count).rev() {
+            let known: f64 = (i + 1..local.count).map(|k| local.root[k][i] * x[k]).sum();
+            x[i] = (x[i] - known) / local.root[i][i];
+        }
+        let mut sum = Equilibrated::sum(
+            self.components,
+            self.tractions,
+            self.mesh.corners(t),
+            &x[..local.count],
+            self.known_slopes(t),
+        );
+        if let Some(own) = self.own_of(t) {
+            add(&mut sum, 1.0, &own.field);
         }
         sum
     }
@@ -522,22 +547,17 @@ fn factor<const F: usize>(mut a: [[f64; F]; F], count: usize) -> Option<[[f64; F
     Some(a)
 }
 
-/// The solutions of L Lᵀ X = B, in the place of B.
+/// The solutions of L X = B, in the place of B.
 fn solve<const F: usize, const N: usize>(
     root: &[[f64; F]; F],
     count: usize,
     columns: &mut [[f64; N]; F],
 ) {
-    let take = |columns: &mut [[f64; N]; F], i: usize, factor: f64, k: usize| {
-        let other = columns[k];
-        (0..N).for_each(|c| columns[i][c] -= factor * other[c]);
-    };
     for i in 0..count {
-        (0..i).for_each(|k| take(columns, i, root[i][k], k));
-        columns[i].iter_mut().for_each(|value| *value /= root[i][i]);
-    }
-    for i in (0..count).rev() {
-        (i + 1..count).for_each(|k| take(columns, i, root[k][i], k));
+        for k in 0..i {
+            let (factor, other) = (root[i][k], columns[k]);
+            (0..N).for_each(|c| columns[i][c] -= factor * other[c]);
+        }
         columns[i].iter_mut().for_each(|value| *value /= root[i][i]);
     }
 }

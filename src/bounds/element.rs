@@ -1,25 +1,26 @@
 //! Equilibrated stresses on one triangle, cut into three by its centroid.
 //!
-//! Elastic: q = (φ_yy, φ_xx, −φ_xy), φ a function of the reduced Hsieh-Clough-Tocher space: C¹, cubic on the three
-//! pieces, with linear normal derivative on the sides. On a side with outward normal n and tangent t (the triangle on
-//! the left)
+//! Elastic: q = (φ_yy, φ_xx, −φ_xy), φ a function of the reduced Hsieh-Clough-Tocher space: C¹,
+//! cubic on the three pieces, with linear normal derivative on the sides. On a side with outward
+//! normal n and tangent t (the triangle on the left)
 //!
 //! ```text
 //! q_N = n·q n = φ_ss  (linear),      q_T = t·q n = −(∂_n φ)_s  (constant)
 //! ```
 //!
-//! φ has nine degrees of freedom, three of which (φ affine) have no stress: six stresses without load and, on three
-//! sides, nine tractions that satisfy the three equations of equilibrium. Three further functions, one for each side,
-//! have ∂_n φ = s(1 − s)/2 · length there, no values and no gradients at the vertices: their traction is q_T = s − ½, linear
-//! and without resultant.
+//! φ has nine degrees of freedom, three of which (φ affine) have no stress: six stresses without
+//! load and, on three sides, nine tractions that satisfy the three equations of equilibrium. Three
+//! further functions, one for each side, have ∂_n φ = s(1 − s)/2 · length there, no values and no
+//! gradients at the vertices: their traction is q_T = s − ½, linear and without resultant.
 //!
-//! Scalar: q = (ψ_y, −ψ_x), ψ linear: constant, with constant q·n; q·n = s − ½ on one side comes from ψ quadratic.
+//! Scalar: q = (ψ_y, −ψ_x), ψ linear: constant, with constant q·n; q·n = s − ½ on one side comes
+//! from ψ quadratic.
 //!
-//! With these three functions as unknowns, [`Traction::Linear`], φ is in the full Hsieh-Clough-Tocher space, ψ is
-//! quadratic, and all tractions are linear.
+//! With these three functions as unknowns, [`Traction::Linear`], φ is in the full
+//! Hsieh-Clough-Tocher space, ψ is quadratic, and all tractions are linear.
 //!
-//! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G. Ciarlet, *The Finite
-//! Element Method for Elliptic Problems*, Section 6.1.
+//! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G.
+//! Ciarlet, *The Finite Element Method for Elliptic Problems*, Section 6.1.
 
 use crate::mesh::{Point, doubled_area, middle};
 
@@ -91,8 +92,10 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
 /// The tractions of an equilibrated stress on the edges of its mesh.
 ///
 /// ```
-/// use signorini::{bounds::Traction, cone::Cone, contact::Body, fem::Form, mesh::{SideParts, unit_square}};
-/// let body = Body::new(unit_square(8, SideParts::HANGING)?, Form::LAPLACE).load(|[x, _]: [f64; 2]| 1.0 - 3.0 * x);
+/// use signorini::{bounds::Traction, cone::Cone, contact::Body, fem::Form};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let body = Body::new(unit_square(8, SideParts::HANGING)?, Form::LAPLACE)
+///     .load(|[x, _]: [f64; 2]| 1.0 - 3.0 * x);
 /// let reduced = body.enclose_with(Cone::Nodal, Traction::Reduced)?;
 /// let linear = body.enclose_with(Cone::Nodal, Traction::Linear)?;
 /// assert!(linear.error < reduced.error);
@@ -100,22 +103,24 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Traction {
-    /// Of a stress: linear normally, constant tangentially (reduced Hsieh-Clough-Tocher space of Airy functions), three
-    /// unknowns an edge. Of a flux: constant (linear stream function), one unknown an edge.
+    /// Of a stress: linear normally, constant tangentially (reduced Hsieh-Clough-Tocher space of
+    /// Airy functions), three unknowns an edge. Of a flux: constant (linear stream function), one
+    /// unknown an edge.
     Reduced,
-    /// Linear: the full Hsieh-Clough-Tocher space, four unknowns an edge; a quadratic stream function, two unknowns an
-    /// edge. Of second order where the exact stress is smooth.
+    /// Linear: the full Hsieh-Clough-Tocher space, four unknowns an edge; a quadratic stream
+    /// function, two unknowns an edge. Of second order where the exact stress is smooth.
     #[default]
     Linear,
 }
 
 /// The fields without load on one triangle.
 pub(super) struct Equilibrated {
-    /// Six stresses, or two fluxes; with linear tractions also the slopes; last, with a reaction term, the flux x − x_T,
-    /// which has the divergence 2.
+    /// Six stresses, or two fluxes; with linear tractions also the slopes; last, with a reaction
+    /// term, the flux x − x_T, which has the divergence 2.
     fields: [Linear; FIELDS],
     count: usize,
-    /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the other sides.
+    /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the
+    /// other sides.
     pub(super) slopes: [Linear; 3],
 }
 
@@ -150,6 +155,34 @@ impl Equilibrated {
 
     pub(super) fn fields(&self) -> &[Linear] {
         &self.fields[..self.count]
+    }
+
+    /// Σ coefficient · field with Σ slope · field of the slope of a side: for a body from the sum
+    /// of the Airy functions.
+    pub(super) fn sum(
+        components: usize,
+        tractions: Traction,
+        corners: [Point; 3],
+        coefficients: &[f64],
+        mut slopes: [f64; 3],
+    ) -> Linear {
+        if components == 2 {
+            let (own, more) = coefficients.split_at(6);
+            slopes.iter_mut().zip(more).for_each(|(slope, more)| *slope += more);
+            let geometry = Geometry::scaled(corners);
+            let mut airy = Airy::default();
+            own.iter().enumerate().for_each(|(number, value)| *airy.freedom(number) = *value);
+            airy.bulge = [0, 1, 2].map(|k| slopes[k] * geometry.bulge(k));
+            return geometry.stress(&airy);
+        }
+        let of_kind = if tractions == Traction::Linear { 5 } else { 2 };
+        let has_reaction = coefficients.len() > of_kind;
+        let basis = Self::new(components, tractions, has_reaction, true, corners);
+        let mut sum = ZERO;
+        let fields = basis.fields().iter().zip(coefficients);
+        fields.for_each(|(field, value)| add(&mut sum, *value, field));
+        basis.slopes.iter().zip(slopes).for_each(|(field, value)| add(&mut sum, value, field));
+        sum
     }
 }
 
@@ -186,29 +219,32 @@ struct Airy {
     bulge: [f64; 3],
 }
 
-fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
-    // Lengths in units of the longest side; stresses are divided by its square at the end, which is a factor of the
-    // unknowns only. Corner 0 is the origin, where φ and its gradient vanish.
-    let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
-    let local = corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]);
-    let geometry = Geometry::new(local);
-    let mut fields = [ZERO; FIELDS];
-    for (field, number) in fields.iter_mut().zip(3..9) {
-        let mut airy = Airy::default();
+impl Airy {
+    /// The value or a component of the gradient at corner 1 or 2 that belongs to one of the six
+    /// fields.
+    fn freedom(&mut self, number: usize) -> &mut f64 {
+        let corner = 1 + number / 3;
         match number % 3 {
-            0 => airy.value[number / 3] = 1.0,
-            axis => airy.gradient[number / 3][axis - 1] = 1.0,
+            0 => &mut self.value[corner],
+            axis => &mut self.gradient[corner][axis - 1],
         }
+    }
+}
+
+fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
+    let geometry = Geometry::scaled(corners);
+    let mut fields = [ZERO; FIELDS];
+    for (number, field) in fields[..6].iter_mut().enumerate() {
+        let mut airy = Airy::default();
+        *airy.freedom(number) = 1.0;
         *field = geometry.stress(&airy);
     }
     let slopes = [0, 1, 2].map(|k| {
         if !with_slopes {
             return ZERO;
         }
-        // q_T = −(∂_n φ)_s = s − ½ in coordinates without unit: ∂_n φ = l s(1 − s)/2, l the local length; the second
-        // Bézier ordinate of s(1 − s) is ½.
         let mut airy = Airy::default();
-        airy.bulge[k] = 0.25 * geometry.lengths[k];
+        airy.bulge[k] = geometry.bulge(k);
         geometry.stress(&airy)
     });
     Equilibrated { fields, count: 6, slopes }
@@ -225,6 +261,20 @@ struct Geometry {
 }
 
 impl Geometry {
+    /// With lengths in units of the longest side; stresses are divided by its square at the end,
+    /// which is a factor of the unknowns only. Corner 0 is the origin, where φ and its gradient
+    /// vanish.
+    fn scaled(corners: [Point; 3]) -> Self {
+        let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
+        Self::new(corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]))
+    }
+
+    /// The bulge with q_T = −(∂_n φ)_s = s − ½ in coordinates without unit: ∂_n φ = l s(1 − s)/2, l
+    /// the local length; the second Bézier ordinate of s(1 − s) is ½.
+    fn bulge(&self, k: usize) -> f64 {
+        0.25 * self.lengths[k]
+    }
+
     fn new(corners: [Point; 3]) -> Self {
         let centre = middle(corners);
         let direction = |piece: [Point; 3], d: Point| {
@@ -250,7 +300,8 @@ impl Geometry {
             let (from, g) = (self.corners[i], airy.gradient[i]);
             airy.value[i] + (g[0] * (to[0] - from[0]) + g[1] * (to[1] - from[1])) / 3.0
         };
-        // Ordinates next to the vertices: towards the centroid, and along the sides from either end.
+        // Ordinates next to the vertices: towards the centroid, and along the sides from either
+        // end.
         let inward = [0, 1, 2].map(|i| along(i, self.centre));
         let forward = [0, 1, 2].map(|i| along(i, self.corners[(i + 1) % 3]));
         let backward = [0, 1, 2].map(|i| along((i + 1) % 3, self.corners[i]));
@@ -287,7 +338,8 @@ impl Geometry {
     }
 }
 
-/// The second derivative of a cubic in two directions, at a corner with the given ordinates around it.
+/// The second derivative of a cubic in two directions, at a corner with the given ordinates around
+/// it.
 #[inline]
 fn second([aa, ab, ac, bb, bc, cc]: &[f64; 6], [u, v, w]: &[f64; 3], [p, q, r]: &[f64; 3]) -> f64 {
     6.0 * (u * (aa * p + ab * q + ac * r)
@@ -307,7 +359,7 @@ mod tests {
     }
 
     #[test]
-    fn stresses_are_in_equilibrium_with_linear_normal_and_constant_tangential_traction() {
+    fn stresses_are_in_equilibrium_and_have_the_tractions_of_their_kind() {
         for (components, tractions) in
             [1, 2].into_iter().flat_map(|c| [(c, Traction::Reduced), (c, Traction::Linear)])
         {
@@ -350,7 +402,7 @@ mod tests {
     }
 
     #[test]
-    fn normal_components_are_continuous_across_the_pieces() {
+    fn tractions_are_continuous_across_the_pieces() {
         let found = Equilibrated::new(2, Traction::Linear, false, true, CORNERS);
         let centre = middle(CORNERS);
         for field in found.fields().iter().chain(&found.slopes) {

@@ -1,6 +1,8 @@
-//! The load that a triangle carries by itself, and the tractions of its sides on the boundary that are not linear.
+//! The load that a triangle carries by itself, and the tractions of its sides on the boundary that
+//! are not linear.
 //!
-//! With z the place relative to the centroid and z^⊥ = (−z_y, z_x), a load on a triangle is split into
+//! With z the place relative to the centroid and z^⊥ = (−z_y, z_x), a load on a triangle is split
+//! into
 //!
 //! ```text
 //! f = f̄ + ω z^⊥ + g,       ∫ g = 0,   ∫ z × g = 0        (scalar: f = f̄ + g)
@@ -9,29 +11,30 @@
 //! f̄ belongs to −(f̄·z) I (scalar: −f̄ z/2). g belongs to stresses without traction,
 //!
 //! ```text
-//! λ_a λ_b p t t^T,     a, b the ends of a side with tangent t, p linear        (scalar: λ_a λ_b p t)
+//! λ_a λ_b p t t^T,     a, b the ends of a side with tangent t, p linear     (scalar: λ_a λ_b p t)
 //! ```
 //!
-//! which are nine, and their divergences all quadratic loads without resultant and moment (J. Hu and S. Zhang, Sci. China
-//! Math. 58 (2015)). They are fitted to g by least squares; what is left is oscillation, none for a quadratic f. A moment
-//! cannot be carried by a stress that is smooth on the triangle and has linear tractions: ω z^⊥ belongs to a stress that
-//! is quadratic on the three pieces, S(Bx + b) = B Ŝ(x) B^T with Ŝ on the unit triangle, div Ŝ = −B⁻¹ R B x, where R turns
-//! by a right angle. Three such Ŝ are computed once.
+//! which are nine, and their divergences all quadratic loads without resultant and moment (J. Hu
+//! and S. Zhang, Sci. China Math. 58 (2015)). They are fitted to g by least squares; what is left
+//! is oscillation, none for a quadratic f. A moment cannot be carried by a stress that is smooth on
+//! the triangle and has linear tractions: ω z^⊥ belongs to a stress that is quadratic on the three
+//! pieces, S(Bx + b) = B Ŝ(x) B^T with Ŝ on the unit triangle, div Ŝ = −B⁻¹ R B x, where R turns by
+//! a right angle. Three such Ŝ are computed once.
 //!
-//! A traction on a side is a linear one and λ_a λ_b p(s), p linear, up to degree three. The second part belongs to
-//! λ_a λ_b (p_N n n^T + p_T (n t^T + t n^T)), which has no traction on the other sides; its divergence is a load.
+//! A traction on a side is a linear one and λ_a λ_b p(s), p linear, up to degree three. The second
+//! part belongs to λ_a λ_b (p_N n n^T + p_T (n t^T + t n^T)), which has no traction on the other
+//! sides; its divergence is a load.
 
 use super::element::{Linear, Side, Value, combine, pieces, side, traction};
 use super::rule::TriangleRule;
-use super::setting::Setting;
 use crate::error::{Error, Result};
 use crate::fem::Element;
 use crate::mesh::{Point, doubled_area, middle};
 use nalgebra::{DMatrix, DVector};
 use std::sync::OnceLock;
 
-/// A stress that is quadratic on each piece: its values at the corners of the piece and at the middles of the sides from
-/// corner 0 to 1, 1 to 2, 2 to 0.
+/// A stress that is quadratic on each piece: its values at the corners of the piece and at the
+/// middles of the sides from corner 0 to 1, 1 to 2, 2 to 0.
 type Quadratic = [[Value; 6]; 3];
 
 /// Stresses without traction: three on each side (scalar: five are enough).
@@ -42,10 +45,10 @@ const CONSTANT: f64 = 1e-14;
 const RANK: f64 = 1e-10;
 /// Largest residual of the equations of the unit stresses, relative to the largest load.
 const SOLVED: f64 = 1e-12;
-/// Coordinates along a side, from −1 to 1, at which a linear factor of a bubble is 1 at its first or second end.
+/// c_0 and c_1 of the linear factor c_0 + c_1 r on a side, r = λ_b − λ_a from −1 to 1.
 type Factor = [f64; 2];
 
-/// The factor p(r) = c_0 + c_1 r, r = λ_b − λ_a, of λ_a λ_b on one side, normal and tangential.
+/// The factor p of λ_a λ_b on one side, normal and tangential.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Curved {
     pub(super) normal: Factor,
@@ -77,6 +80,13 @@ pub(super) struct Own {
 }
 
 impl Own {
+    /// Whether the stress is linear on the pieces.
+    pub(super) fn is_linear(&self) -> bool {
+        self.turn.is_none()
+            && self.bubbles.iter().all(|factor| *factor == 0.0)
+            && self.curved.iter().all(Option::is_none)
+    }
+
     /// The part that is not linear on the pieces, at a point of a piece.
     pub(super) fn at(&self, piece: usize, shares: [f64; 3]) -> Value {
         let mut sum = [0.0; 3];
@@ -158,24 +168,26 @@ fn bubble(
     (la * lb * p, (la - lb) * p + la * lb * slope, step)
 }
 
-impl Setting<'_, '_> {
-    /// The stress that one triangle has by itself, if it has a load or tractions of its own.
-    pub(super) fn own_stress(&self, t: usize, rule: &TriangleRule) -> Result<Option<Own>> {
-        let mut curved = [None; 3];
-        for k in 0..3 {
-            if let Some(border) = self.border_of[self.sides[t][k].edge] {
-                let found = self.borders[border].curved;
-                curved[k] = (!found.is_none()).then_some(found);
-            }
-        }
-        if !self.local && curved.iter().all(Option::is_none) {
-            return Ok(None);
-        }
-        let (corners, region) = (self.mesh.corners(t), self.mesh.region(t));
+impl Own {
+    /// The stress of a load on the triangle, if it is not left to a common stress, and of the parts
+    /// of degree two and three of the tractions of its sides; `None` if there is neither.
+    ///
+    /// # Errors
+    /// Those of the load;
+    /// [`ToolkitError::NotPositiveDefinite`](crate::ToolkitError::NotPositiveDefinite) with the
+    /// `number` of a triangle without area.
+    pub(super) fn new(
+        components: usize,
+        (number, corners): (usize, [Point; 3]),
+        curved: [Option<Curved>; 3],
+        load: impl Fn(Point) -> Result<Point>,
+        rule: &TriangleRule,
+    ) -> Result<Option<Self>> {
         let (centre, element) = (middle(corners), Element::new(corners));
         let size = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
         let area = 0.5 * doubled_area(corners);
-        // Places relative to the centroid in units of the size, weights in units of the area, so that no square underflows.
+        // Places relative to the centroid in units of the size, weights in units of the area, so
+        // that no square underflows.
         let mut values: Vec<(Point, [f64; 3], f64, Point)> = Vec::new();
         for (k, piece) in pieces(corners).into_iter().enumerate() {
             for (shares, weight) in &rule.points {
@@ -183,17 +195,17 @@ impl Setting<'_, '_> {
                 let mut whole = [shares[2] / 3.0; 3];
                 whole[k] += shares[0];
                 whole[(k + 1) % 3] += shares[1];
-                let mut value = [0.0; 2];
-                if self.local {
-                    value = self.body.load_at(region, point)?;
-                    if self.particular.is_some() {
-                        let common = self.body.common_load_at(point);
-                        value = [value[0] - common[0], value[1] - common[1]];
-                    }
-                }
-                for (side, curved) in curved.iter().enumerate() {
+                let mut value = load(point)?;
+                for (k, curved) in curved.iter().enumerate() {
                     if let Some(curved) = curved {
-                        let more = self.divergence_of(t, side, curved, &element, whole);
+                        let more = divergence_of(
+                            components,
+                            &side(corners, k),
+                            k,
+                            curved,
+                            &element,
+                            whole,
+                        );
                         value = [value[0] + more[0], value[1] + more[1]];
                     }
                 }
@@ -207,19 +219,19 @@ impl Setting<'_, '_> {
             turn: None,
             bubbles: [0.0; BUBBLES],
             curved,
-            components: self.components,
+            components,
             corners,
             size,
             left_over: 0.0,
         };
         if largest == 0.0 {
-            return Ok(Some(own));
+            return Ok(curved.iter().any(Option::is_some).then_some(own));
         }
         let mean = [0, 1].map(|c| values.iter().map(|(.., w, f)| w * f[c]).sum::<f64>());
         own.field = pieces(corners).map(|piece| {
             piece.map(|p| {
                 let z = [p[0] - centre[0], p[1] - centre[1]];
-                match self.components {
+                match components {
                     // div(−f̄ z/2) = −f̄, with constant normal component on every side.
                     1 => [-0.5 * mean[0] * z[0], -0.5 * mean[0] * z[1], 0.0],
                     // div(−(f̄·z) I) = −f̄, with linear normal and no tangential traction.
@@ -237,7 +249,7 @@ impl Setting<'_, '_> {
         if rest(&values) <= CONSTANT * largest {
             return Ok(Some(own));
         }
-        if self.components == 2 {
+        if components == 2 {
             let square = |z: &Point| z[0] * z[0] + z[1] * z[1];
             let inertia: f64 = values.iter().map(|(z, _, w, _)| w * square(z)).sum();
             let moment: f64 =
@@ -251,15 +263,15 @@ impl Setting<'_, '_> {
                 own.turn = Some(Box::new(turned(corners, size, turn * size)?));
             }
         }
-        let count = if self.components == 1 { 5 } else { BUBBLES };
+        let count = if components == 1 { 5 } else { BUBBLES };
         // Scalar: two of the three with p = 1 and those with p = λ_b − λ_a.
         let numbers: Vec<usize> =
-            if self.components == 1 { vec![0, 1, 3, 4, 5] } else { (0..BUBBLES).collect() };
+            if components == 1 { vec![0, 1, 3, 4, 5] } else { (0..BUBBLES).collect() };
         // Divergences in units of 1/size, at all points.
         let divergence = |number: usize, whole: [f64; 3]| -> Point {
-            let (_, along, step) = bubble(self.components, corners, size, number, whole);
+            let (_, along, step) = bubble(components, corners, size, number, whole);
             // t·∇φ with t = (b − a)/size is `along`/size.
-            if self.components == 1 { [along, 0.0] } else { [along * step[0], along * step[1]] }
+            if components == 1 { [along, 0.0] } else { [along * step[0], along * step[1]] }
         };
         let all: Vec<Vec<Point>> = numbers
             .iter()
@@ -283,7 +295,7 @@ impl Setting<'_, '_> {
                 .sum::<f64>();
         }
         let factor = normal.cholesky().ok_or_else(|| {
-            Error::not_positive_definite("loads without resultant on one triangle", t)
+            Error::not_positive_definite("loads without resultant on one triangle", number)
         })?;
         let found = factor.solve(&right);
         for (i, &number) in numbers.iter().enumerate() {
@@ -301,34 +313,32 @@ impl Setting<'_, '_> {
         }
         Ok(Some(own))
     }
+}
 
-    /// The divergence of the stress of a curved traction.
-    fn divergence_of(
-        &self,
-        t: usize,
-        k: usize,
-        curved: &Curved,
-        element: &Element,
-        whole: [f64; 3],
-    ) -> Point {
-        let Side { normal: n, tangent, .. } = self.side(t, k);
-        let j = (k + 1) % 3;
-        let (la, lb) = (whole[k], whole[j]);
-        let (ga, gb) = (element.gradients[k], element.gradients[j]);
-        let gradient = |[c0, c1]: Factor| {
-            let p = c0 + c1 * (lb - la);
-            [0, 1].map(|axis| {
-                p * (la * gb[axis] + lb * ga[axis]) + la * lb * c1 * (gb[axis] - ga[axis])
-            })
-        };
-        let along = |g: Point, d: Point| g[0] * d[0] + g[1] * d[1];
-        let (p, q) = (gradient(curved.normal), gradient(curved.tangential));
-        if self.components == 1 {
-            return [along(p, n), 0.0];
-        }
-        let (across, beside) = (along(p, n) + along(q, tangent), along(q, n));
-        [0, 1].map(|axis| across * n[axis] + beside * tangent[axis])
+/// The divergence of the stress of a curved traction on side k.
+fn divergence_of(
+    components: usize,
+    &Side { normal: n, tangent, .. }: &Side,
+    k: usize,
+    curved: &Curved,
+    element: &Element,
+    whole: [f64; 3],
+) -> Point {
+    let j = (k + 1) % 3;
+    let (la, lb) = (whole[k], whole[j]);
+    let (ga, gb) = (element.gradients[k], element.gradients[j]);
+    let gradient = |[c0, c1]: Factor| {
+        let p = c0 + c1 * (lb - la);
+        [0, 1]
+            .map(|axis| p * (la * gb[axis] + lb * ga[axis]) + la * lb * c1 * (gb[axis] - ga[axis]))
+    };
+    let along = |g: Point, d: Point| g[0] * d[0] + g[1] * d[1];
+    let (p, q) = (gradient(curved.normal), gradient(curved.tangential));
+    if components == 1 {
+        return [along(p, n), 0.0];
     }
+    let (across, beside) = (along(p, n) + along(q, tangent), along(q, n));
+    [0, 1].map(|axis| across * n[axis] + beside * tangent[axis])
 }
 
 /// The stress of the load `turn`/size² · z^⊥.
@@ -367,8 +377,9 @@ fn turned(corners: [Point; 3], size: f64, turn: f64) -> Result<Quadratic> {
     Ok(found)
 }
 
-/// Stresses on the triangle (0, 0), (1, 0), (0, 1) with linear tractions and the loads M x, x relative to the centroid, M =
-/// diag(1, −1), the unit in row 0 and column 1, the unit in row 1 and column 0; of least values.
+/// Stresses on the triangle (0, 0), (1, 0), (0, 1) with linear tractions and the loads M x, x
+/// relative to the centroid, M = diag(1, −1), the unit in row 0 and column 1, the unit in row 1 and
+/// column 0; of least values.
 fn unit_stresses() -> Result<&'static [Quadratic; 3]> {
     static STRESSES: OnceLock<Option<[Quadratic; 3]>> = OnceLock::new();
     let found = STRESSES.get_or_init(solve_unit_stresses);
@@ -386,7 +397,8 @@ fn solve_unit_stresses() -> Option<[Quadratic; 3]> {
     let mut right: Vec<[f64; 3]> = Vec::new();
     let force = |[nx, ny]: Point| [[nx, 0.0, ny], [0.0, ny, nx]];
     for i in 0..3 {
-        // Continuous traction across the segment from corner i, the first of piece i and the second of the one before.
+        // Continuous traction across the segment from corner i, the first of piece i and the second
+        // of the one before.
         let step = [centre[0] - CORNERS[i][0], centre[1] - CORNERS[i][1]];
         for (own, other) in [(0, 1), (2, 2), (5, 4)] {
             for weights in force([step[1], -step[0]]) {
@@ -448,8 +460,8 @@ fn solve_unit_stresses() -> Option<[Quadratic; 3]> {
     Some(found)
 }
 
-/// The solutions X of least norm of A X = B, or `None` if A X − B exceeds [`SOLVED`]: then the equations contradict each
-/// other, or singular values were taken for 0.
+/// The solutions X of least norm of A X = B, or `None` if A X − B exceeds [`SOLVED`]: then the
+/// equations contradict each other, or singular values were taken for 0.
 fn least_solutions(matrix: &DMatrix<f64>, right: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let found = matrix.clone().svd(true, true).solve(right, RANK).ok()?;
     let residual = (matrix * &found - right).amax();
@@ -472,7 +484,8 @@ mod tests {
         assert!(least_solutions(&flat, &DMatrix::from_row_slice(2, 1, &[1.0, 1.0])).is_none());
     }
 
-    /// Centred differences of a quadratic are its derivatives: div S + M x = 0 in every piece, and no traction jumps.
+    /// Centred differences of a quadratic are its derivatives: div S + M x = 0 in every piece, and
+    /// no traction jumps.
     #[test]
     fn unit_stresses_have_their_loads() {
         let corners: [Point; 3] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];

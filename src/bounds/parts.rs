@@ -4,28 +4,32 @@
 //!
 //! ```text
 //! l(w) = ∫ q : ε(w) − ∫_{Γ_C} q_N w_N + osc(w),      |osc(w)| ≤ osc |||w|||,
-//! |||u − v|||² + ∫ σ_N(u) (v_N − g) + ∫ q_N (u_N − g) = ∫ d : ε(v − u) + ∫ q_N (v_N − g) − osc(v − u)
+//! |||u − v|||² + ∫ σ_N(u) (v_N − g) + ∫ q_N (u_N − g)
+//!     = ∫ d : ε(v − u) + ∫ q_N (v_N − g) − osc(v − u)
 //! ```
 //!
-//! where the three terms on the left are not negative. With A = |||d|||* + osc and b = ∫ q_N (v_N − g) ≥ 0,
+//! where the three terms on the left are not negative. With A = |||d|||* + osc and b = ∫ q_N (v_N −
+//! g) ≥ 0,
 //!
 //! ```text
 //! |||u − v||| ≤ (A + (A² + 4 b)^(1/2))/2,        2 (J(v) − J(u)) ≤ A² + 2 b.
 //! ```
 //!
-//! Without oscillation A² + 2b = 2 (J(v) − J*(q)). The oscillation: on a triangle of diameter h, with Payne and
-//! Weinberger's constant h/π and Korn's constant K for mean-free rotation, K² ≤ 1 + 2/sin²(α/4), α the smallest angle,
+//! Without oscillation A² + 2b = 2 (J(v) − J*(q)). The oscillation: on a triangle of diameter h,
+//! with Payne and Weinberger's constant h/π and Korn's constant K for mean-free rotation, K² ≤ 1 +
+//! 2/sin²(α/4), α the smallest angle,
 //!
 //! ```text
-//! osc_T = ( (h/π) K ‖f − f_T‖_T + Σ_E h K (|E|/|T| (1/π² + 1/π))^(1/2) ‖F − q n‖_E ) (2 min(μ, λ + μ))^(−1/2)
+//! osc_T = ( (h/π) K ‖f − f_T‖_T + Σ_E h K (|E|/|T| (1/π² + 1/π))^(1/2) ‖F − q n‖_E )
+//!         · (2 min(μ, λ + μ))^(−1/2)
 //! ```
 //!
-//! (scalar: K = 1 and without the last factor), because what is left over of f and of F on a triangle has no resultant
-//! and no moment. On one mesh osc² = Σ osc_T².
+//! (scalar: K = 1 and without the last factor), because what is left over of f and of F on a
+//! triangle has no resultant and no moment. On one mesh osc² = Σ osc_T².
 //!
-//! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q is paired with w beside
-//! d, and A² has the further terms ‖r‖_T²/c. Where it is better only its mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T²,
-//! the rest may be oscillation,
+//! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q
+//! is paired with w beside d, and A² has the further terms ‖r‖_T²/c. Where it is better only its
+//! mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T², the rest may be oscillation,
 //!
 //! ```text
 //! |∫_T (r − r̄) w| ≤ (π²/h² + c)^(−1/2) ‖r − r̄‖_T |||w|||_T,
@@ -33,19 +37,22 @@
 //!
 //! and is where ‖d‖_T and this factor add up to less than (‖d‖_T² + ‖r − r̄‖_T²/c)^(1/2).
 //!
-//! A stress of a coarser mesh leaves osc_H on its triangles H, and the displacement of the mesh leaves rest_T on its triangles
-//! T. w may live on the few T where the rest is large, so the two are not added triangle by triangle, but
+//! A stress of a coarser mesh leaves osc_H on its triangles H, and the displacement of the mesh
+//! leaves rest_T on its triangles T. w may live on the few T where the rest is large, so the two
+//! are not added triangle by triangle, but
 //!
 //! ```text
-//! Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T ≤ Σ_H (osc_H + (Σ_{T ⊂ H} rest_T²)^(1/2)) |||w|||_H ≤ osc |||w|||,
+//! Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T
+//!     ≤ Σ_H (osc_H + (Σ_{T ⊂ H} rest_T²)^(1/2)) |||w|||_H ≤ osc |||w|||,
 //! osc² = Σ_H (osc_H + (Σ_{T ⊂ H} rest_T²)^(1/2))²
 //! ```
 //!
-//! by Cauchy and Schwarz's inequality in H, and then over all H; on one mesh osc_T and rest_T are added.
+//! by Cauchy and Schwarz's inequality in H, and then over all H; on one mesh osc_T and rest_T are
+//! added.
 
 use super::dual::Dual;
 use super::element::{Linear, Value, combine, pieces, traction};
-use super::setting::{Border, Sample, Setting};
+use super::setting::{Border, QUADRATURE, Sample, Setting};
 use crate::error::Result;
 use crate::fem::Element;
 use crate::mesh::{Part, Point, distance, doubled_area};
@@ -171,7 +178,7 @@ impl Setting<'_, '_> {
                     }
                     let (piece, shares) = self.on_side(border.triangle, border.side, s, point);
                     let mut value = combine(&shares, &dual.fields[border.triangle][piece]);
-                    let exact = self.exact_at(&[point])[0];
+                    let exact = self.exact_at(point);
                     (0..3).for_each(|c| value[c] += exact[c]);
                     if let Some(own) = self.own_of(border.triangle) {
                         let more = own.at(piece, shares);
@@ -199,8 +206,8 @@ impl Setting<'_, '_> {
         })
     }
 
-    /// d = σ(v) − q at the samples of a triangle for v with the constant stress σ(v); with a reaction term also what is
-    /// carried of r = c v − f − div q, and the oscillation of the rest.
+    /// d = σ(v) − q at the samples of a triangle for v with the constant stress σ(v); with a
+    /// reaction term also what is carried of r = c v − f − div q, and the oscillation of the rest.
     pub(super) fn distances(
         &self,
         t: usize,
@@ -261,7 +268,7 @@ impl Setting<'_, '_> {
         let stress = self.stress_of(t, displacement);
         let mut found = OnTriangle::default();
         let mut area = 0.0;
-        let samples = self.samples(t);
+        let samples = self.samples(t, QUADRATURE);
         let (distances, rest) = self.distances(t, &samples, (displacement, &stress), field)?;
         for (sample, (off, residual)) in samples.iter().zip(&distances) {
             let (value, weight) = (sample.stress(field), sample.weight);
@@ -308,7 +315,7 @@ impl Setting<'_, '_> {
             let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
             let (element, inner) = (Element::new(corners), self.compliance(t));
             let stress = self.stress_of(t, displacement);
-            for Sample { point, weight, .. } in self.samples(t) {
+            for Sample { point, weight, .. } in self.samples(t, QUADRATURE) {
                 let shares = element.barycentric(corners, point);
                 if let Some((own, value)) = self.lifted_at(t, shares, &element) {
                     let load = self.body.load_at(self.mesh.region(t), point)?;
@@ -404,7 +411,8 @@ mod tests {
         values.iter().map(|v| v * v).sum::<f64>().sqrt()
     }
 
-    /// Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T is not above osc |||w|||, and reaches it for some w on one host.
+    /// Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T is not above osc |||w|||, and reaches it for some
+    /// w on one host.
     #[test]
     fn no_displacement_sees_more_than_the_oscillation() {
         let hosts = [0, 0, 1, 0, 1, 2];
@@ -440,8 +448,8 @@ mod tests {
         assert!(same.iter().zip(of_stress).all(|(all, osc)| (all - osc - 0.5).abs() < 1e-15));
     }
 
-    /// A reaction term and a flux with a corner: an older stress leaves oscillation on its triangles, the displacement of a
-    /// finer mesh on its own.
+    /// A reaction term and a flux with a corner: an older stress leaves oscillation on its
+    /// triangles, the displacement of a finer mesh on its own.
     #[test]
     fn an_older_stress_and_a_reaction_term_are_added_by_triangle_of_the_stress() {
         let flux = |[x, y]: Point| (7.0 * x + 5.0 * y).sin();
@@ -464,7 +472,7 @@ mod tests {
             .map(|t| {
                 let stress = fine.stress_of(t, &displacement);
                 let of_v = (&displacement[..], &stress);
-                fine.distances(t, &fine.samples(t), of_v, &older.fields[t]).unwrap().1
+                fine.distances(t, &fine.samples(t, QUADRATURE), of_v, &older.fields[t]).unwrap().1
             })
             .collect();
         let hosts = body.mesh().triangles().len();

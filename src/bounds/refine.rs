@@ -1,4 +1,5 @@
-//! A mesh that is fine where the bound requires it: solve, bound, mark a share of the bound, bisect.
+//! A mesh that is fine where the bound requires it: solve, bound, mark a share of the bound,
+//! bisect.
 
 use super::element::Traction;
 use super::enclosure::Enclosure;
@@ -20,13 +21,16 @@ const FARTHEST: f64 = 10.0;
 
 /// How a mesh is refined to a tolerance, and where it ends.
 ///
-/// The stress requires several times the work of the displacement, and its error is the smaller part of the bound. So
-/// the last displacement is bounded by the stress of the mesh before, which is as good on a refinement: no stress is
-/// computed on the last mesh. [`Body::contact_force`](crate::contact::Body::contact_force) and the other results of an
-/// [`Enclosure`] hold as they stand.
+/// On the same mesh the stress requires several times the work of the displacement. Where its error
+/// is the smaller part of the bound, as it mostly is, the last displacement is bounded by the
+/// stress of a mesh before, which is a stress of the refinement as well, and no stress is computed
+/// on the last mesh; not so for `growth` 1, for uniform refinement, and where the stress turns out
+/// to be too coarse. [`Body::contact_force`](crate::contact::Body::contact_force) and the other
+/// results of an [`Enclosure`] hold as they stand.
 ///
 /// ```
-/// use signorini::{bounds::Refinement, contact::Body, fem::{Form, Lame}, mesh::{SideParts, unit_square}};
+/// use signorini::{bounds::Refinement, contact::Body, fem::{Form, Lame}};
+/// use signorini::mesh::{SideParts, unit_square};
 /// let body = Body::new(unit_square(4, SideParts::HANGING)?, Form::elastic(Lame::new(1.0, 1.0)?))
 ///     .load(|[x, _]: [f64; 2]| [0.0, -(std::f64::consts::PI * x).cos()]);
 /// let found = Refinement { tolerance: 0.2, ..Refinement::default() }.solve(&body)?;
@@ -41,12 +45,15 @@ pub struct Refinement {
     pub tractions: Traction,
     /// The guaranteed error in the energy norm relative to |||u||| at which the refinement ends.
     pub tolerance: f64,
-    /// Largest number of unknowns of the discrete problem; the mesh that exceeds it is not solved on.
+    /// Largest number of unknowns of the discrete problem; the mesh that exceeds it is not solved
+    /// on.
     pub unknowns: usize,
-    /// Share of the square of the bound whose triangles are bisected; 1: all triangles (uniform refinement).
+    /// Share of the square of the bound whose triangles are bisected; 1: all triangles (uniform
+    /// refinement).
     pub share: f64,
-    /// Least factor by which the number of triangles grows from one solution to the next: triangles are bisected again by
-    /// the shares that are to be expected of the pieces. 1: the share is bisected once.
+    /// Least factor by which the number of triangles grows from one solution to the next: triangles
+    /// are bisected again by the shares that are to be expected of the pieces. 1: the share is
+    /// bisected once.
     pub growth: f64,
 }
 
@@ -88,8 +95,8 @@ impl Refinement {
     /// The solution on the first mesh whose guaranteed error is within the tolerance.
     ///
     /// # Errors
-    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with the best J(u) if the
-    /// refinement ended otherwise; as for [`Refinement::run`].
+    /// [`ToolkitError::ToleranceNotMet`](crate::ToolkitError::ToleranceNotMet) with the best J(u)
+    /// if the refinement ended otherwise; as for [`Refinement::run`].
     pub fn solve(&self, body: &Body<'_>) -> Result<Enclosure> {
         let (found, ended) = self.run(body, |_| {})?;
         let why = match ended {
@@ -107,13 +114,14 @@ impl Refinement {
 
     /// The solution with the smallest bound, and why the refinement ended.
     ///
-    /// `each` receives the result on every mesh on which a stress was computed, and at the end the one that is returned, if
-    /// it is bounded by the stress of the mesh before. A mesh that was too coarse for that stress to end the refinement is
-    /// not reported before it has a stress of its own.
+    /// `each` receives the result on every mesh on which a stress was computed, and at the end the
+    /// one that is returned, if it is bounded by the stress of the mesh before. A mesh that was too
+    /// coarse for that stress to end the refinement is not reported before it has a stress of its
+    /// own.
     ///
     /// # Errors
-    /// As for [`Body::enclose`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for a tolerance that
-    /// is not positive or a share outside of (0, 1].
+    /// As for [`Body::enclose`]; [`ToolkitError::OutOfRange`](crate::ToolkitError::OutOfRange) for
+    /// a tolerance that is not positive or a share outside of (0, 1].
     pub fn run(
         &self,
         body: &Body<'_>,
@@ -156,7 +164,8 @@ impl Refinement {
             let now = Now::of(&found);
             let of_stress = now.share_of_stress(before.as_ref());
             before = Some(now);
-            // |||u − v|||² on the last mesh and |||σ(u) − q|||² on this one have to add up to what is wanted.
+            // On the last mesh |||u − v|||² and, on this one, |||σ(u) − q|||² have to add up to what is
+            // wanted.
             let stress = of_stress * total;
             let is_last = |displacement: f64| {
                 self.growth > 1.0 && displacement <= FARTHEST * (wanted - stress)
@@ -212,11 +221,12 @@ impl Refinement {
         (self.cone == Cone::Nodal).then(|| refined_set(meshes, found)).transpose()
     }
 
-    /// Bisects the triangles that carry the share of the bound, and again with the shares that are to be expected, until
-    /// the mesh has `growth` times as many triangles or the square of the bound is expected to be as wanted.
+    /// Bisects the triangles that carry the share of the bound, and again with the shares that are
+    /// to be expected, until the mesh has `growth` times as many triangles or the square of the
+    /// bound is expected to be as wanted.
     ///
-    /// A share is of the order of the square of the area, so that of a piece is that of its origin times the square of its
-    /// part of the area.
+    /// A share is of the order of the square of the area, so that of a piece is that of its origin
+    /// times the square of its part of the area.
     fn grow(
         &self,
         meshes: &mut Hierarchy,
@@ -252,7 +262,8 @@ impl Refinement {
     }
 }
 
-/// A grown mesh: the square of the bound to be expected, and the triangle of the mesh before in which each lies.
+/// A grown mesh: the square of the bound to be expected, and the triangle of the mesh before in
+/// which each lies.
 struct Grown {
     expected: f64,
     origins: Vec<u32>,
@@ -271,8 +282,9 @@ impl Now {
         Self { unknowns, upper: found.energy.upper, lower: found.energy.lower }
     }
 
-    /// The share of |||σ(u) − q|||² = 2 (J(u) − J*(q)) in the square of the bound, with J(u) extrapolated from two meshes:
-    /// J(v) − J(u) is of the order 1/N. An estimate by which only the size of the next mesh is chosen.
+    /// The share of |||σ(u) − q|||² + 2∫ q_N (u_N − g) = 2 (J(u) − J*(q)) in 2 (J(v) − J*(q)), with
+    /// J(u) extrapolated from two meshes: J(v) − J(u) is taken to be of the order 1/N. An estimate
+    /// by which only the size of the next mesh is chosen.
     fn share_of_stress(&self, before: Option<&Self>) -> f64 {
         let Some(before) = before else { return USUAL };
         let ratio = self.unknowns / before.unknowns;
@@ -282,8 +294,8 @@ impl Now {
     }
 }
 
-/// The fewest triangles that carry the given share of the sum, or fewer if that is enough for the sum to fall to what is
-/// wanted: four quarters of a triangle have together a quarter of its share.
+/// The fewest triangles that carry the given share of the sum, or fewer if that is enough for the
+/// sum to fall to what is wanted: four quarters of a triangle have together a quarter of its share.
 fn bulk(shares: &[f64], share: f64, wanted: f64) -> Vec<bool> {
     let mut order: Vec<usize> = (0..shares.len()).collect();
     order.sort_unstable_by(|&a, &b| shares[b].total_cmp(&shares[a]));
@@ -329,8 +341,9 @@ mod tests {
             .load(|[x, _]: Point| [0.0, -(std::f64::consts::PI * x).cos()])
     }
 
-    /// Where the limit of unknowns is reached after a mesh that was bounded by the stress of the one before, that mesh is
-    /// returned, since its bound is smaller; and it is the last one reported.
+    /// Where the limit of unknowns is reached after a mesh that was bounded by the stress of the
+    /// one before, that mesh is returned, since its bound is smaller; and it is the last one
+    /// reported.
     #[test]
     fn the_limit_of_unknowns_returns_the_smallest_bound() {
         let (mut before, mut by_older_stress) = (f64::INFINITY, 0);

@@ -1,10 +1,11 @@
-//! What is the same for all steps on one mesh: edges with their triangles, the load split into what an exact stress
-//! carries and what is left to the triangles, and the tractions that remain on the boundary.
+//! What is the same for all steps on one mesh: edges with their triangles, the load split into what
+//! an exact stress carries and what is left to the triangles, and the tractions that remain on the
+//! boundary.
 
 use super::boundary_values::Lift;
 use super::element::{Linear, Side, Traction, Value, add, combine, pieces, side, traction};
 use super::own::{Curved, Own};
-use super::polynomial::Particular;
+use super::polynomial::{LANES, MOST, Particular};
 use super::rule::TriangleRule;
 use crate::contact::Body;
 use crate::error::{Error, Result};
@@ -19,12 +20,15 @@ const EDGE_POINTS: usize = 8;
 const OWN_POINTS: usize = 5;
 /// Points in each direction for squares of cubic polynomials.
 const CUBIC_POINTS: usize = 4;
-/// Largest number of points in each direction.
-const MOST_POINTS: usize = 10;
 /// A traction whose deviation from a linear one is below this multiple of it is linear.
 const LINEAR: f64 = 1e-13;
-/// Relative error of the rule at which its number of points is chosen.
-const QUADRATURE: f64 = 1e-10;
+
+/// Relative error of the rules by which the bound is computed.
+pub(super) const QUADRATURE: f64 = 1e-10;
+/// Relative error of the rules for the right-hand side of the equations of the stress. Any stress
+/// of the space gives a bound, and near the best one the energy depends on the square of this.
+pub(super) const OF_EQUATIONS: f64 = 1e-5;
+
 /// A side of a triangle: its edge, and whether it runs against the edge's orientation.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SideOf {
@@ -42,16 +46,19 @@ pub(super) struct Border {
     pub(super) triangle: usize,
     /// Number of the side in the triangle.
     pub(super) side: usize,
-    /// The linear part of the traction that the unknown stress has to have (Neumann), or of minus the traction of the
-    /// exact stress (contact, and for the tangential component): normal and tangential component at both ends.
+    /// F − q_p n (Neumann) or −q_p n (contact), q_p the exact stress, is projected on tractions of
+    /// degree three; these are the values of the projection, normal and tangential, at both ends,
+    /// and with them the linear traction that the unknown stress has to have. With a reaction term
+    /// the projection is that on linear tractions. 0 on Γ_D.
     pub(super) linear: [[f64; 2]; 2],
-    /// The rest of it up to degree three, which the triangle carries by itself.
+    /// The projection less that linear traction, which the triangle carries by itself.
     pub(super) curved: Curved,
-    /// ‖what is left over‖ in L²: orthogonal to cubic tractions.
+    /// ‖what is left over‖ in L²: orthogonal to the tractions of the projection.
     pub(super) left_over: f64,
 }
 
-/// The triangles on which the stress was computed, if they are not those of the mesh but their ancestors.
+/// The triangles on which the stress was computed, if they are not those of the mesh but their
+/// ancestors.
 #[derive(Debug, Clone)]
 pub(super) struct Hosts {
     pub(super) corners: Vec<[Point; 3]>,
@@ -71,7 +78,8 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) borders: Vec<Border>,
     /// For every edge the number of its border.
     pub(super) border_of: Vec<Option<usize>>,
-    /// Rules of n × n points on the pieces of a triangle, n = 2, 3, .. ; small triangles need fewer points.
+    /// Rules of n × n points on the pieces of a triangle, n = 2, 3, .. ; small triangles need fewer
+    /// points.
     rules: Vec<TriangleRule>,
     /// The fewest points in each direction.
     fewest: usize,
@@ -81,14 +89,14 @@ pub(super) struct Setting<'s, 'b> {
     pub(super) local: bool,
     /// The ancestors of the triangles, which have the stress.
     pub(super) hosts: Option<Hosts>,
-    /// The stress that a triangle (or the ancestor) has by itself.
-    pub(super) own: Vec<Option<Own>>,
+    /// The stress that a triangle (or the ancestor) has by itself; empty if none has.
+    own: Vec<Option<Box<Own>>>,
     /// Prescribed displacements that are not linear on an edge, by triangle.
     pub(super) lifts: Vec<Vec<Lift>>,
 }
 
-/// A point of the rule: its piece, barycentric coordinates there, weight, and the part of the stress that is known and not
-/// linear on the pieces.
+/// A point of the rule: its piece, barycentric coordinates there, weight, and the part of the
+/// stress that is known and not linear on the pieces.
 pub(super) struct Sample {
     pub(super) piece: usize,
     pub(super) shares: [f64; 3],
@@ -114,12 +122,40 @@ impl<'s, 'b> Setting<'s, 'b> {
     ) -> Result<Self> {
         let mut setting = Self::without_own(body, mesh, tractions)?;
         let rule = TriangleRule::new(OWN_POINTS)?;
-        setting.own = (0..mesh.triangles().len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map(|t| setting.own_stress(t, &rule))
-            .collect::<Result<_>>()?;
+        if setting.local || setting.borders.iter().any(|border| !border.curved.is_none()) {
+            setting.own = (0..mesh.triangles().len())
+                .into_par_iter()
+                .with_min_len(256)
+                .map(|t| setting.own_stress(t, &rule))
+                .collect::<Result<_>>()?;
+        }
         Ok(setting)
+    }
+
+    /// The stress that one triangle has by itself, if it has a load or tractions of its own.
+    fn own_stress(&self, t: usize, rule: &TriangleRule) -> Result<Option<Box<Own>>> {
+        let curved = [0, 1, 2].map(|k| {
+            let border = &self.borders[self.border_of[self.sides[t][k].edge]?];
+            (!border.curved.is_none()).then_some(border.curved)
+        });
+        if !self.local && curved.iter().all(Option::is_none) {
+            return Ok(None);
+        }
+        let region = self.mesh.region(t);
+        // What the common stress does not carry.
+        let load = |point| {
+            if !self.local {
+                return Ok([0.0; 2]);
+            }
+            let mut value = self.body.load_at(region, point)?;
+            if self.particular.is_some() {
+                let common = self.body.common_load_at(point);
+                value = [value[0] - common[0], value[1] - common[1]];
+            }
+            Ok(value)
+        };
+        let own = Own::new(self.components, (t, self.mesh.corners(t)), curved, load, rule)?;
+        Ok(own.map(Box::new))
     }
 
     /// The same on a refinement, for a stress of this mesh.
@@ -175,7 +211,7 @@ impl<'s, 'b> Setting<'s, 'b> {
             around,
             borders: Vec::new(),
             border_of: vec![None; count],
-            rules: (2..=MOST_POINTS).map(TriangleRule::new).collect::<Result<_>>()?,
+            rules: (2..=MOST).map(TriangleRule::new).collect::<Result<_>>()?,
             fewest: if reaction { 5 } else { 2 },
             edge_rule: gauss_legendre(EDGE_POINTS)?,
             local: !reaction && (regional || common && particular.is_none()),
@@ -260,8 +296,8 @@ impl<'s, 'b> Setting<'s, 'b> {
         }
     }
 
-    /// The linear map after which s : 𝒜⁻¹ t is the dot product: deviator, shear and trace, each times the root of its
-    /// compliance; a flux is kept.
+    /// The linear map after which s : 𝒜⁻¹ t is the dot product: deviator, shear and trace, each
+    /// times the root of its compliance; a flux is kept.
     pub(super) fn compliance_root(&self, triangle: usize) -> impl Fn(&Value) -> Value + use<> {
         let roots = self
             .material(triangle)
@@ -275,12 +311,8 @@ impl<'s, 'b> Setting<'s, 'b> {
     }
 
     /// The exact stress of the part of the load that is a polynomial.
-    pub(super) fn exact_at(&self, points: &[Point]) -> Vec<Value> {
-        let mut values = vec![[0.0; 3]; points.len()];
-        if let Some(particular) = &self.particular {
-            particular.at(points, &mut values);
-        }
-        values
+    pub(super) fn exact_at(&self, point: Point) -> Value {
+        self.particular.as_ref().map_or([0.0; 3], |particular| particular.at(&[point; LANES])[0])
     }
 
     /// The triangle, or its ancestor, on which the stress was computed.
@@ -298,7 +330,7 @@ impl<'s, 'b> Setting<'s, 'b> {
 
     /// The stress that the triangle, or its ancestor, has by itself.
     pub(super) fn own_of(&self, t: usize) -> Option<&Own> {
-        self.own[self.host(t)].as_ref()
+        self.own.get(self.host(t))?.as_deref()
     }
 
     /// The piece and the barycentric coordinates there of a point on a side.
@@ -312,21 +344,23 @@ impl<'s, 'b> Setting<'s, 'b> {
         ((low + 1) % 3, in_piece(at, (low + 1) % 3))
     }
 
-    /// The rule for a triangle.
-    fn rule_for(&self, t: usize) -> &TriangleRule {
+    /// The rule of the given relative error for a triangle.
+    fn rule_for(&self, t: usize, tolerance: f64) -> &TriangleRule {
         let corners = self.mesh.corners(t);
-        let fewest = if self.own_of(t).is_some() { CUBIC_POINTS } else { 2 };
+        let is_cubic = self.own_of(t).is_some_and(|own| !own.is_linear());
+        let fewest = if is_cubic { CUBIC_POINTS } else { 2 };
         let diameter =
             (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])));
         let points =
-            self.particular.as_ref().map_or(2, |particular| points_for(particular, diameter));
+            self.particular.as_ref().map_or(2, |particular| particular.points(diameter, tolerance));
         &self.rules[points.max(self.fewest).max(fewest) - 2]
     }
 
-    /// The points of the rule on the pieces of a triangle, or on its parts in the pieces of the ancestor.
-    pub(super) fn samples(&self, t: usize) -> Vec<Sample> {
+    /// The points of a rule of the given relative error on the pieces of a triangle, or on its
+    /// parts in the pieces of the ancestor.
+    pub(super) fn samples(&self, t: usize, tolerance: f64) -> Vec<Sample> {
         let corners = self.mesh.corners(t);
-        let rule = self.rule_for(t);
+        let rule = self.rule_for(t, tolerance);
         let mut samples = Vec::with_capacity(3 * rule.points.len());
         let mut add = |piece: usize, shares: [f64; 3], point: Point, weight: f64| {
             samples.push(Sample { piece, shares, point, weight, exact: [0.0; 3] });
@@ -355,10 +389,16 @@ impl<'s, 'b> Setting<'s, 'b> {
                 }
             }
         }
-        let points: Vec<Point> = samples.iter().map(|sample| sample.point).collect();
-        for (sample, exact) in samples.iter_mut().zip(self.exact_at(&points)) {
-            sample.exact = exact;
-            if let Some(own) = self.own_of(t) {
+        if let Some(particular) = &self.particular {
+            for samples in samples.chunks_mut(LANES) {
+                let last = samples.len() - 1;
+                let points = std::array::from_fn(|j| samples[j.min(last)].point);
+                let values = particular.at(&points);
+                samples.iter_mut().zip(values).for_each(|(sample, exact)| sample.exact = exact);
+            }
+        }
+        if let Some(own) = self.own_of(t).filter(|own| !own.is_linear()) {
+            for sample in &mut samples {
                 let more = own.at(sample.piece, sample.shares);
                 (0..3).for_each(|c| sample.exact[c] += more[c]);
             }
@@ -366,8 +406,9 @@ impl<'s, 'b> Setting<'s, 'b> {
         samples
     }
 
-    /// For an edge of the boundary: the linear part of F − q_p n, or of −q_p n on Γ_C, the rest up to degree three, and the
-    /// norm of what is left. With a reaction term the rest is left over as well.
+    /// For an edge of the boundary: the linear part of F − q_p n, or of −q_p n on Γ_C, the rest up
+    /// to degree three, and the norm of what is left. With a reaction term the rest is left over as
+    /// well.
     fn border_data(
         &self,
         triangle: usize,
@@ -385,8 +426,7 @@ impl<'s, 'b> Setting<'s, 'b> {
         let mut samples = Vec::with_capacity(EDGE_POINTS);
         for (s, weight) in self.edge_rule.iter() {
             let point = [a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])];
-            let mut value =
-                traction(self.components, self.exact_at(&[point])[0], &side).map(|v| -v);
+            let mut value = traction(self.components, self.exact_at(point), &side).map(|v| -v);
             if part == Part::Neumann {
                 let [x, y] = self.body.traction_at(self.mesh.group(number), point)?;
                 let ([nx, ny], [tx, ty]) = (side.normal, side.tangent);
@@ -404,7 +444,8 @@ impl<'s, 'b> Setting<'s, 'b> {
         if largest == 0.0 {
             return Ok(([[0.0; 2]; 2], none, 0.0));
         }
-        // Legendre's polynomials P_0, .., P_3 of r = 2s − 1, and the coefficients of the projection.
+        // Legendre's polynomials P_0, .., P_3 of r = 2s − 1, and the coefficients of the
+        // projection.
         let legendre = |s: f64| {
             let r = 2.0 * s - 1.0;
             [1.0, r, 1.5 * r * r - 0.5, r * (2.5 * r * r - 1.5)]
@@ -451,28 +492,35 @@ impl<'s, 'b> Setting<'s, 'b> {
             // There, or everywhere, the slopes are unknowns.
             Part::Dirichlet => 0.0,
             _ if self.tractions == Traction::Linear => 0.0,
-            // The normal flux on Γ_C is linear as well: its mean is unknown, its slope that of −q_p·n.
+            // The normal flux on Γ_C is linear as well: its mean is unknown, its slope that of
+            // −q_p·n.
             _ => border.linear[1][component] - border.linear[0][component],
         }
     }
 
-    /// The linear part of what is known beforehand of the field of one triangle, apart from the exact stress: that of its
-    /// own load, and the slopes of its sides.
+    /// The linear part of what is known beforehand of the field of one triangle, apart from the
+    /// exact stress: that of its own load, and the slopes of its sides.
     pub(super) fn known_field(&self, t: usize, slopes: &[Linear; 3]) -> Linear {
-        let own = self.own_of(t);
-        let mut field = own.map_or([[[0.0; 3]; 3]; 3], |own| own.field);
-        for k in 0..3 {
-            let mut slope = self.border_of[self.sides[t][k].edge]
-                .map_or(0.0, |border| self.slope(&self.borders[border]));
-            if let Some(own) = own.filter(|_| self.tractions == Traction::Reduced) {
-                let [first, last] = own.ends(k);
-                slope -= last[1] - first[1];
-            }
+        let mut field = self.own_of(t).map_or([[[0.0; 3]; 3]; 3], |own| own.field);
+        for (slope, of_side) in self.known_slopes(t).into_iter().zip(slopes) {
             if slope != 0.0 {
-                add(&mut field, slope, &slopes[k]);
+                add(&mut field, slope, of_side);
             }
         }
         field
+    }
+
+    /// The slopes of the sides of a triangle that are known beforehand.
+    pub(super) fn known_slopes(&self, t: usize) -> [f64; 3] {
+        let own = self.own_of(t).filter(|_| self.tractions == Traction::Reduced);
+        [0, 1, 2].map(|k| {
+            let slope = self.border_of[self.sides[t][k].edge]
+                .map_or(0.0, |border| self.slope(&self.borders[border]));
+            own.map_or(slope, |own| {
+                let [first, last] = own.ends(k);
+                slope - (last[1] - first[1])
+            })
+        })
     }
 }
 
@@ -482,8 +530,8 @@ fn in_piece(at: [f64; 3], piece: usize) -> [f64; 3] {
     [at[piece] - low, at[(piece + 1) % 3] - low, 3.0 * low]
 }
 
-/// The part of a triangle in a piece of another one, a convex polygon, in barycentric coordinates of the latter: there the
-/// coordinate of the corner opposite to the piece is the smallest.
+/// The part of a triangle in a piece of another one, a convex polygon, in barycentric coordinates
+/// of the latter: there the coordinate of the corner opposite to the piece is the smallest.
 fn clipped(triangle: [[f64; 3]; 3], piece: usize) -> ([[f64; 3]; 5], usize) {
     let low = (piece + 2) % 3;
     let mut part = [[0.0; 3]; 5];
@@ -530,19 +578,4 @@ fn bounding_box(mesh: &Triangulation) -> [Point; 2] {
             .fold(mesh.nodes()[0], |[x, y], node| [better(x, node[0]), better(y, node[1])])
     };
     [corner(f64::min), corner(f64::max)]
-}
-
-/// Points in each direction for which the error of the rule is negligible: the remainder of degree d of a function that
-/// oscillates `waves` times on the triangle is (waves/2)^d/d! 2^(1−d), and n points are exact for degree 2n − 1.
-fn points_for(particular: &Particular, diameter: f64) -> usize {
-    let waves = particular.waves(diameter);
-    let (mut remainder, mut degree) = (2.0, 0);
-    while remainder > QUADRATURE && degree < particular.degree() + 1 {
-        degree += 1;
-        remainder *= 0.25 * waves / degree as f64;
-    }
-    // A polynomial of low degree is integrated exactly, and its square.
-    let exact = particular.degree() + 1;
-    let needed = (degree + 2).div_ceil(2);
-    (if exact <= 4 { exact } else { needed }).clamp(2, MOST_POINTS)
 }

@@ -502,6 +502,24 @@ fn the_lift_of_a_prescribed_displacement_is_in_the_bound() {
     assert!((found.error / expected - 1.0).abs() < 1e-9);
 }
 
+/// A body that only the floor holds carries all of its load there, so that the bound has no width but for what the rules
+/// miss of the traction |x − 0.37|, which has a kink in an edge.
+#[test]
+fn the_interval_of_the_force_has_the_error_of_the_rules() {
+    let sides = SideParts { top: Part::Neumann, ..SideParts::HANGING };
+    let traction = |[x, y]: Point| if y == 1.0 { (x - 0.37).abs() } else { 0.0 };
+    let exact = 1.0 + 0.5 * (0.37f64.powi(2) + 0.63f64.powi(2));
+    for n in [1, 2, 4, 16] {
+        let body = Body::new(unit_square(n, sides).unwrap(), Form::LAPLACE)
+            .load(|_: Point| 1.0)
+            .traction(traction);
+        let force = body.contact_force(&body.enclose(Cone::Nodal).unwrap(), 0).unwrap().unwrap();
+        println!("{n}: {force:?} {exact}");
+        assert!(force.lower <= exact && exact <= force.upper, "{n}: {force:?} {exact}");
+        assert!(force.width() < 0.05 / (n * n) as f64);
+    }
+}
+
 /// The middle of the interval of the force is the mean of the two forces, Σ λ_i of u^h and −∫ q_N; half of its width is
 /// |||w||| (¼ A² + b)^½ with b = ∫ |q_N| (g − v_N) and A² + 2b the sum over triangles and segments. w = 1 − y; the gap is
 /// concave, so that u^h does not penetrate, and ∫ g over a segment is that of its interpolant plus 0.2 h³/12.

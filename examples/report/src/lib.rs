@@ -44,7 +44,7 @@
 //! whole_error_bars_differ_by_at_most(v, b, t)   |v − b| + u + w ≤ t       |v − b| − u − w > t
 //! ```
 //!
-//! With `undecided_if_it_admits(x)` before the comparison it is also undecided where x in place of v
+//! With `undecided_if_also_true_of(x)` before the comparison it is also undecided where x in place of v
 //! would pass: a tolerance that does not rule out another plausible outcome decides nothing.
 //!
 //! A check that is reported several times keeps its worst case: failed before undecided before

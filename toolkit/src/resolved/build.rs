@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::functions::{Arm, Normalized, SingularFunction};
 use crate::piecewise::Piece;
+use std::cell::OnceCell;
 
 /// Largest number of cells.
 const MOST: usize = 1 << 17;
@@ -28,6 +29,9 @@ const STAIRS: f64 = 4.0;
 /// Number of cells on either side whose slopes count, and their least length in units of this rounding.
 const NEARBY: usize = 3;
 const LONG: f64 = 64.0;
+/// Local coordinate below which a polynomial of degree 18 has its value at the end: its slope is at most 2 · 18² times its
+/// size.
+const AT_END: f64 = 1e-20;
 /// Message: more halvings than asked for.
 const DEEP: &str = "the function is singular at a breakpoint";
 /// Message: too many cells.
@@ -176,10 +180,14 @@ impl Builder<'_> {
     /// distance.
     fn side(&self, arm: &Arm, most: usize) -> Result<(Vec<Side>, bool)> {
         let deepest = arm.depth.floor() as usize;
-        let scales: Vec<(f64, f64)> = (0..deepest)
-            .map(|k| arm.delta(k as f64 + 0.5))
-            .map_while(|delta| self.u.at(arm, delta).ok().map(|value| (delta, value)))
-            .collect();
+        // The values on all scales; only a polynomial that is resolved is compared with them.
+        let scales = OnceCell::new();
+        let sampled = || -> Vec<(f64, f64)> {
+            (0..deepest)
+                .map(|k| arm.delta(k as f64 + 0.5))
+                .map_while(|delta| self.u.at(arm, delta).ok().map(|value| (delta, value)))
+                .collect()
+        };
         let least = arm.delta(arm.depth);
         let (mut far, mut halvings, mut count) = (arm.length, Vec::new(), 0);
         let (end, is_open) = loop {
@@ -188,13 +196,16 @@ impl Builder<'_> {
                 let part = Part { near: 0.0, far, low: least, high: far, halvings: 0 };
                 let Fitted { piece, off, is_resolved, allowed } = self.fitted(arm, &part)?;
                 let cell = Side { near: 0.0, far, piece, off, is_rough: false };
-                let below = || scales.iter().filter(|(delta, _)| *delta < far);
-                let apart = below()
-                    .map(|(delta, value)| (value - cell.value(arm, *delta)).abs())
-                    .fold(0.0, f64::max);
-                let agrees = is_resolved && apart <= allowed;
-                if agrees || is_last {
-                    break (Side { off: cell.off.max(apart), ..cell }, !agrees);
+                if is_resolved || is_last {
+                    let below = scales.get_or_init(sampled);
+                    let below = below.iter().filter(|(delta, _)| *delta < far);
+                    let apart = below
+                        .map(|(delta, value)| (value - cell.value(arm, *delta)).abs())
+                        .fold(0.0, f64::max);
+                    let agrees = is_resolved && apart <= allowed;
+                    if agrees || is_last {
+                        break (Side { off: cell.off.max(apart), ..cell }, !agrees);
+                    }
                 }
             }
             halvings.push(far);
@@ -288,6 +299,9 @@ impl Side {
     /// The value of the polynomial at distance δ.
     fn value(&self, arm: &Arm, delta: f64) -> f64 {
         let t = (delta - self.near) / (self.far - self.near);
+        if t < AT_END {
+            return if arm.sign > 0.0 { self.piece.left } else { self.piece.right };
+        }
         self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
     }
 }
