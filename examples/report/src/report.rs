@@ -21,7 +21,11 @@ pub struct Report {
 impl Report {
     /// An empty report under the label of an example.
     pub fn of<P: Declarations>() -> Self {
-        let found = Outcome { label: P::LABEL, statement: P::STATEMENT, ..Outcome::default() };
+        Self::new(P::LABEL, P::STATEMENT)
+    }
+
+    pub(crate) fn new(label: &'static str, statement: &'static str) -> Self {
+        let found = Outcome { label, statement, ..Outcome::default() };
         Self { found, draws: false, started: Instant::now() }
     }
 
