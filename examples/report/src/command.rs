@@ -15,6 +15,8 @@ use std::time::Duration;
 
 /// The work of an example whose options are read.
 type Work = Box<dyn FnOnce(&mut Report) -> Result<()>>;
+/// The text that was given for an option, by its name and its default.
+type Given<'a> = &'a dyn Fn(&str, &str) -> String;
 
 /// Parses the command line, runs the example, prints its outcome and returns the exit code.
 pub fn main<P: Declarations + 'static, T: 'static>(
@@ -27,10 +29,7 @@ pub fn main<P: Declarations + 'static, T: 'static>(
     })
 }
 
-fn respond(
-    about: &About,
-    read: &dyn Fn(&dyn Fn(&str, &str) -> String) -> Result<Work>,
-) -> ExitCode {
+fn respond(about: &About, read: &dyn Fn(Given<'_>) -> Result<Work>) -> ExitCode {
     let matches = match command(about).try_get_matches() {
         Ok(matches) => matches,
         Err(error) => return usage(&error),
