@@ -32,6 +32,8 @@ const LONG: f64 = 64.0;
 /// Local coordinate below which a polynomial of degree 18 has its value at the end: its slope is at most 2 · 18² times its
 /// size.
 const AT_END: f64 = 1e-20;
+/// Number of times that the logarithm of the smallest distance is doubled where a function can be evaluated at any depth.
+const DOUBLINGS: u32 = 64;
 /// Message: more halvings than asked for.
 const DEEP: &str = "the function is singular at a breakpoint";
 /// Message: too many cells.
@@ -180,13 +182,18 @@ impl Builder<'_> {
     /// distance.
     fn side(&self, arm: &Arm, most: usize) -> Result<(Vec<Side>, bool)> {
         let deepest = arm.depth.floor() as usize;
-        // The values on all scales; only a polynomial that is resolved is compared with them.
+        // The values on all scales; only a polynomial that is resolved is compared with them. A function of the logarithm
+        // of the distance may change far below the smallest one.
         let scales = OnceCell::new();
         let sampled = || -> Vec<(f64, f64)> {
-            (0..deepest)
+            let seen = (0..deepest)
                 .map(|k| arm.delta(k as f64 + 0.5))
-                .map_while(|delta| self.u.at(arm, delta).ok().map(|value| (delta, value)))
-                .collect()
+                .map_while(|delta| self.u.at(arm, delta).ok().map(|value| (delta, value)));
+            let doublings = if self.u.is_known_at_any_depth() { DOUBLINGS } else { 0 };
+            let deeper = (1..=doublings)
+                .map(|k| arm.depth * f64::from(k).exp2())
+                .map_while(|t| self.u.at_depth(arm, t).ok().map(|value| (0.0, value)));
+            seen.chain(deeper).collect()
         };
         let least = arm.delta(arm.depth);
         let (mut far, mut halvings, mut count) = (arm.length, Vec::new(), 0);
