@@ -37,6 +37,18 @@ use std::sync::OnceLock;
 /// middles of the sides from corner 0 to 1, 1 to 2, 2 to 0.
 type Quadratic = [[Value; 6]; 3];
 
+/// The quadratic functions that are 1 at one of the points of [`Quadratic`] and 0 at the others.
+fn quadratic_basis([a, b, c]: [f64; 3]) -> [f64; 6] {
+    [
+        a * (2.0 * a - 1.0),
+        b * (2.0 * b - 1.0),
+        c * (2.0 * c - 1.0),
+        4.0 * a * b,
+        4.0 * b * c,
+        4.0 * c * a,
+    ]
+}
+
 /// Stresses without traction: three on each side (scalar: five are enough).
 const BUBBLES: usize = 9;
 /// A load whose values on a triangle agree to this multiple of the largest one is constant there.
@@ -91,16 +103,7 @@ impl Own {
     pub(super) fn at(&self, piece: usize, shares: [f64; 3]) -> Value {
         let mut sum = [0.0; 3];
         if let Some(turn) = &self.turn {
-            let [a, b, c] = shares;
-            let weights = [
-                a * (2.0 * a - 1.0),
-                b * (2.0 * b - 1.0),
-                c * (2.0 * c - 1.0),
-                4.0 * a * b,
-                4.0 * b * c,
-                4.0 * c * a,
-            ];
-            for (weight, value) in weights.iter().zip(&turn[piece]) {
+            for (weight, value) in quadratic_basis(shares).iter().zip(&turn[piece]) {
                 (0..3).for_each(|i| sum[i] += weight * value[i]);
             }
         }
@@ -495,15 +498,7 @@ mod tests {
             for (k, piece) in pieces(corners).into_iter().enumerate() {
                 let element = Element::new(piece);
                 let value = |point: Point| {
-                    let [a, b, c] = element.barycentric(piece, point);
-                    let weights = [
-                        a * (2.0 * a - 1.0),
-                        b * (2.0 * b - 1.0),
-                        c * (2.0 * c - 1.0),
-                        4.0 * a * b,
-                        4.0 * b * c,
-                        4.0 * c * a,
-                    ];
+                    let weights = quadratic_basis(element.barycentric(piece, point));
                     let entry = |i: usize| -> f64 {
                         weights.iter().zip(&stress[k]).map(|(w, value)| w * value[i]).sum()
                     };

@@ -39,7 +39,7 @@ fn respond(about: &About, read: &dyn Fn(Given<'_>) -> Result<Work>) -> ExitCode 
         Ok(flag) => flag.map_or(String::new(), ToString::to_string),
         Err(_) => given(name).cloned().unwrap_or_default(),
     });
-    // Behind the options: what they say is read, so that a command is checked without a computation.
+    // After the options are read, so that a command is checked without a computation.
     if work.is_ok() && matches.get_flag("describe") {
         let _ = writeln!(std::io::stdout(), "{}", describe(about));
         return ExitCode::SUCCESS;
