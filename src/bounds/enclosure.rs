@@ -61,7 +61,8 @@ pub struct Enclosure {
     /// J(u), the energy of the exact solution; for a load that is no polynomial widened by
     /// [`Body::missed_load`](crate::contact::Body::missed_load), an estimate.
     pub energy: Interval,
-    /// An upper bound of |||u − u^h|||, the energy norm of the error of `solution.displacement`.
+    /// An upper bound of |||u − u^h|||, the energy norm of the error of `solution.displacement`. A
+    /// load or a traction that is no polynomial enters it by rules whose own error is not counted.
     pub error: f64,
     /// The energy norm |||u||| of the exact solution: |||u^h||| ± `error`, and for a body without
     /// gap and prescribed displacement also the roots of −2J at the ends of `energy`.
