@@ -11,6 +11,9 @@ use std::sync::Arc;
 
 /// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
+/// Size of values that may overflow closer to a breakpoint, and the accuracy of the t at which they do.
+const HUGE: f64 = 1e150;
+const TO_LIMIT: f64 = 1e-3;
 
 /// A point of the interval, given by its signed distance from the nearest breakpoint.
 ///
@@ -126,6 +129,8 @@ pub(crate) struct SingularFunction<'a> {
     pub(super) unit: f64,
     /// the values at equal distances on every side, once the function is normalized
     samples: Vec<Vec<f64>>,
+    /// for every side the largest t at which its values do not overflow, once the function is normalized
+    limits: Vec<f64>,
 }
 
 /// Units of length and value: powers of two near the length and the size of a function.
@@ -165,6 +170,7 @@ impl Clone for SingularFunction<'_> {
             budget: Budget::new(u64::MAX, 0.0),
             unit: self.unit,
             samples: self.samples.clone(),
+            limits: self.limits.clone(),
         }
     }
 }
@@ -235,6 +241,7 @@ impl<'a> SingularFunction<'a> {
             budget: Budget::new(u64::MAX, 0.0),
             unit: 1.0,
             samples: Vec::new(),
+            limits: Vec::new(),
         })
     }
 
@@ -277,6 +284,29 @@ impl<'a> SingularFunction<'a> {
         Ok(power_of_two(largest))
     }
 
+    /// The largest t of a side at which the values, and their quotients by `size`, do not overflow: x^{−0.98} ln⁶ x is in L¹
+    /// and exceeds 1e308 at 1e-298. Infinite where they do not, and where they do not grow up to it: such a value is an error.
+    fn limit(&self, arm: &Arm, size: f64) -> f64 {
+        let at = |t: f64| self.at(arm, arm.delta(t)).map(|value| (value, value / size));
+        let is_number = |t: f64| at(t).is_ok_and(|(_, quotient)| quotient.abs() < HUGE * HUGE);
+        if is_number(arm.depth) {
+            return f64::INFINITY;
+        }
+        let (mut low, mut high) = (0.0, arm.depth);
+        while high - low > TO_LIMIT {
+            let middle = 0.5 * (low + high);
+            if is_number(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        match at(low) {
+            Ok((value, quotient)) if value.abs().max(quotient.abs()) > HUGE => low,
+            _ => f64::INFINITY,
+        }
+    }
+
     /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
     /// dimensionless. The function is called at the points of the original interval, with exact offsets; its
     /// evaluations are counted in the work limit of the tolerance, those of the samples at equal distances too.
@@ -290,6 +320,7 @@ impl<'a> SingularFunction<'a> {
         }
         let mut samples = self.look()?;
         let size = self.size(&samples)?;
+        let limits = self.arms().iter().map(|arm| self.limit(arm, size)).collect();
         samples.iter_mut().flatten().for_each(|value| *value /= size);
         let length = power_of_two(self.length());
         let breaks = self.breaks.iter().map(|at| at / length).collect();
@@ -308,6 +339,7 @@ impl<'a> SingularFunction<'a> {
             budget,
             unit: self.unit * length,
             samples,
+            limits,
         };
         Ok(Normalized { units: Units { length, size }, u })
     }
@@ -319,6 +351,9 @@ impl<'a> SingularFunction<'a> {
             let length = 0.5 * (pair[1] - pair[0]);
             arms.push(self.arm(i, 1.0, length));
             arms.push(self.arm(i + 1, -1.0, length));
+        }
+        for (arm, limit) in arms.iter_mut().zip(&self.limits) {
+            arm.depth = arm.depth.min(*limit);
         }
         arms
     }
