@@ -271,12 +271,13 @@ impl<'a> LogEnergy<'a> {
     /// The same by the given rule.
     fn near_by(&self, x: Outer, reach: f64, rule: &Rule) -> Result<Density> {
         let arm = self.arms[x.arm];
+        let spot = self.function.spot(&arm, x.delta);
         let (mut sum, mut rounding) = (0.0, 0.0);
         for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
             let y = x.delta * s.exp();
-            let value = self.function.at(&arm, y)?;
+            let value = self.function.farther(&arm, spot, s, y)?;
             let quotient = (x.value - value) / s;
             let stretch = s.exp_m1() / s;
             // δ ε (u−v)² (δ (e^s−1))^{-1-2ν} = δ^{1-2ν} s^{1-2ν} e^s q² ((e^s−1)/s)^{-1-2ν}

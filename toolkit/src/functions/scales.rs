@@ -55,16 +55,9 @@ fn place(k: usize) -> f64 {
 }
 
 impl Profile {
-    /// Samples u until a value is not a number or the work limit is reached.
+    /// The samples of u until a value is not a number.
     pub(super) fn of(u: &SingularFunction) -> Self {
-        let arms = u.arms();
-        let values = arms
-            .iter()
-            .map(|arm| {
-                let count = arm.depth.floor() as usize;
-                (0..count).map_while(|k| u.at(arm, arm.delta(place(k))).ok()).collect()
-            })
-            .collect();
+        let (arms, values) = (u.arms(), u.scales());
         let evenly = (0..arms.len()).map(|k| u.samples_of(k).to_vec()).collect();
         Self { arms, values, evenly }
     }

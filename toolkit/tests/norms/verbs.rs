@@ -175,6 +175,52 @@ fn a_second_norm_of_polynomials_takes_no_values_of_the_function() -> Result<()> 
 }
 
 #[test]
+fn a_singular_end_is_sampled_once_for_all_norms() -> Result<()> {
+    let power = |at: fractional_sobolev::Position| at.distance_to(0).powf(0.4);
+    let deep = |at: fractional_sobolev::Position| match at.anchor() {
+        0 => (0.4 * at.log_distance()).exp(),
+        _ => at.x().powf(0.4),
+    };
+    let inside = |at: fractional_sobolev::Position| at.distance_to(1).powf(0.4);
+    let count = AtomicUsize::new(0);
+    let counted = |value: f64| {
+        count.fetch_add(1, Ordering::Relaxed);
+        value
+    };
+    let all = [
+        ("x^0.4", Function::from_positions(&[0.0, 1.0], |at| counted(power(at)))?),
+        ("by its logarithm", Function::from_log_distances(&[0.0, 1.0], |at| counted(deep(at)))?),
+        ("|x - 0.3|^0.4", Function::from_positions(&[0.0, 0.3, 1.0], |at| counted(inside(at)))?),
+        (
+            "|x - 0.3|^0.4 of x",
+            Function::from_fn(&[0.0, 0.3, 1.0], |x| counted((x - 0.3).abs().powf(0.4)))?,
+        ),
+    ];
+    for (name, u) in &all {
+        count.store(0, Ordering::Relaxed);
+        // The largest order needs the smallest distances.
+        let asked = if name.ends_with("of x") { 1e-5 } else { 1e-8 };
+        u.norm(0.7, asked)?;
+        let dual = u.dual_norm(DualOf::Interpolation, 0.4, 1e-6);
+        if name.starts_with("x^0.4") {
+            // ‖u‖² = Σ (2 − δ_{k0}) (∫ u cos kπx)² (1 + k²π²)^{−ν}, summed with 20 digits
+            agrees(name, "dual norm", dual, 0.725_757_579_3, 1e-9);
+        }
+        let first = count.load(Ordering::Relaxed);
+        for order in [0.1, 0.3, 0.5, 0.65] {
+            u.norm(order, asked)?;
+        }
+        u.lp(3.0, asked)?;
+        u.mean(asked)?;
+        u.dual_norm(DualOf::Interpolation, 0.3, 1e-6).ok();
+        let later = count.load(Ordering::Relaxed) - first;
+        println!("{name}: {first} values for a norm and a dual norm, {later} for seven more");
+        assert!(first < 60_000 && later <= first / 50, "{name}: {first}, {later}");
+    }
+    Ok(())
+}
+
+#[test]
 fn differences_are_resolved_on_common_cells() -> Result<()> {
     let mut random = SplitMix::new(53);
     for _ in 0..20 {
@@ -216,11 +262,7 @@ fn norms_of_every_kind_of_function() -> Result<()> {
             Function::on_curve(&curve, 1, &ring)?,
             [true, true, true, true, true],
         ),
-        (
-            "a formula on a boundary",
-            Function::on_polygon(&square, |[x, _]| x)?,
-            [true; 5],
-        ),
+        ("a formula on a boundary", Function::on_polygon(&square, |[x, _]| x)?, [true; 5]),
         (
             "values on triangles",
             Function::on_triangles(&plane, 1, &at_corners)?,
