@@ -28,7 +28,7 @@
 //! Refuted if κ(x) is above 1 at a point, if κ(x) by the library and by the formula differ by more
 //! than 1e-14 of it, if the quotient of a random function is above κ(x), or if 12 N² (κ² − κ_N²)
 //! differs from 1 by more than 0.1 %. The paper's constant is loose if κ(x) ≤ 0.5774 at every
-//! point. Undecided while a bound lies inside of an error bar.
+//! point. Shown only: κ(1/2)/κ(0) is 1/2. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example equation_6_2_mean -- --cells 4096 --functions 20000`
 

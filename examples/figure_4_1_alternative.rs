@@ -18,15 +18,20 @@
 //!
 //! This file computes u on a fine mesh, puts each of n equal segments of the edge in its case or
 //! cases, and adds up the term. `block` is the unit square in plane strain, Lamé constants 1 and 1,
-//! held at y = 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the nodes, under the load (0,
-//! −cos πx), linear between nodes. u is the P1 solution on 8n × 8n squares, n the largest of the
-//! list, each cut from bottom left to top right. At each node of the edge there is a force
-//! λ = l(φ) − a(u, φ) ≥ 0; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets of intervals
-//! between neighbouring nodes, or of single nodes. Below 1e-12 of the largest counts as zero.
+//! u = 0 at y = 1, free sides x = 0 and 1, with the contact edge y = 0, where u_N = −u₂ ≤ 0 at the
+//! nodes; the force per area is the interpolant of (0, −cos πx) between nodes, integrated exactly.
+//! u is the P1 solution on 8n × 8n squares, n the largest of the list, each cut from bottom left to
+//! top right. At each node of the edge the floor exerts a force λ = a(u, φ) − l(φ) ≥ 0, φ = (0, 1)
+//! times the hat function of the node; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets
+//! of intervals between neighbouring nodes, or of single nodes. |u_N| below 1e-12 of the largest
+//! |u_N| of the edge counts as zero, and so does λ. For a prescribed set, as below, u_N = −δ^(τ−1)
+//! in the gaps and −σ_N = r^(τ−2) in contact (formulas in example `worst_contact_set`).
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
-//! than the contact set has ends inside the edge. For an exact solution both follow from σ_N
-//! u_N = 0; what is not trivial are the shares of both cases.
+//! than the contact set has ends inside the edge (both ends of each interval of {u_N = 0}, so that
+//! a single node counts twice). Both are counts and have no error bar. For an exact solution both
+//! follow from σ_N u_N = 0, so that only an error of the program refutes them; what is not trivial
+//! are the shares of both cases.
 //!
 //! Another contact set (for the other cone see example `figure_3_2_alternative`):
 //!
@@ -88,10 +93,13 @@ fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<Edge
     match problem {
         NamedProblem::Mesh(body) => {
             let problem = body.problem(8 * finest)?;
-            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?; // exact up to rounding
+            // u_N = 0 at the active nodes, Cholesky; a node with λ < 0 leaves, one with u_N > 0
+            // enters, until none does: exact up to rounding.
+            let u = problem.solve(Cone::Nodal, Solver::ActiveSet)?;
             Ok(EdgeTrace::of_solution(&problem, &u)?)
         }
         NamedProblem::Strip(set) => {
+            // `Natural`: no flux at the sides of the square above the edge
             let cells = (64 * finest).max(1 << 16);
             Ok(EdgeTrace::of_data(&set.data(tau, cells, LateralCondition::Natural)?)?)
         }

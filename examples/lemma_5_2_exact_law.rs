@@ -17,11 +17,16 @@
 //! C(r) = γ₁ (2 ((e^r − 1)/r² − 1)^(1/2) + (e^(r/2) − 1)^(1/2)),
 //! ```
 //!
-//! which bounds N (page `lemma_5_2_exact_law`). Both bounds are A L to leading order. They are
-//! formulas of L alone, so that they reach zones without a number. Refuted if γ² is outside of
-//! them, or if they differ by more than 1e-4 at the largest L. Computed and not proved: γ² = A L +
-//! c + d/γ² + e/γ⁴ + ..; what A L + c leaves is of order 1/L.
-//! Undecided while a bound lies inside of an error bar.
+//! which bounds N: the mean over (0, θ) is one of v over (L, ∞), that over (0, 1) one with the
+//! weight e^(−t); C(r) is what their distances to means over steps of length r are at most (page
+//! `lemma_5_2_exact_law`). Both bounds are A L to leading order. They are formulas of L alone, so
+//! that they reach zones without a number. Refuted if γ² is outside of them; if they differ by more
+//! than 1e-4 at the largest L of the option `log` (they do for L below 1e10: their difference is of
+//! order L^(−1/2)); or if they differ by more than 1e-4 from the library's, whose integral is by
+//! Gauss rules. Computed and not proved is γ² = A L + c + d/γ² + e/γ⁴ + ..: refuted if between the
+//! two shortest zones γ² − A L − c does not fall like L^(−1 ± 0.05), or if at the shortest it
+//! differs from d/γ² + e/γ⁴ by more than 0.1 %. γ₁ enters the upper bound with its error; the
+//! midpoint rule of `chains` has seven digits. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_5_2_exact_law -- --theta 1e-20,1e-80 --log 10,1e15`
 
@@ -72,9 +77,10 @@ fn chains(log: f64, whole: f64) -> f64 {
 
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     let half = Order::HALF;
-    // c from the dual norm N of u ↦ mean on (0, 1) − mean on (0, θ), on a zone so short that N² = A
-    // L + c to all digits; d and e are squared norms of N's representer, once and twice through the
-    // operator of ‖·‖₀².
+    // N, the dual norm of u ↦ mean on (0, 1) − mean on (0, θ), is |R| for a function R; c is from a
+    // zone so short that N² = A L + c to all digits. With the scalar product (·, ·) of |·| let
+    // (K u, v) = ∫ (u − ū)(v − v̄). Then γ² = N² + (R, K R)/γ² + (R, K² R)/γ⁴ + .., so that
+    // d = (R, K R) and e = (R, K² R).
     let end = law(half, 0.0, 1e-10)?;
     let Some([a, c, d, e]) = end.expansion.map(|all| all.map(Measured::from)) else {
         return Err(Error::Option("the law has no expansion at nu = 1/2".to_owned()));
@@ -116,7 +122,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         if theta == options.theta.last().copied() && theta.is_some() {
             let [.., before, last] = rests[..] else { continue };
-            let power = exponent_between(before, last);
+            let power = exponent_between(before, last); // ln(rest/rest before)/ln(L/L before)
             out.check("exponent of L in γ² − A L − c")
                 .whole_error_bars_differ_by_at_most(power, -1.0, 0.05, "d/γ²");
             let claim = out.check("(γ² − A L − c)/(d/γ² + e/γ⁴)");

@@ -186,7 +186,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let half_way = 2f64.powf(0.5 * (1.0 - s).min(0.5));
             let claim =
                 out.check(format!("s = {s}: C_h(10°)/C_h(20°)")).undecided_if_it_admits(1.0);
-            claim.whole_error_bars_at_least(factor, half_way, "2^min(1/2, 1−s) as α → 0");
+            claim.whole_error_bars_at_least(
+                factor,
+                half_way,
+                "half of the exponent of 2^min(1/2, 1−s), α → 0",
+            );
         }
     }
     out.column("angle", "α", "angle between the equal sides, in degrees");

@@ -15,14 +15,17 @@
 //!
 //! This file computes u^h on the mesh and on refinements of it, each triangle cut into four.
 //! Without a file the body is the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2),
-//! turned by 20° about (0, 0), in 126 triangles of Gmsh; Γ_C is its side of length 2 on the slanted
-//! floor, Γ_D the side of length 1 at the top.
+//! turned counterclockwise by 20° about (0, 0), in 126 triangles of Gmsh (`data/l_shape.msh`); Γ_C
+//! is the turned side from (0, 0) to (2, 0), on the slanted floor, Γ_D that from (1, 2) to (0, 2);
+//! λ = μ = 1, f = (0.015, 0.02 − 0.03 x) in the turned coordinates.
 //!
 //! No solution is known, so the checks are those that must hold for every body. Refuted if a
-//! condition of contact, scaled, is violated by more than 1e-10; or, by more than 1e-8 and ten
-//! times the rounding of J, if the resultants of load, clamp and floors do not add up, if two
-//! solvers differ in J, or if J rises on a finer mesh. (The cones are nested if there are no gaps
-//! and no prescribed displacements, which are interpolated.)
+//! condition of contact, or the equilibrium at the free nodes, scaled, is violated by more than
+//! 1e-10; or, by more than 1e-8 plus ten times the relative rounding of J, if the resultants of
+//! load, clamp and floors (forces in both directions, over the sums of the moduli of their terms)
+//! do not add up, if two solvers differ in J where the second converged, or if J less its ± rises
+//! on a finer mesh. Where this sum is 1e-3 or more, resultants and solvers decide nothing. (The
+//! cones are nested if there are no gaps and no prescribed displacements, which are interpolated.)
 //!
 //! Shown, and decided by nothing, is the order p of the error in the energy norm. It is computed
 //! from J, as J(u^h) − J(u) ≈ A h^(2p) + B h²:
@@ -36,17 +39,21 @@
 //! points on a triangle to one of 7 × 7: as dJ = −dF·u, that is what the rule misses of a load that
 //! jumps, or varies within a triangle.
 //!
-//! With `--tolerance 1%` the error is guaranteed. A stress q in balance with the load bounds J from
-//! below by J*(q), and
+//! With `--tolerance 1%` the error is guaranteed. A stress q in balance with the load, here div q +
+//! f = 0, q n = F on Γ_N, q_T = 0 and q_N ≤ 0 on Γ_C, bounds J from below by J*(q) = −½ ∫ q : 𝒜⁻¹q
+//! (g = 0, u_D = 0), and
 //!
 //! ```text
 //! |||u − u^h|||² ≤ 2 (J(u^h) − J*(q)).
 //! ```
 //!
-//! Triangles that carry half of this bound are bisected until it is 1 % of |||u||| (example
-//! `two_sided_energies`). Refuted if two meshes contradict each other, J from below above J from
-//! above; or if the resultants do not add up.
-//! Undecided while a bound lies inside of an error bar.
+//! q is an antiderivative of the load plus the best stress of an Airy function on the triangles of
+//! u^h; what of the load it misses is in the bound as oscillation, and is subtracted from J*(q)
+//! (example `two_sided_energies`, `bounds::parts`). The fewest triangles that carry half of the
+//! bound are bisected until it is 1 % of |||u|||. Refuted if a condition of contact or an equation,
+//! scaled, is violated by more than 1e-10; if the largest J from below of all meshes is above the
+//! smallest J from above; or if the resultants do not add up. No other number has a bar: what may
+//! be wrong is in the bounds.
 //!
 //! `cargo run --release --example section_2_own_body -- --mesh FILE.msh --load "0, -0.1" --out DIR
 //! --files DIR`
@@ -398,8 +405,10 @@ fn on_refinements(
         let rounding = if u.energy == 0.0 { 0.0 } else { u.energy_rounding / u.energy.abs() };
         let allowed = 1e-8 + 10.0 * rounding;
         const COARSE: f64 = 1e-3; // where such a difference would pass too, nothing is decided
-        // (2.5) and the equations: penetration over the largest displacement, pull over the largest
-        // push, their product, and the largest entry of K u − F + Bᵀλ over that of |K||u| + |F|.
+        // (2.5) and the equations. B u: u·n at the nodes of Γ_C (midpoint cone: its means over the
+        // segments), λ: its multipliers, the forces of the floor. Penetration over the largest
+        // displacement, pull over the largest push, their product, and the largest entry of
+        // K u − F + Bᵀλ over that of |K||u| + |F|.
         out.check("penetration: max (B u − g)₊, scaled").at_most(u.kkt.gap, 1e-10, "(2.5)");
         out.check("tensile contact force: max (−λ)₊, scaled").at_most(u.kkt.sign, 1e-10, "(2.5)");
         let claim = out.check("complementarity: max |λ (B u − g)|, scaled");

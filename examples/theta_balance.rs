@@ -43,11 +43,12 @@
 //! Refuted, for τ < 2, if S/F at the printed θ depends on h; if the θ where F = S has an exponent
 //! of h other than 2τ − 3; or if the bound, at the printed θ or where F = S, has an exponent other
 //! than 2τ² − 5τ + 4. An exponent is the slope of logarithms between the finest two h; as F and S
-//! are formulas, it has no ± but rounding, and all these comparisons are to 1e-9. At τ = 2 S/F may
-//! grow like ln(1/h). Refuted too, for every τ, if κ h^(2τ−2) less the ± of κ is above a bound
-//! where F = S; if W(θ) less its ± is above (1 + 1e-6) κ for a zone θ = 2^−1, .. 2^−10, where 1e-6
-//! is the tolerance of W; or if the κ of this file and that of the library differ by 0.5 %.
-//! Undecided while a bound lies inside of an error bar.
+//! are formulas, it has no ± but rounding, and all these comparisons are to 1e-9. At τ = 2 it is
+//! refuted if S/(F ln(1/h)) at the printed θ depends on h; the exponents, which ln(1/h) still
+//! moves, are shown and decide nothing. Refuted too, for every τ, if κ h^(2τ−2) less the ± of κ is
+//! above a bound where F = S; if W(θ) less its ± is above (1 + 1e-6) κ for a zone θ = 2^−1, ..
+//! 2^−10, where 1e-6 is the tolerance of W; or if the κ of this file and that of the library differ
+//! by 0.5 %. Undecided while a bound lies inside of an error bar.
 //!
 //! The paper's bound can be improved, so the statement is loose: u_N' has mean zero between its two
 //! zeros in the first case, so that for θ ≤ 1/4, with γ = γ_(1/2),
@@ -57,7 +58,8 @@
 //! ```
 //!
 //! and the exponent where the two bounds are equal (`sharp`) rises by (τ − 3/2)(2 − τ), half of
-//! what it is below the truth.
+//! what it is below the truth. This rise is tested to 1e-9 as well; if it failed, the bound could
+//! not be called loose, but the paper would not be refuted.
 //!
 //! Another regularity:
 //!

@@ -24,7 +24,7 @@
 //! h = 1/8, 1/16, .. 2^(5−depth) on the contact sets below. The data are given on N = 2^depth
 //! cells: u_N = g at nodes, λ = −σ_N by its integrals over cells, half to each node; slopes and
 //! densities are constant on cells. In a gap (a, b) g = −δ^p, δ = (x − a)(b − x)/(b − a); r is the
-//! distance to the next gap.
+//! distance to the nearest gap, on either side.
 //!
 //! ```text
 //! transitions:m    gaps ((i + 1/4)/m, (i + 3/4)/m), i < m;  p = τ − 1, λ = r^(τ−2)
@@ -34,15 +34,18 @@
 //!                  d = 4 − 2τ, s = 2^(−1/d), p and λ by d as for cantor
 //! ```
 //!
-//! Ends are rounded to nodes. A gap without an inner node, or one that leaves a piece without a
-//! cell, is left out with all that it would contain: sets of more generations than the mesh
-//! resolves are the same. All are in H^s for s < τ only, so that the norms, and the shares, depend
-//! on `depth`.
+//! Ends are rounded to the nearest node. A gap without an inner node, or one that leaves a piece
+//! without a cell, is left out with all that it would contain: sets of more generations than the
+//! mesh resolves are the same. All are in H^s for s < τ only, so that the norms, and the shares,
+//! depend on `depth`.
 //!
-//! On one segment, κ is the largest quotient with one gap at an end. Refuted if a share is above 1,
-//! if κ is above c₂, or if a random contact set has a larger quotient than the best gap at an end
-//! on the same 48 cells (which is below κ).
-//! Undecided while a bound lies inside of an error bar.
+//! On one segment, κ is the largest quotient with one gap at an end. For a gap (0, ℓ) and the nodal
+//! cone the quotient is sup |u_N(0)|/|u_N'|_ν over u_N = 0 on (ℓ, 1), times sup |∫ σ_N (1 −
+//! x)|/|σ_N|_ν over σ_N = 0 on (0, ℓ); for the midpoint cone exchange σ_N and u_N' and reflect.
+//! Refuted if a share is above 1; if κ is above c₂, undecided while c₂ lies inside the error bar of
+//! κ; if the best gap at an end on 48 cells has a quotient above κ; or if a random contact set on
+//! these cells has a larger one than that gap by more than 1e-9 of it (the mirror image of the best
+//! set has the same one, but for rounding).
 //!
 //! `cargo run --release --example worst_contact_set -- --tau 1.6 --sets 10000`
 
@@ -77,6 +80,7 @@ fn seminorms(edge: &EdgeData, tau: f64) -> Result<[f64; 2]> {
     let slopes: Vec<f64> = (0..cells).map(|i| (values[i + 1] - values[i]) / h).collect();
     let densities: Vec<f64> = (0..cells).map(|i| share(i) + share(i + 1)).collect();
     let mesh = Mesh::uniform(cells, 1.0)?;
+    // Equal cells: a Toeplitz matrix, exact up to rounding whatever the tolerance.
     let gram = Gram::constants(&mesh, Order::half_plus(tau - 2.0)?, Tolerance::balanced())?;
     let seminorm = |x: &[f64]| -> Result<f64> {
         let square: f64 = gram.apply(x)?.iter().zip(x).map(|(y, x)| x * y).sum();
@@ -180,8 +184,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         // The largest term over its bound, over all meshes of n segments.
         let share = |cone: Cone| {
             let mut largest = 0.0f64;
-            // −Σ force × I^h u_N at the nodes (nodal); Σ force × mean of −u_N by segments
-            // (midpoint).
+            // n = 1, 2, 4, .. 2^depth: −Σ force × I^h u_N at the nodes (nodal); Σ force × mean of
+            // −u_N by segments, a shared node by half to each (midpoint).
             for (n, term) in consistency_terms(&edge, cone) {
                 if n >= 8 && 32 * n <= cells {
                     let bound = c_2 * (n as f64).powf(-power) * slope * pressure;
@@ -194,6 +198,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         coincide |= known.contains(&(gaps, nodal));
         known.push((gaps, nodal));
         out.row(cells! { set: set.to_string() => gaps, nodal, midpoint });
+        // No error bar: the norms are closed forms, and the shares are far below 1.
         let claim = out.check("consistency term/bound, all contact sets");
         claim.at_most(nodal.max(midpoint), 1.0, "proved");
     }
@@ -205,8 +210,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         );
     }
     out.proof("consistency term ≤ bound on every segment", "segment_constants");
-    // One segment: the maximum over the length of the gap, both factors dual norms (page
-    // `segment_constants`); ± of the library.
+    // One segment: the maximum over the length ℓ of the product in the header, each supremum by one
+    // linear solve with graded polynomials (example `segment_constants` does it in the file); ± of
+    // the library: the change to a smaller space.
     let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
     out.check("κ/c₂, one gap at an end").whole_error_bars_at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
@@ -219,7 +225,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         claim.whole_error_bars_at_most(kappa.recip() * best, 1.0, "conforming subspace");
         let random = search(cone, &form, options.sets)? / best;
         let claim = out.check(format!("{cone} cone: largest quotient, random sets/end gaps"));
-        claim.at_most(random, 1.0 + 1e-12, "worst case: gap at an end");
+        claim.at_most(random, 1.0 + 1e-9, "worst case: gap at an end");
     }
     if out.draws() {
         let axes =

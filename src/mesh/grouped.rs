@@ -206,7 +206,7 @@ fn turn_clockwise(triangles: &mut [[usize; 3]], nodes: &[Point]) -> usize {
     clockwise.map(|corners| corners.swap(1, 2)).count()
 }
 
-/// The reason why an edge of the boundary without a group is refused.
+/// Why an edge of the boundary without a group is refused.
 pub(super) const NO_GROUP: &str = "is on the boundary but in no physical group: add its curve to one named clamped, contact or free";
 
 /// What to do about a boundary edge without a group.

@@ -90,6 +90,13 @@ fn exercise(entry: &Value) -> std::result::Result<Exercise, String> {
     Ok(Exercise { kind, ask, hint: text("hint"), answer, program: text("program") })
 }
 
+/// What a sheet says of its programs, for those who have no book.
+const PROGRAMS: &str = "
+*Programs.* The commands are for the repository of signorini. The first of them is needed once for all holes of one file. \
+The notebooks `book/course/before.ipynb` (sheets 1 and 2, plain Python) and `book/course/later.ipynb` (the others, numpy) \
+have the same holes and the same tests.
+";
+
 impl Exercise {
     /// How to get the skeleton of its program, and how to test it.
     fn commands(&self) -> String {
@@ -121,6 +128,9 @@ pub fn sheet(title: &str, list: &[Exercise], with_solutions: bool) -> String {
         if with_solutions {
             let _ = write!(text, "\n> *Solution.* {}\n", exercise.answer.replace('\n', "\n> "));
         }
+    }
+    if list.iter().any(|exercise| exercise.program.is_some()) {
+        text.push_str(PROGRAMS);
     }
     text
 }

@@ -165,6 +165,8 @@ fn a_second_norm_of_polynomials_takes_no_values_of_the_function() -> Result<()> 
     for order in [0.3, 0.45] {
         slope.norm(order, 1e-6)?;
     }
+    u.norm(0.45, 1e-6)?;
+    assert_eq!(count.load(Ordering::Relaxed), first, "values taken again");
     u.seminorm(1.0, 1e-6)?;
     u.norm(1.2, 1e-6).ok();
     u.restrict(0.1..0.9)?;
