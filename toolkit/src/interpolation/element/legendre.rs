@@ -166,31 +166,6 @@ mod tests {
         }
     }
 
-    /// The slopes of Appendix A on one cell span the same polynomials: with φ_k′ = Σ 2 √((2k+1)(2j+1)) L_j, the sum over
-    /// j = k−1, k−3, ..., both assemblies are one form.
-    #[test]
-    fn one_cell_of_slopes_has_the_same_form() {
-        use crate::poincare::slopes::{cell::Cell, gram, space::SlopeSpace};
-        let count = 8;
-        let degrees: Vec<usize> = (1..=count).collect();
-        let space = SlopeSpace::new(vec![Cell::uniform(1.0, count)], 1.0);
-        let change = DMatrix::from_fn(count, count, |j, column| {
-            let k = column + 1;
-            let root = |m: usize| (2.0 * m as f64 + 1.0).sqrt();
-            if j < k && (k - j) % 2 == 1 { 2.0 * root(k) * root(j) } else { 0.0 }
-        });
-        for nu in [0.02, 0.3, 0.5, 0.8] {
-            let order = Order::new(nu).unwrap();
-            let (exact, _) = seminorm_gram(order, &degrees).unwrap();
-            let (slopes, _) = gram::seminorm_gram(&space, None, order, 20).unwrap();
-            let found = change.transpose() * slopes * &change;
-            for (a, b) in found.iter().zip(exact.iter()) {
-                let apart = (a - b).abs() / exact[(count - 1, count - 1)];
-                assert!(apart < 1e-11, "{nu}: {a} {b}");
-            }
-        }
-    }
-
     #[test]
     fn primitives_vanish_at_both_ends_and_have_their_gram_matrix() {
         let degrees = [1, 2, 4];
