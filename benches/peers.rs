@@ -51,9 +51,7 @@ fn contact() -> Result<(), Box<dyn Error>> {
 }
 
 fn laplacian() -> Result<(), Box<dyn Error>> {
-    println!(
-        "\n   s      N  mesh    preparation s  product s  solution s  energy            rel. error"
-    );
+    println!("\n   s      N  mesh    data s  product s  solution s  energy            rel. error");
     for s in [0.25, 0.5, 0.75] {
         // ∫ u of Getoor's solution u = c (1 − x²)^s: 2^(−2s) π/(Γ(s + 1/2) Γ(s + 3/2)).
         let exact =
@@ -79,7 +77,7 @@ fn laplacian() -> Result<(), Box<dyn Error>> {
                 let (energy, name) =
                     (form_constant * energy.value, if graded { "graded" } else { "equal" });
                 println!(
-                    "{s:4}  {n:5}  {name:6}  {prepared:13.3}  {product:9.4}  {solution:10.3}  {energy:.14}  {:10.1e}",
+                    "{s:4}  {n:5}  {name:6}  {prepared:13.3}  {product:9.6}  {solution:10.3}  {energy:.14}  {:10.1e}",
                     1.0 - energy / exact
                 );
             }

@@ -29,7 +29,8 @@
 //!    of points with σ_N(y) = u'(x) = 0 count, and these are half of the pairs in the seminorms, so
 //!    that ∫ σ_N I u ≤ ½ max x² (1 − x) h² |σ_N|_½ |u'|_½ = (2/27) h² |σ_N|_½ |u'|_½.
 //! 4. |w|²_½ ≤ 2π coth π ‖∇w‖² for w = u_x and w = u_y on the square of side h above the segment,
-//!    and ‖∇u_x‖ ‖∇u_y‖ ≤ ½ |u|₂² there. At a corner of Remark 1 two squares overlap.
+//!    and ‖∇u_x‖ ‖∇u_y‖ ≤ ½ |u|₂² there. At a corner of Remark 1 two squares overlap, which
+//!    doubles the term.
 //!
 //! This file tests one load, f = 6 (1 − 2x) with ‖f‖ = √12. u is unknown, so the solution u_N on N
 //! = 512 squares per side takes its place. The column `error` is |u_N − u^h|_a; since the error is
@@ -39,7 +40,7 @@
 //! N/4.
 //!
 //! Refuted if error − ± is above C h ‖f‖, and undecided if only error + ± is; if |u|₂ on N squares
-//! exceeds ‖f‖; if that of the membrane, where both are equal for continuous ∇u, is 2 % below it;
+//! exceeds ‖f‖; if for the membrane, where |u|₂ = ‖f‖ for continuous ∇u, it is 2 % below ‖f‖;
 //! or if the order of the error in h differs by more than 0.1 from 1, which is the best possible
 //! ((3.2) has h |ln h|^(1/2)). The order is that of the increments of error² on the last three
 //! meshes,

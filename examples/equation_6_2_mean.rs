@@ -83,8 +83,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let kappa = kappa(x)?;
 
         // The best of all functions with N slopes: slopes k, equality in Cauchy and Schwarz.
-        let of_steps = quotient(&k, &k);
-        let missed = (kappa.squared() - of_steps * of_steps) * (12.0 * (n * n) as f64);
+        let best_of_n = quotient(&k, &k);
+        let missed = (kappa.squared() - best_of_n * best_of_n) * (12.0 * (n * n) as f64);
 
         // Random slopes, and in every other function random changes of the best ones.
         let mut tried = 0.0f64;
@@ -95,7 +95,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 k.iter().map(|k| best * k + size * (2.0 * random.f64() - 1.0)).collect();
             tried = tried.max(quotient(&k, &slopes));
         }
-        out.row(cells! { x => kappa, of_steps, tried, missed: missed.value });
+        out.row(cells! { x => kappa, best_of_n, tried, missed: missed.value });
 
         let share = kappa.recip() * tried;
         let over = kappa.recip() * best_constant(x);
@@ -113,7 +113,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let claim = out.observe("κ(1/2)/κ(0)");
     claim.whole_error_bars_differ_by_at_most(halved, 0.5, 1e-12, "(x³+(1−x)³)/3");
     out.column("kappa", "κ", "best constant at x");
-    out.column("of_steps", "N slopes", "largest quotient of functions with N constant slopes");
+    out.column("best_of_n", "N slopes", "largest quotient of functions with N constant slopes");
     out.column("tried", "random", "largest quotient of random ones");
     out.column("missed", "missed", "12 N² (κ² − κ_N²), κ_N the column N slopes");
     let axes = Axes::Linear("x/h", "constant");

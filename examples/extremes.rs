@@ -20,19 +20,22 @@
 //! where |u|²_ν = ∬ (u(x) − u(y))² / |x − y|^(1+2ν) dx dy, (1.1), and γ is the best constant in
 //! ‖u‖₀ ≤ γ |u|_ν, that of Lemma 5.2 in (5.4); u(0) = 0 is the case of Remark 6. `block` is the
 //! unit square in plane strain, λ = μ = 1, fixed at y = 1, contact at y = 0, with the load (0, −cos
-//! πx), linear elements on 16 × 16 squares, problem (2.9); the load is (0, 1) or (0, −1) for the
-//! last two. c, d and e are numbers: N² = A L + c is the squared norm of u ↦ mean on (0, 1) − mean
-//! on (0, θ) on a very short zone, and with its representer R and (K u, v) = ∫ (u − ū)(v − v̄) in
-//! the scalar product of |·| d = (R, K R), e = (R, K² R); γ² is the fixed point of the formula.
+//! πx), replaced by its linear interpolant between the nodes, and linear elements on 16 × 16
+//! squares, each cut from bottom left to top right, with free sides, problem (2.9): J(v) = ½ a(v,
+//! v) − l(v) at its minimum; the contact force is −∫ σ_N, the sum of the forces of the floor at the
+//! nodes. The load is (0, 1) or (0, −1) for the last two. c, d and e are numbers: N² = A L + c is
+//! the squared norm of u ↦ mean on (0, 1) − mean on (0, θ) on a very short zone, and with its
+//! representer R and (K u, v) = ∫ (u − ū)(v − v̄) in the scalar product of |·| d = (R, K R), e =
+//! (R, K² R); γ² is the fixed point of the formula.
 //!
 //! With d = |number/second value − 1| and e the sum of both relative errors (0 for a formula, and
 //! for the contact force), a number is right if d + e ≤ 1e-9, refuted if d − e > 1e-9, and
 //! undecided between; in the same way 2e-3 below. Refuted too if input without an answer gets one,
-//! or if its error is not of the kind that the input calls for: a number or an entry out of range,
-//! an infinite norm, a value that is not finite (`BAD`). A hard input that gets an error ends the
-//! program. Why 1e-9: γ is requested to 1e-10, and Poisson's ratio 1/2 − 1e-6 loses six digits; the
-//! others have twelve and more. Refuted too if for θ = 1e-20, 1e-65, .. 1e-290 γ of order 1/2,
-//! requested to 1e-3, differs from its law by more than 2e-3.
+//! or if its error is not of the kind that the input calls for: a number, a count or an entry out
+//! of range, an infinite norm, a value that is not finite (`BAD`). A hard input that gets an error
+//! ends the program. Why 1e-9: γ is requested to 1e-10, and Poisson's ratio 1/2 − 1e-6 loses six
+//! digits; the others have twelve and more. Refuted too if for θ = 1e-20, 1e-65, .. 1e-290 γ of
+//! order 1/2, requested to 1e-3, differs from its law by more than 2e-3.
 //!
 //! `cargo run --release --example extremes`
 

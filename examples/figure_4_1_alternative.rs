@@ -22,10 +22,12 @@
 //! nodes; the force per area is the interpolant of (0, −cos πx) between nodes, integrated exactly.
 //! u is the P1 solution on 8n × 8n squares, n the largest of the list, each cut from bottom left to
 //! top right. At each node of the edge the floor exerts a force λ = a(u, φ) − l(φ) ≥ 0, φ = (0, 1)
-//! times the hat function of the node; so σ_N is −λ at nodes, and both u_N = 0 and λ > 0 are sets
-//! of intervals between neighbouring nodes, or of single nodes. |u_N| below 1e-12 of the largest
-//! |u_N| of the edge counts as zero, and so does λ. For a prescribed set, as below, u_N = −δ^(τ−1)
-//! in the gaps and −σ_N = r^(τ−2) in contact (formulas in example `worst_contact_set`).
+//! times the hat function of the node; so σ_N is a force −λ at each node, and ∫ σ_N is a sum of
+//! these; both u_N = 0 and λ > 0 are sets of intervals between neighbouring nodes, or of single
+//! nodes. |u_N| below 1e-12 of the largest |u_N| of the edge counts as zero, and so does λ. For a
+//! prescribed set, as below, u_N = −δ^(τ−1) in a gap (a, b), δ = (x − a)(b − x)/(b − a), and −σ_N =
+//! r^(τ−2) in contact, r the distance to the nearest gap (for Cantor sets the exponents of example
+//! `worst_contact_set`).
 //!
 //! Refuted if a segment is in neither case, or if more segments have a term (over 1e-12 of the sum)
 //! than the contact set has ends inside the edge (both ends of each interval of {u_N = 0}, so that
@@ -33,7 +35,9 @@
 //! follow from σ_N u_N = 0, so that only an error of the program refutes them; what is not trivial
 //! are the shares of both cases.
 //!
-//! Another contact set (for the other cone see example `figure_3_2_alternative`):
+//! Another contact set: `transition` (one end of contact), `transitions:3` (three gaps, so six
+//! ends), `cantor:0.3:4` (ratio, generations), `fat-cantor:4`, or `samples:FILE` with a line `u_N
+//! λ` for each node of equal cells. (For the other cone see example `figure_3_2_alternative`.)
 //!
 //! `cargo run --release --example figure_4_1_alternative -- --problem transitions:3`
 
@@ -88,10 +92,13 @@ struct Segment {
 }
 
 /// u on the edge: the solution on a mesh eight times finer than the finest one of the list, or a
-/// prescribed pair (u_N, σ_N).
+/// prescribed pair (u_N, σ_N) on 2^16 cells, or 64 n for the largest n if that is more.
 fn fine_solution(problem: &NamedProblem, finest: usize, tau: f64) -> Result<EdgeTrace> {
     match problem {
         NamedProblem::Mesh(body) => {
+            // A contact edge without two ends is rejected here, before the long solve.
+            let coarse = body.problem(8)?;
+            EdgeTrace::of_solution(&coarse, &coarse.solve(Cone::Nodal, Solver::ActiveSet)?)?;
             let problem = body.problem(8 * finest)?;
             // u_N = 0 at the active nodes, Cholesky; a node with λ < 0 leaves, one with u_N > 0
             // enters, until none does: exact up to rounding.
@@ -124,7 +131,7 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     let mut rows = Vec::new();
     for &n in &options.n {
         let k = cells / n; // cells of u in a segment
-        Error::unless(cells == k * n, "n", "divisors of the largest one")?;
+        Error::unless(cells == k * n, "n", "divisors of the number of cells of u")?;
         let h = 1.0 / n as f64;
         let theta = if options.tau == 2.0 { h * h } else { h.powf(2.0 * options.tau - 3.0) };
         let mut segments = Vec::new();
@@ -162,8 +169,8 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Row>> {
     out.column("integral", "term", "(4.9) over the edge");
     out.column("carried_by", "carried by", "segments with a term");
     out.remark(format!(
-        "u is given on {cells} cells of the edge: with another largest n it is another u, and a \
-         row for the same n differs."
+        "u is given on {cells} cells of the edge. If another largest n changes their number, a row \
+         for the same n differs."
     ));
     Ok(rows)
 }

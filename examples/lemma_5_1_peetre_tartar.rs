@@ -45,7 +45,7 @@ example! { quick "Lemma 5.1",
 /// of |·|²_ν for the hat functions φᵢ, in closed form. (0, θ) and (θ, 1) have elements halved
 /// towards both ends.
 fn by_definition(nu: Order, theta: f64) -> Result<f64> {
-    let layers = 10 + (-theta.log2()) as usize;
+    let layers = 10 + (-theta.log2()) as usize; // halvings towards each end
     let points = if theta < 1.0 { vec![0.0, theta, 1.0] } else { vec![0.0, 1.0] };
     let mesh = Mesh::graded(&points, layers, 0.5)?;
     let free = mean_zero_basis(&mesh, 0.0..theta); // columns span { u : ∫ u = 0 over (0, θ) }
@@ -78,8 +78,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-8)?.constant;
             let gamma_of = Measured::from(found);
             let alpha = (gamma_of.squared() + 1.0).sqrt().recip();
-            // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of u ↦ mean on (0, 1) −
-            // mean on (0, θ).
+            // γ² ≤ γ₁² + N²: γ₁ for mean zero on (0, 1), N the dual norm of ℓ: u ↦ mean on (0, 1) −
+            // mean on (0, θ), N² = ℓ·G⁻¹ℓ with the matrix G of |·|²_ν on the space of γ; ±: the
+            // change to the smaller space. The formulas carry the errors of γ, γ₁ and N.
             let whole = Measured::from(gamma(nu, Constraint::mean_zero(), 1e-8)?.constant);
             let zone = Constraint::mean_zero_on(0.0..theta);
             let mean = Measured::from(mean_constant(nu, zone, 1e-8)?.constant);

@@ -23,7 +23,9 @@
 //! ```
 //!
 //! Refuted if C₀ or C₁ is above 1, if the constant of the full norm is above 1 at h = 0.99 h₁, or
-//! if the two computations of C₀ or of C₁ differ by 0.3 %. Loose if C₀ ≤ 0.16 and C₁ ≤ 0.51.
+//! if the two computations of C₀ or of C₁ differ by 0.3 %. Loose if C₀ ≤ 0.16 and C₁ ≤ 0.51, their
+//! limits 0.1587 and 1/2 as ν → 0 rounded up. That the full norm is false at h = 1.01/C₀ is a line
+//! that is expected to fail; the lemma is true for h ≤ 5.4, the least h₁ over ν rounded down.
 //! Undecided while a bound lies inside of an error bar.
 //!
 //! Other orders:
@@ -57,7 +59,8 @@ pub struct Best {
 /// k(x) = (x^(1−2ν) − 1)/(1 − 2ν),
 /// ```
 ///
-/// k(x) = ln x for ν = 1/2. E takes v to the nodal values of u − I u, which is linear between the
+/// k(x) = ln x for ν = 1/2; as ν → 0 K is −2 (f(max(s, t)) + f(1 − min(s, t)) − f(|s − t|)) with
+/// f(x) = x ln x. E takes v to the nodal values of u − I u, which is linear between the
 /// nodes up to the error of the mesh, or to those of (u − I u)' = v − ∫ v.
 fn by_definition(nu: Order) -> Result<Best> {
     let n = 160;
@@ -83,8 +86,8 @@ fn by_definition(nu: Order) -> Result<Best> {
 pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Best>> {
     let mut constants = Vec::new(); // of every ν
     for &nu in &options.nu {
-        // The same eigenvalues, v a sum of odd Legendre polynomials; ±: the change when their
-        // number is doubled.
+        // The same eigenvalues, v a sum of odd Legendre polynomials, since the extremal slopes are
+        // odd about the centre; ±: the change when the number of polynomials is doubled.
         let best = |h: f64, norm: ErrorNorm| -> Result<Measured> {
             Ok(interpolation_constant(Interval(h), norm, nu, 1e-10)?.constant.into())
         };

@@ -15,9 +15,9 @@
 //! Unequal meshes rest on the sum of squares alone.
 //!
 //! With the full norm, ‖·‖₁² = ‖·‖₀² + |·|₁², the second line needs h ≤ h*(ν) < ∞, the length at
-//! which the best constant is 1: above 5.4 for every ν (Lemma 6.1). On elements of length h = 2/C₀
-//! the quotient is at least h C₀(mesh) = 2 C₀(mesh)/C₀ > 1 for the meshes here: there the line as
-//! printed fails.
+//! which the best constant is 1: above 5.4 for every ν (example `lemma_6_1_local_estimate`). On
+//! elements of length h = 2/C₀ the quotient is at least h C₀(mesh) = 2 C₀(mesh)/C₀ > 1 for the
+//! meshes here: there the line as printed fails.
 //!
 //! Refuted if C₀, C₁ or the constant of the full norm at h = 1 is above 1, if the best constant of
 //! a mesh is above that of one element, or if `of_mesh` and the library differ by more than 3 %.

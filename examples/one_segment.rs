@@ -159,7 +159,7 @@ impl Segment {
             let gamma = above(gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-6)?.constant);
             Ok(c_i * gamma * h.powf(2.0 * tau - 2.0) * both)
         };
-        let kappa = above(consistency_constant(nu, 1e-9)?.value);
+        let kappa = above(consistency_constant(nu, 1e-9)?.best.constant);
         let bound = |key, name, value| Bound { key, name, value };
         let seminorms = h.powf(2.0 * tau - 2.0) * both;
         Ok(vec![

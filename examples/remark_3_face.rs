@@ -2,10 +2,10 @@
 //! seminorms.
 //!
 //! Let T be the right isosceles triangle with legs 1, in contact but for a gap at each corner, the
-//! triangle there with legs r. Let σ = −1 in contact and 0 in the gaps; u = 0 in contact and −1 at
-//! the corners, linear in each gap; so the linear function I u with the values of u at the corners
-//! is −1. With ν = τ − 3/2 < 1/2 and |v|²_ν = ∬ |v(x) − v(y)|² / |x − y|^(2+2ν) dx dy over T × T,
-//! this file computes the terms of one face over both seminorms,
+//! triangle there that is similar to T and has legs r. Let σ = −1 in contact and 0 in the gaps; u
+//! = 0 in contact and −1 at the corners, linear in each gap; so the linear function I u with the
+//! values of u at the corners is −1. With ν = τ − 3/2 < 1/2 and |v|²_ν = ∬ |v(x) − v(y)|² / |x −
+//! y|^(2+2ν) dx dy over T × T, this file computes the terms of one face over both seminorms,
 //!
 //! ```text
 //! nodal cone:     ∫ σ I u / (|σ|_ν |∇u|_ν),
@@ -20,7 +20,9 @@
 //!
 //! The claim is refuted if the nodal quotient does not grow with every halving of r, if its
 //! exponent is off 2ν − 1 by more than 0.01, if the quotient of means is once above that of the
-//! largest gaps, or if `of_gaps` is off by 0.1 %.
+//! largest gaps, or if `of_gaps` is off by 0.1 %. The ± of a quotient is that of both seminorms;
+//! the exponent's has also the change from the size before. Undecided while a bound lies inside of
+//! an error bar.
 //!
 //! `cargo run --release --example remark_3_face -- --nu 0.1,0.3 --halvings 16`
 
@@ -128,8 +130,9 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let integral_sigma: f64 = sigma.iter().zip(areas).map(|(s, area)| s * area).sum();
             let integral_u: f64 =
                 mesh.triangles().iter().zip(areas).map(|(t, area)| mean(t) * area).sum();
-            // |σ|_ν and |∇u|_ν: pairs of triangles, smooth integrals by Gauss rules after the
-            // singularity is divided out; ±: their error.
+            // |σ|_ν and |∇u|_ν, the seminorm of order 1 + ν of u, both components of ∇u together:
+            // pairs of triangles, smooth integrals by Gauss rules after the singularity is divided
+            // out; ±: their error.
             let pressure = Function::on_triangles(&mesh, 0, &sigma)?.seminorm(nu, 1e-7)?;
             let slope = Function::on_triangles(&mesh, 1, &u)?.seminorm(nu.plus_one(), 1e-7)?;
             let (pressure, slope) = (Measured::from(pressure), Measured::from(slope));

@@ -14,8 +14,9 @@
 //! the mean of v* over (0, θ) is the largest that v has over any set of measure θ, and |v*|_ν ≤
 //! |v|_ν. The last is a lemma on numbers f₁, ..., f_n: sorting them lowers Σ (f_i − f_j)² over |i −
 //! j| ≤ k, for every k. Let u have mean zero on E and mean m ≤ 0 on (0, 1) (else take −u), and let
-//! c ≥ 0 be the mean of u* over (0, θ): u* − c has mean zero there, and ‖u* − c‖₀² = ‖u‖₀² − 2 c m
-//! + c² ≥ ‖u‖₀².
+//! c ≥ 0 be the mean of u* over (0, θ): u* − c has mean zero there, and
+//! ‖u* − c‖₀² = ‖u‖₀² − 2 c m + c² ≥ ‖u‖₀². If u vanishes on E, sort |u|: the result vanishes on
+//! (0, θ), with the same norm and no larger seminorm.
 //!
 //! The paper's proof cuts (0, 1) inside E into I₁ and I₂ and uses Lemma 5.2 on both, as if the mean
 //! over each part of E were zero:
@@ -38,8 +39,11 @@
 //! more than a relative 1e-7 (intervals, each γ to 1e-8) or 2e-3 (unions, each γ to 1e-3); if γ of
 //! an interval differs by more than 0.5 % from `by_definition`; if fewer than 90 % of the unions
 //! are computed to 1e-3; if a random sequence, sorted, has a larger sum; or if a random function,
-//! sorted, has a seminorm that is larger by more than 1e-8 of it. Undecided while a bound lies
-//! inside of an error bar.
+//! sorted, has a seminorm that is larger by more than 1e-8 of it. Two comparisons are about the
+//! printed proof and refute nothing: for u = sgn(x − 1/2) the right side of the cut over its left
+//! side, at least 1 if the proof were right, is 0; and with C(θ) = γ((0, θ)) and an odd u that
+//! vanishes within θ/1000 of 1/2 the left side over the right is shown. Undecided while a bound
+//! lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 

@@ -29,9 +29,9 @@
 //! (over fewer, the mesh decides nothing); if it has more than two transitions, or the scalar body
 //! has one; if a condition of contact, scaled by the values in its own decade of r, is violated by
 //! more than 1e-10; if the active set finds another contact set when it starts from full contact;
-//! if −σ_N over the formula, for four decades below ℓ/4, differs from its mean by more than the
-//! width of a ring, both in logarithms; or if without contact the number of sign changes of u_N
-//! differs by more than one from the phase ε ln(1/r) over π.
+//! if ln(−σ_N/formula), for 1e-4 ℓ ≤ 4r ≤ ℓ, differs from its mean over these r by more than π/n,
+//! the width of a ring in ln r; or if without contact the number of sign changes of u_N differs by
+//! more than one from the phase ε ln(1/r) over π.
 //! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_clamped_end -- --angles 12 --poisson 0.1`
@@ -66,9 +66,9 @@ fn intervals(problem: &ContactProblem, solution: &ContactSolution) -> Result<Vec
     Ok(radial_intervals(&place[first..], &ContactSet::new(&read))?)
 }
 
-/// The largest of (u_N)₊, (σ_N)₊, |u_N σ_N| and of the residual of the equations in a decade of r,
-/// each over the largest displacement, force, product and force of that decade; the largest of all
-/// decades.
+/// In every decade of r (u_N)₊, (σ_N)₊, |u_N σ_N| and the residual of the equations are divided by
+/// the largest displacement, force, product and force of that decade; the largest quotient is
+/// returned.
 fn worst_decade(
     problem: &ContactProblem,
     solution: &ContactSolution,
@@ -136,7 +136,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let phase = -options.smallest.ln() * epsilon / PI;
         let off = oscillates as f64 - phase;
         let claim =
-            out.check("without contact: sign changes − phase/π").undecided_if_it_admits(-phase);
+            out.check("without contact: sign changes − phase/π").undecided_if_also_true_of(-phase);
         claim.differ_by_at_most(off, 0.0, 1.0, "r^(1/2) sin(ε ln r)");
         let claim = out.check("elastic body: transitions");
         claim.at_most(parts.len() - 1, 2.0, "contact, gap, contact");
@@ -152,8 +152,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         if let [zone, _, ..] = parts.as_slice()
             && zone.in_contact
         {
-            // Over the last four decades before ℓ/4: largest change of the quotient beside its
-            // mean, in logarithms.
+            // For 1e-4 ℓ ≤ 4r ≤ ℓ: the largest difference of ln(pressure/formula) from its mean. A
+            // decade above the smallest radius read is left out.
             let near =
                 |r: f64| 1e-4 * zone.to <= 4.0 * r && 4.0 * r <= zone.to && r >= 10.0 * zone.from;
             let formula = |r: f64| (2.0 * epsilon * (r / zone.to).sqrt().acos()).sinh() / r.sqrt();

@@ -14,14 +14,15 @@
 //! x^a:  2/(2a+1−2ν) ∫₀¹ (1 − s^a)² (1 − s)^(−1−2ν) ds, by y = s x: Beta functions
 //! |ln x|^a, ν = 1/2:  2 ζ(1 + 2a) (Γ(1 + a)²/cos(πa) − Γ(1 + 2a))
 //! step between intervals of lengths p and q:  (p^(1−2ν) + q^(1−2ν) − (p+q)^(1−2ν)) / (ν (1 − 2ν))
-//! hat:  pairs of linear pieces, each a combination of powers |x − y|^(3−2ν) of the nodes
+//! hat, 1 at 1/2:  8 (4^ν (1 − ν) − 1) / (ν (1 − 2ν)(2 − 2ν)(3 − 2ν)),  8 (1 − ln 2) for ν = 1/2
 //! ```
 //!
-//! Refuted if the library takes a finite norm for infinite or an infinite one for finite, if a
-//! finite one is further from its closed form than asked, or than the larger one of the error that
-//! it states and twice that of the closed form, or, for ν at least 0.1 below the last finite order,
-//! if the second formula above, by a composite Gauss rule, is off by 0.5 %: what it leaves out
-//! decays slowly near that order. Undecided while a bound lies inside of an error bar.
+//! What is compared is the seminorm |u|_ν; the norm ‖u‖_ν in the table is shown. Refuted if the
+//! library takes a finite seminorm for infinite or an infinite one for finite, if a finite one is
+//! further from its closed form than asked, or than the larger one of the error that it states and
+//! twice that of the closed form, or, for ν at least 0.1 below the last finite order, if the second
+//! formula above, by a composite Gauss rule, is off by 0.5 %: what it leaves out decays slowly near
+//! that order. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_1_fractional_norms -- --power 0.3 --nu 0.7,0.79,0.8`
 

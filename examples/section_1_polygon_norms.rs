@@ -73,10 +73,11 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let hat =
                 Measured::from(Function::on_curve(&curve, 1, &hat)?.seminorm(nu, 1e-6)?).squared();
             corners.push((n as f64, hat));
-            // n₁ is constant on each side, (rise of y)/length. Supremum over continuous linear v on
-            // n elements a side, nodes at distances (2k/n)³/2 times the side from its corners: (bᵀ
-            // G⁻¹ b)^(1/2), G the Gram matrix of ‖·‖_ν, b = ∫ n₁ φᵢ; its error is the change from
-            // n/2 to n. A supremum over fewer v is smaller: the check asks more than the theorem.
+            // n₁ is constant on each side, (rise of y)/length. ‖n₁‖_−ν is the supremum over
+            // continuous linear v, s = (bᵀ G⁻¹ b)^(1/2), G the Gram matrix of ‖·‖_ν, b = ∫ n₁ φᵢ,
+            // on n elements a side, with nodes at distances (1/2) (2k/n)^3, k ≤ n/2, times the side
+            // from its corners; on these elements halved; and on those halved again. From s₀, s₁,
+            // s₂ the limit is s₂ + (s₂ − s₁)²/((s₁ − s₀) − (s₂ − s₁)), ± the second summand.
             let graded = Curve::algebraic(&vertices, n, 3.0)?;
             let normal: Vec<f64> = (0..graded.len())
                 .map(|e| side(e / n))

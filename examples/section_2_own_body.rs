@@ -17,7 +17,8 @@
 //! Without a file the body is the L with corners (0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2),
 //! turned counterclockwise by 20° about (0, 0), in 126 triangles of Gmsh (`data/l_shape.msh`); Γ_C
 //! is the turned side from (0, 0) to (2, 0), on the slanted floor, Γ_D that from (1, 2) to (0, 2);
-//! λ = μ = 1, f = (0.015, 0.02 − 0.03 x) in the turned coordinates.
+//! λ = μ = 1, f = (0.015, 0.02 − 0.03 x), components and x along the axes of the mesh file, in
+//! which the L is turned already. J tends to about −1.381e-3 on any meshes.
 //!
 //! No solution is known, so the checks are those that must hold for every body. Refuted if a
 //! condition of contact, or the equilibrium at the free nodes, scaled, is violated by more than
@@ -418,12 +419,12 @@ fn on_refinements(
         // Resultants of F, of the reactions K u − F at the clamped nodes and of the floors, over
         // the size of their terms.
         let claim =
-            out.check("resultant of load and reactions, scaled").undecided_if_it_admits(COARSE);
+            out.check("resultant of load and reactions, scaled").undecided_if_also_true_of(COARSE);
         claim.at_most(u.balance, allowed, "eight digits");
         let apart = |a: f64, b: f64| if a == b { 0.0 } else { (a / b - 1.0).abs() };
         if other.status.is_converged() {
             let of_j = apart(other.energy, u.energy);
-            let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_it_admits(COARSE);
+            let claim = out.check("two solvers: |ΔJ|/|J|").undecided_if_also_true_of(COARSE);
             claim.at_most(of_j, allowed, "eight digits");
         }
         if let (true, Some((_, before))) = (is_nested, &last) {
@@ -438,7 +439,7 @@ fn on_refinements(
         last = Some((problem, u));
     }
     let j: Vec<f64> = out.series("segments", "J").into_iter().map(|(_, j)| j).collect();
-    let order = order_of_squares(&j, 1).min(1.0);
+    let order = order_of_squares(&j, 1).min(1.0); // t(h)/t(h/2): neighbours
     if j.len() >= 5 {
         out.note("order", order);
         out.note("order.error", order.error);

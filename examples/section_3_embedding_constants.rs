@@ -16,15 +16,18 @@
 //! From below: the limit of C(q)/√q of the functions found is (3/(4π²e))^(1/2) = 0.1672, that of
 //! logarithms cut off at x = e^(−q/2). From above: let c_k be the Fourier coefficients of the even
 //! reflection of u on the circle. Then ‖u‖²_ν ≥ Σ w_k c_k², and by Beckner's inequality ‖u‖²_Lq ≤ Σ
-//! m_k c_k², so C(q)² ≤ max m_k / w_k. At ν = 1/2 (`circle`)
+//! m_k c_k², so C(q)² ≤ max m_k / w_k, where
 //!
 //! ```text
-//! w_0 = m_0 = 1,     w_k = π² k + 3 − π²/2,     m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q),     k ≥ 1.
+//! w_0 = m_0 = 1,     m_k = m_(k−1) (k − 1/q)/(k − 1 + 1/q),     k ≥ 1,
+//! w_k = ∫ (1 − cos kπt) s(t) dt over (−1, 1) + 3 − 2 s(1),   s(t) = (π/2 / sin(π|t|/2))^(1+2ν);
 //! ```
 //!
-//! Refuted if a function exceeds an upper bound; if these quotients leave their interval for one q;
-//! if the constant function does not attain a bound of 1; or if `ascent` and `circle` are off the
-//! library's bounds by 1e-3.
+//! at ν = 1/2 this is w_k = π² k + 3 − π²/2 (`circle`). C(α) is bounded from below only.
+//!
+//! Refuted if a function exceeds an upper bound (for C(α) that of C(q)); if the bounds displayed
+//! above fail for one q; if the constant function does not attain a bound of 1; or if `ascent` and
+//! `circle` are off the library's bounds by 1e-3.
 //! Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example section_3_embedding_constants -- --q 2,20,200`
@@ -107,8 +110,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     let factor = Cholesky::new(form.clone()).ok_or_else(broken)?;
     for (nu, exponents) in orders {
         for q in exponents {
-            // As `ascent` and `circle`, with more starts and for every ν; error of the integrals,
-            // and rounding.
+            // Upper: as `circle`, with w_k of this ν. Lower: as `ascent`, with B of this ν, from
+            // u = 1 and from peaks 0.1 + (λ² + x²)^(ν−1/2) (ν = 1/2: 0.2 − ln(λ² + x²)/2) with λ =
+            // x₁^0.1, x₁^0.3, x₁^0.6, x₁ the first node, for at most 400 steps, until the quotient
+            // rises by less than 1e-12. Elements shrink by 0.6 from 1/4 to 0.6^n/4 towards 0, n =
+            // 30 + 0.6 Q/ln(5/3) rounded down, Q = min(4q, 800) for ν < 1/2, max(q, 200) for ν =
+            // 1/2, and five equal ones lie beyond 1/4. For ν < 1/2 the value depends on that mesh.
+            // ±: the error of both norms of the function found, and rounding.
             let found = embedding_constant(nu, q, 1e-8)?;
             let (lower, upper) =
                 (Measured::from(found.lower), Measured::from(found.upper.map(|u| u.value)));
@@ -120,9 +128,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             }
             let (mut hoelder, mut trial) = (None, None);
             if nu == Order::HALF {
-                // C(α) from below: the largest |u(θ) − u(0)| / (θ^α ‖u‖_(3/2)) is (bᵀ B⁻¹
-                // b)^(1/2)/θ^α, u' piecewise linear, B the matrix of ‖u‖²_(3/2) and b that of ∫ u'
-                // over (0, θ); the largest over the nodes θ.
+                // C(α) from below, on elements shorter by 0.6 towards 0, down to 0.6^n with the n
+                // above: the largest |u(θ) − u(0)| / (θ^α ‖u‖_(3/2)) is (bᵀ B⁻¹ b)^(1/2)/θ^α, u'
+                // piecewise linear, B the matrix of ‖u‖²_(3/2) and b that of ∫ u' over (0, θ); the
+                // largest over the nodes θ.
                 let found = Measured::from(
                     embedding_constant(1.5, Target::Hoelder(1.0 - 1.0 / q), 1e-8)?.lower,
                 );
@@ -144,7 +153,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
                 (hoelder, trial) = (Some(found.value), Some(value));
             }
             let claim = out.observe("upper bound/lower bound of C(q)");
-            claim.whole_error_bars_at_most(upper / lower, 2.2, "limit 2.115");
+            claim.whole_error_bars_at_most(upper / lower, 2.2, "limit √(1/8)/0.1672 = 2.115");
             out.row(
                 cells! { nu, q => lower, trial, upper: upper.value, growth: lower.value / q.sqrt(),
                 upper_growth: upper.value / q.sqrt(), hoelder },

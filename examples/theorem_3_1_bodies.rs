@@ -18,11 +18,11 @@
 //! (`order_of_squares`):
 //!
 //! ```text
-//! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p);
+//! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p),     p = ¼ log₂ |t(h)/t(h/4)|,
 //! ```
 //!
 //! p over the last two halvings, ± its largest change since the three meshes before, or as many as
-//! there are.
+//! there are; then p is cut at 1.
 //!
 //! Expected is min(τ − 1, 1), once h^(2τ−2) is seen beside h². Refuted if the order with its ± is
 //! below the printed exponent.
@@ -103,13 +103,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             // Undecided where an order 0.1 below would pass as well.
             let claim = out
                 .check("order + error − printed exponent")
-                .undecided_if_it_admits(order.error - 0.1);
+                .undecided_if_also_true_of(order.error - 0.1);
             claim.at_least(order.value + order.error - printed, 0.0, "(3.1), (4.2)");
             // Undecided where the printed exponent would pass as well.
             let width = order.error.max(1e-3);
             let claim = out
                 .observe("|order − min(τ − 1, 1)|/error of the order")
-                .undecided_if_it_admits((printed - optimal).abs() / width);
+                .undecided_if_also_true_of((printed - optimal).abs() / width);
             claim.at_most((order.value - optimal).abs() / width, 1.0, "Drouet, Hild 2015");
             let points: Vec<(f64, f64)> = points.iter().map(|&(h, e)| (h, e.value)).collect();
             let title = format!("{body}, {cone} cone, τ = {tau:.2}");

@@ -18,7 +18,9 @@
 //! M = 2μ + 2 max(λ, 0),  B = φ/√(2μ + 2 min(λ, 0)),  φ the golden ratio;  Laplacian: M = B = 1
 //! ϑ = coth π
 //! C(s)    the best constant in ‖∇(v − I v)‖ ≤ C(s) |∇v|_s on the triangle with legs 1, I v linear
-//!         with the values of v at the corners; τ = 2: an upper bound of it
+//!         with the values of v at the corners; τ = 2: Kobayashi's upper bound of it (2011),
+//!         C(1)² = ℓ₁²ℓ₂²ℓ₃²/(16S²) − (ℓ₁²+ℓ₂²+ℓ₃²)/30 − (S²/5)(1/ℓ₁²+1/ℓ₂²+1/ℓ₃²),
+//!         with the sides ℓ₁, ℓ₂, ℓ₃ = 1, 1, √2 and the area S = 1/2
 //! c(ν)    midpoint cone: K/2;  nodal cone: min(K, ½ (1+2ν)^(1+2ν)/(2+2ν)^(2+2ν))
 //! K       the best constant in ‖f‖_(L¹) ‖g‖_(L¹) ≤ K |f|_ν |g|_ν on (0, 1), where at each point
 //!         one of f and g is zero
@@ -49,8 +51,8 @@
 //! ```
 //!
 //! The signs are those that make u_N ≤ 0. The edge also carries the load ∂u/∂n − σ_N (elastic: Re
-//! Z' − σ_N), and u is prescribed on the other sides. |∇u|_s is taken on the half disc about (2/5,
-//! 0) through (1, 1), which contains the square.
+//! Z' − σ_N), and u is prescribed on the other sides. |∇u|_s is taken on the half disc about
+//! (2/5, 0) through (1, 1), which contains the square.
 //!
 //! Refuted if an error is above E h^(τ² − 5τ/2 + 2), at τ = 2 above E h |ln h|^(1/2), or if P
 //! differs from `by_definition` by 0.5 %. The paper is loose if every error is at most E h^(τ−1),
@@ -86,7 +88,7 @@ example! { seconds "A bound in numbers",
 
 /// P(ν) from its definition: √λ for the largest λ of M w = λ A w among the continuous piecewise
 /// linear w with mean zero on (0, 1), M holds ∫ φᵢ φⱼ of the hat functions, A the seminorm's form.
-/// Elements fall by halves towards both ends.
+/// Elements shrink by the factor 0.7 towards both ends, 24 times.
 fn by_definition(nu: Order) -> Result<f64> {
     let mesh = Mesh::graded(&[0.0, 1.0], 24, 0.7)?;
     let free = mean_zero_basis(&mesh, 0.0..1.0); // columns span { w : ∫ w = 0 }
@@ -94,10 +96,11 @@ fn by_definition(nu: Order) -> Result<f64> {
     Ok(largest_eigenvalue(&(free.transpose() * mass_matrix(&mesh) * &free), &form)?.sqrt())
 }
 
-/// The constants of E for one τ, each with its error added. C(s), P: largest eigenvalues on
-/// polynomials, Legendre series on the triangle and on the interval. K: the largest product, over
+/// The constants of E for one τ, each with its error added. C(s), s < 1, and P: largest eigenvalues
+/// on polynomials, Legendre series on the triangle and the interval. K: the largest product, over
 /// the lengths e and 1 − e of two intervals, of the norms of f ↦ ∫ f on them; each is the root of
-/// b·A⁻¹b, b the integrals of the basis functions, A the matrix of |·|²_ν.
+/// b·A⁻¹b, b the integrals of the basis functions, A the matrix of |·|²_ν on (0, 1) for functions
+/// on one interval, zero outside of it.
 pub struct Constants {
     /// ν
     pub order: Order,
@@ -123,7 +126,7 @@ impl Constants {
                 // less accurate than asked for: its error is added
                 Err(error) => error.best().ok_or(error)?,
             };
-        let segment = product_constant(order, asked)?.value;
+        let segment = product_constant(order, asked)?.best.constant;
         let distance =
             projection_constant(Domain::Interval(1.0), ErrorNorm::L2, order.value(), asked)?
                 .constant;

@@ -162,7 +162,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // κ and its place by the library: W(a) to 1e-9, with the space of γ_θ in place of hat
     // functions.
     let found = consistency_constant(nu, 1e-9)?;
-    let (kappa, worst) = (Measured::from(found.value), 1.0 - found.contact);
+    let (kappa, worst) = (Measured::from(found.best.constant), 1.0 - found.contact);
     let first = |h: f64, theta: f64| c_q * h * theta.powf(hoelder);
     let sharpened = |h: f64, theta: f64| {
         let factor = if theta <= 0.25 { half.hypot(1.0) * h.powf(nu.value()) } else { 1.0 };

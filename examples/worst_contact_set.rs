@@ -34,10 +34,10 @@
 //!                  d = 4 − 2τ, s = 2^(−1/d), p and λ by d as for cantor
 //! ```
 //!
-//! Ends are rounded to the nearest node. A gap without an inner node, or one that leaves a piece
-//! without a cell, is left out with all that it would contain: sets of more generations than the
-//! mesh resolves are the same. All are in H^s for s < τ only, so that the norms, and the shares,
-//! depend on `depth`.
+//! Ends are computed exactly, and rounded to the nearest node at the end. A gap without an inner
+//! node, or one that leaves a piece without a cell, is left out with all that it would contain:
+//! sets of more generations than the mesh resolves are the same. All are in H^s for s < τ only, so
+//! that the norms, and the shares, depend on `depth`.
 //!
 //! On one segment, κ is the largest quotient with one gap at an end. For a gap (0, ℓ) and the nodal
 //! cone the quotient is sup |u_N(0)|/|u_N'|_ν over u_N = 0 on (ℓ, 1), times sup |∫ σ_N (1 −
@@ -213,7 +213,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     // One segment: the maximum over the length ℓ of the product in the header, each supremum by one
     // linear solve with graded polynomials (example `segment_constants` does it in the file); ± of
     // the library: the change to a smaller space.
-    let kappa = Measured::from(consistency_constant(nu, 1e-9)?.value);
+    let kappa = Measured::from(consistency_constant(nu, 1e-9)?.best.constant);
     out.check("κ/c₂, one gap at an end").whole_error_bars_at_most(kappa / c_2, 1.0, "proved");
     let form = seminorm_form(48, nu.value());
     for cone in [Cone::Nodal, Cone::Midpoint] {

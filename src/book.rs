@@ -59,6 +59,7 @@ chapters! {
     section_1_norms_in_the_plane: "section_1_norms_in_the_plane.md",
     fractional_laplacian: "fractional_laplacian.md",
     speed_for_accuracy: "speed_for_accuracy.md",
+    beside_peers: "beside_peers.md",
     what_is_proved: "what_is_proved.md",
     every_label: "every_label.md",
     errata: "errata.md",

@@ -28,7 +28,7 @@ def structured(n):
 
 
 SetNumThreads(1)
-print("   n  assembly s  solution s  steps  nodes in contact  J")
+print("   n  data s  solution s  steps  nodes in contact  J")
 for n in map(int, sys.argv[1:] or [64, 128, 256, 512]):
     mesh = structured(n)
     start = time.process_time()

@@ -51,7 +51,7 @@ def solve(k, f, fixed, contact):
     raise RuntimeError("no convergence")
 
 
-print("   n  assembly s  solution s  steps  nodes in contact  J")
+print("   n  data s  solution s  steps  nodes in contact  J")
 for n in map(int, sys.argv[1:] or [64, 128, 256, 512]):
     start = time.process_time()
     m = mesh(n)

@@ -14,7 +14,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 RUNS = int(os.environ.get("PEERS_RUNS", "3"))
-# Task, program, command; one thread each, as processor seconds count all of them.
+# Task, program, package, command; one thread each, as processor seconds count all of them.
 SCRIPTS = [
     ("contact", "scikit-fem", "scikit-fem", ["contact_scikit_fem.py"]),
     ("contact", "NGSolve", "ngsolve", ["contact_ngsolve.py"]),

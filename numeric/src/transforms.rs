@@ -16,10 +16,16 @@ use std::sync::Arc;
 /// assert_eq!((modes[0].re, modes[2].re), (10.0, -2.0));
 /// # Ok::<(), fractional_sobolev_numeric::transforms::FftError>(())
 /// ```
-#[derive(Default)]
 pub struct Planner(realfft::RealFftPlanner<f64>);
 
-// Never inlined: a caller would compile the planner of rustfft anew.
+// Never inlined, `default` neither: a caller would compile all of rustfft anew.
+impl Default for Planner {
+    #[inline(never)]
+    fn default() -> Self {
+        Self(realfft::RealFftPlanner::new())
+    }
+}
+
 impl Planner {
     /// The transform of this many real numbers x: Σ_j x_j e^(−2πijk/n), k = 0 ... n/2.
     #[inline(never)]

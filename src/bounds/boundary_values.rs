@@ -1,15 +1,19 @@
 //! Displacements prescribed on Γ_D that are not linear on its edges.
 //!
-//! With e = u_D − I u_D on an edge from a to b of a triangle, e = λ_a λ_b (c_0 + c_1 r + c_2 r²), r = λ_b − λ_a, is carried
-//! into the triangle by the same polynomial in barycentric coordinates: it vanishes on the other two sides, and added to
-//! u^h it gives a function with the values u_D, of which the bound is one. u_D is taken as its polynomial of degree four
-//! on every edge.
+//! With e = u_D − I u_D on an edge from a to b of a triangle, e = λ_a λ_b (c_0 + c_1 r + c_2 r²), r
+//! = λ_b − λ_a, is carried into the triangle by the same polynomial in barycentric coordinates: it
+//! vanishes on the other two sides, and added to u^h it gives a function with the values u_D, of
+//! which the bound is one. u_D is taken as a polynomial of degree four on every edge, with the same
+//! values at the ends and the same moments ∫ e r^k, k = 0, 1, 2, so that linear tractions do the
+//! same work.
 
 use crate::error::Result;
 use crate::fem::Element;
 use crate::mesh::Point;
+use fractional_sobolev::Rule;
 
-/// A prescribed displacement whose deviation from its interpolant is below this multiple of it is linear.
+/// A prescribed displacement whose deviation from its interpolant is below this multiple of it is
+/// linear.
 const LINEAR: f64 = 1e-13;
 
 /// c_0, c_1, c_2 for every component.
@@ -21,25 +25,39 @@ pub(super) struct Lift {
 
 impl Lift {
     /// The lift of u_D on one side, given along it from 0 to 1; `None` if u_D is linear there.
-    pub(super) fn through(side: usize, at: impl Fn(f64) -> Result<Point>) -> Result<Option<Self>> {
+    pub(super) fn through(
+        side: usize,
+        rule: &Rule,
+        at: impl Fn(f64) -> Result<Point>,
+    ) -> Result<Option<Self>> {
         let (first, last) = (at(0.0)?, at(1.0)?);
-        // e/(s(1 − s)) at r = −½, 0, ½.
-        let mut samples = [[0.0; 3]; 2];
-        let (mut largest, mut deviation) = (0.0_f64, 0.0_f64);
-        for (k, s) in [0.25, 0.5, 0.75].into_iter().enumerate() {
+        let deviation_at = |s: f64| -> Result<[Point; 2]> {
             let value = at(s)?;
+            Ok([value, [0, 1].map(|c| value[c] - (1.0 - s) * first[c] - s * last[c])])
+        };
+        let (mut largest, mut deviation) = (0.0_f64, 0.0_f64);
+        for s in [0.25, 0.5, 0.75] {
+            let [value, off] = deviation_at(s)?;
             for c in 0..2 {
-                let off = value[c] - (1.0 - s) * first[c] - s * last[c];
                 largest = largest.max(value[c].abs());
-                deviation = deviation.max(off.abs());
-                samples[c][k] = off / (s * (1.0 - s));
+                deviation = deviation.max(off[c].abs());
             }
         }
         if deviation <= LINEAR * largest {
             return Ok(None);
         }
-        let coefficients = samples
-            .map(|[low, middle, high]| [middle, high - low, 2.0 * (low + high - 2.0 * middle)]);
+        let mut moments = [[0.0; 3]; 2];
+        for (s, weight) in rule.iter() {
+            let ([_, off], r) = (deviation_at(s)?, 2.0 * s - 1.0);
+            for (row, off) in moments.iter_mut().zip(off) {
+                for (sum, power) in row.iter_mut().zip([1.0, r, r * r]) {
+                    *sum += weight * power * off;
+                }
+            }
+        }
+        // ∫ s(1 − s) r^k ds = 1/6, 1/30, 1/70 for k = 0, 2, 4.
+        let coefficients = moments
+            .map(|[m0, m1, m2]| [11.25 * m0 - 26.25 * m2, 30.0 * m1, 131.25 * m2 - 26.25 * m0]);
         Ok(Some(Self { side, coefficients }))
     }
 

@@ -1,22 +1,26 @@
 //! Equilibrated stresses on one triangle, cut into three by its centroid.
 //!
-//! Elastic: q = (φ_yy, φ_xx, −φ_xy), φ a function of the reduced Hsieh-Clough-Tocher space: C¹, cubic on the three
-//! pieces, with linear normal derivative on the sides. On a side with outward normal n and tangent t (the triangle on
-//! the left)
+//! Elastic: q = (φ_yy, φ_xx, −φ_xy), φ a function of the reduced Hsieh-Clough-Tocher space: C¹,
+//! cubic on the three pieces, with linear normal derivative on the sides. On a side with outward
+//! normal n and tangent t (the triangle on the left)
 //!
 //! ```text
 //! q_N = n·q n = φ_ss  (linear),      q_T = t·q n = −(∂_n φ)_s  (constant)
 //! ```
 //!
-//! φ has nine degrees of freedom, three of which (φ affine) have no stress: six stresses without load and, on three
-//! sides, nine tractions that satisfy the three equations of equilibrium. Three further functions, one for each side,
-//! have ∂_n φ = s(1 − s)/2 · length there, no values and no gradients at the vertices: their traction is q_T = s − ½, linear
-//! and without resultant.
+//! φ has nine degrees of freedom, three of which (φ affine) have no stress: six stresses without
+//! load and, on three sides, nine tractions that satisfy the three equations of equilibrium. Three
+//! further functions, one for each side, have ∂_n φ = s(1 − s)/2 · length there, no values and no
+//! gradients at the vertices: their traction is q_T = s − ½, linear and without resultant.
 //!
-//! Scalar: q = (ψ_y, −ψ_x), ψ linear: constant, with constant q·n; q·n = s − ½ on one side comes from ψ quadratic.
+//! Scalar: q = (ψ_y, −ψ_x), ψ linear: constant, with constant q·n; q·n = s − ½ on one side comes
+//! from ψ quadratic.
 //!
-//! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G. Ciarlet, *The Finite
-//! Element Method for Elliptic Problems*, Section 6.1.
+//! With these three functions as unknowns, [`Traction::Linear`], φ is in the full
+//! Hsieh-Clough-Tocher space, ψ is quadratic, and all tractions are linear.
+//!
+//! Bézier ordinates of φ: J. L. Hsieh's element as in R. W. Clough and J. L. Tocher (1965); P. G.
+//! Ciarlet, *The Finite Element Method for Elliptic Problems*, Section 6.1.
 
 use crate::mesh::{Point, doubled_area, middle};
 
@@ -35,7 +39,7 @@ pub(super) fn pieces(corners: [Point; 3]) -> [[Point; 3]; 3] {
 }
 
 /// Fields of one triangle at most.
-pub(super) const FIELDS: usize = 6;
+pub(super) const FIELDS: usize = 9;
 
 const ZERO: Linear = [[[0.0; 3]; 3]; 3];
 
@@ -85,12 +89,38 @@ pub(super) fn traction(components: usize, value: Value, side: &Side) -> [f64; 2]
     [force[0] * nx + force[1] * ny, force[0] * tx + force[1] * ty]
 }
 
+/// The tractions of an equilibrated stress on the edges of its mesh.
+///
+/// ```
+/// use signorini::{bounds::Traction, cone::Cone, contact::Body, fem::Form};
+/// use signorini::mesh::{SideParts, unit_square};
+/// let body = Body::new(unit_square(8, SideParts::HANGING)?, Form::LAPLACE)
+///     .load(|[x, _]: [f64; 2]| 1.0 - 3.0 * x);
+/// let reduced = body.enclose_with(Cone::Nodal, Traction::Reduced)?;
+/// let linear = body.enclose_with(Cone::Nodal, Traction::Linear)?;
+/// assert!(linear.error < reduced.error);
+/// # Ok::<(), signorini::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub enum Traction {
+    /// Of a stress: linear normally, constant tangentially (reduced Hsieh-Clough-Tocher space of
+    /// Airy functions), three unknowns an edge. Of a flux: constant (linear stream function), one
+    /// unknown an edge.
+    Reduced,
+    /// Linear: the full Hsieh-Clough-Tocher space, four unknowns an edge; a quadratic stream
+    /// function, two unknowns an edge. Of second order where the exact stress is smooth.
+    #[default]
+    Linear,
+}
+
 /// The fields without load on one triangle.
 pub(super) struct Equilibrated {
-    /// Six stresses, or two fluxes; the third flux x − x_T, with divergence 2, is used with a reaction term.
+    /// Six stresses, or two fluxes; with linear tractions also the slopes; last, with a reaction
+    /// term, the flux x − x_T, which has the divergence 2.
     fields: [Linear; FIELDS],
     count: usize,
-    /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the other sides.
+    /// For every side the field with q_T = s − ½ (scalar: q·n = s − ½) there and no traction on the
+    /// other sides.
     pub(super) slopes: [Linear; 3],
 }
 
@@ -98,19 +128,65 @@ impl Equilibrated {
     /// The fields of a triangle; the slopes only if wanted, otherwise zero.
     pub(super) fn new(
         components: usize,
+        tractions: Traction,
         reaction: bool,
         slopes: bool,
         corners: [Point; 3],
     ) -> Self {
-        if components == 1 { scalar(reaction, corners) } else { elastic(slopes, corners) }
+        let is_linear = tractions == Traction::Linear;
+        let mut found = match components {
+            1 => scalar(corners),
+            _ => elastic(slopes || is_linear, corners),
+        };
+        if is_linear {
+            found.slopes.iter().for_each(|slope| {
+                found.fields[found.count] = *slope;
+                found.count += 1;
+            });
+        }
+        if reaction {
+            let centre = middle(corners);
+            found.fields[found.count] = pieces(corners)
+                .map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
+            found.count += 1;
+        }
+        found
     }
 
     pub(super) fn fields(&self) -> &[Linear] {
         &self.fields[..self.count]
     }
+
+    /// Σ coefficient · field with Σ slope · field of the slope of a side: for a body from the sum
+    /// of the Airy functions.
+    pub(super) fn sum(
+        components: usize,
+        tractions: Traction,
+        corners: [Point; 3],
+        coefficients: &[f64],
+        mut slopes: [f64; 3],
+    ) -> Linear {
+        if components == 2 {
+            let (own, more) = coefficients.split_at(6);
+            slopes.iter_mut().zip(more).for_each(|(slope, more)| *slope += more);
+            let geometry = Geometry::scaled(corners);
+            let mut airy = Airy::default();
+            own.iter().enumerate().for_each(|(number, value)| *airy.freedom(number) = *value);
+            airy.bulge = [0, 1, 2].map(|k| slopes[k] * geometry.bulge(k));
+            return geometry.stress(&airy);
+        }
+        let of_kind = if tractions == Traction::Linear { 5 } else { 2 };
+        let has_reaction = coefficients.len() > of_kind;
+        let basis = Self::new(components, tractions, has_reaction, true, corners);
+        let mut sum = ZERO;
+        let fields = basis.fields().iter().zip(coefficients);
+        fields.for_each(|(field, value)| add(&mut sum, *value, field));
+        basis.slopes.iter().zip(slopes).for_each(|(field, value)| add(&mut sum, value, field));
+        sum
+    }
 }
 
-fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
+fn scalar(corners: [Point; 3]) -> Equilibrated {
     let constant = |value: Value| [[value; 3]; 3];
     let doubled = doubled_area(corners);
     // ψ = L λ_a λ_b/2 up to sign has ψ_s = (1 − 2s)/2 on the side from a to b of length L.
@@ -130,11 +206,9 @@ fn scalar(reaction: bool, corners: [Point; 3]) -> Equilibrated {
             |corner: usize| [f64::from(u8::from(corner == k)), f64::from(u8::from(corner == next))];
         [0, 1, 2].map(|piece| [at(shares(piece)), at(shares((piece + 1) % 3)), at([1.0 / 3.0; 2])])
     };
-    let centre = middle(corners);
-    let radial =
-        pieces(corners).map(|piece| piece.map(|p| [p[0] - centre[0], p[1] - centre[1], 0.0]));
-    let fields = [constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]), radial, ZERO, ZERO, ZERO];
-    Equilibrated { fields, count: if reaction { 3 } else { 2 }, slopes: [0, 1, 2].map(slope) }
+    let mut fields = [ZERO; FIELDS];
+    (fields[0], fields[1]) = (constant([1.0, 0.0, 0.0]), constant([0.0, 1.0, 0.0]));
+    Equilibrated { fields, count: 2, slopes: [0, 1, 2].map(slope) }
 }
 
 /// Values and gradients of φ at the three vertices, and per side the second difference of ∂_n φ.
@@ -145,31 +219,35 @@ struct Airy {
     bulge: [f64; 3],
 }
 
-fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
-    // Lengths in units of the longest side; stresses are divided by its square at the end, which is a factor of the
-    // unknowns only. Corner 0 is the origin, where φ and its gradient vanish.
-    let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
-    let local = corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]);
-    let geometry = Geometry::new(local);
-    let fields = [3, 4, 5, 6, 7, 8].map(|number| {
-        let mut airy = Airy::default();
+impl Airy {
+    /// The value or a component of the gradient at corner 1 or 2 that belongs to one of the six
+    /// fields.
+    fn freedom(&mut self, number: usize) -> &mut f64 {
+        let corner = 1 + number / 3;
         match number % 3 {
-            0 => airy.value[number / 3] = 1.0,
-            axis => airy.gradient[number / 3][axis - 1] = 1.0,
+            0 => &mut self.value[corner],
+            axis => &mut self.gradient[corner][axis - 1],
         }
-        geometry.stress(&airy)
-    });
+    }
+}
+
+fn elastic(with_slopes: bool, corners: [Point; 3]) -> Equilibrated {
+    let geometry = Geometry::scaled(corners);
+    let mut fields = [ZERO; FIELDS];
+    for (number, field) in fields[..6].iter_mut().enumerate() {
+        let mut airy = Airy::default();
+        *airy.freedom(number) = 1.0;
+        *field = geometry.stress(&airy);
+    }
     let slopes = [0, 1, 2].map(|k| {
         if !with_slopes {
             return ZERO;
         }
-        // q_T = −(∂_n φ)_s = s − ½ in coordinates without unit: ∂_n φ = l s(1 − s)/2, l the local length; the second
-        // Bézier ordinate of s(1 − s) is ½.
         let mut airy = Airy::default();
-        airy.bulge[k] = 0.25 * geometry.lengths[k];
+        airy.bulge[k] = geometry.bulge(k);
         geometry.stress(&airy)
     });
-    Equilibrated { fields, count: FIELDS, slopes }
+    Equilibrated { fields, count: 6, slopes }
 }
 
 /// The affine geometry of the three pieces.
@@ -183,6 +261,20 @@ struct Geometry {
 }
 
 impl Geometry {
+    /// With lengths in units of the longest side; stresses are divided by its square at the end,
+    /// which is a factor of the unknowns only. Corner 0 is the origin, where φ and its gradient
+    /// vanish.
+    fn scaled(corners: [Point; 3]) -> Self {
+        let unit = (0..3).map(|k| side(corners, k).length).fold(0.0, f64::max);
+        Self::new(corners.map(|p| [(p[0] - corners[0][0]) / unit, (p[1] - corners[0][1]) / unit]))
+    }
+
+    /// The bulge with q_T = −(∂_n φ)_s = s − ½ in coordinates without unit: ∂_n φ = l s(1 − s)/2, l
+    /// the local length; the second Bézier ordinate of s(1 − s) is ½.
+    fn bulge(&self, k: usize) -> f64 {
+        0.25 * self.lengths[k]
+    }
+
     fn new(corners: [Point; 3]) -> Self {
         let centre = middle(corners);
         let direction = |piece: [Point; 3], d: Point| {
@@ -208,7 +300,8 @@ impl Geometry {
             let (from, g) = (self.corners[i], airy.gradient[i]);
             airy.value[i] + (g[0] * (to[0] - from[0]) + g[1] * (to[1] - from[1])) / 3.0
         };
-        // Ordinates next to the vertices: towards the centroid, and along the sides from either end.
+        // Ordinates next to the vertices: towards the centroid, and along the sides from either
+        // end.
         let inward = [0, 1, 2].map(|i| along(i, self.centre));
         let forward = [0, 1, 2].map(|i| along(i, self.corners[(i + 1) % 3]));
         let backward = [0, 1, 2].map(|i| along((i + 1) % 3, self.corners[i]));
@@ -245,7 +338,8 @@ impl Geometry {
     }
 }
 
-/// The second derivative of a cubic in two directions, at a corner with the given ordinates around it.
+/// The second derivative of a cubic in two directions, at a corner with the given ordinates around
+/// it.
 #[inline]
 fn second([aa, ab, ac, bb, bc, cc]: &[f64; 6], [u, v, w]: &[f64; 3], [p, q, r]: &[f64; 3]) -> f64 {
     6.0 * (u * (aa * p + ab * q + ac * r)
@@ -265,15 +359,18 @@ mod tests {
     }
 
     #[test]
-    fn stresses_are_in_equilibrium_with_linear_normal_and_constant_tangential_traction() {
-        for components in [1, 2] {
-            let found = Equilibrated::new(components, false, true, CORNERS);
+    fn stresses_are_in_equilibrium_and_have_the_tractions_of_their_kind() {
+        for (components, tractions) in
+            [1, 2].into_iter().flat_map(|c| [(c, Traction::Reduced), (c, Traction::Linear)])
+        {
+            let found = Equilibrated::new(components, tractions, false, true, CORNERS);
+            let first_slope = if components == 1 { 2 } else { 6 };
             for (number, field) in found.fields().iter().chain(&found.slopes).enumerate() {
                 let mut resultant = [0.0; 3];
                 for k in 0..3 {
                     let side = side(CORNERS, k);
                     let [first, last] = ends(components, field, k);
-                    let slope = number.checked_sub(found.count) == Some(k);
+                    let slope = number.checked_sub(first_slope).is_some_and(|j| j % 3 == k);
                     let expected = if slope { 1.0 } else { 0.0 };
                     let of = if components == 1 { 0 } else { 1 };
                     assert!(
@@ -305,8 +402,8 @@ mod tests {
     }
 
     #[test]
-    fn normal_components_are_continuous_across_the_pieces() {
-        let found = Equilibrated::new(2, false, true, CORNERS);
+    fn tractions_are_continuous_across_the_pieces() {
+        let found = Equilibrated::new(2, Traction::Linear, false, true, CORNERS);
         let centre = middle(CORNERS);
         for field in found.fields().iter().chain(&found.slopes) {
             for i in 0..3 {

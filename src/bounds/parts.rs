@@ -4,38 +4,55 @@
 //!
 //! ```text
 //! l(w) = ∫ q : ε(w) − ∫_{Γ_C} q_N w_N + osc(w),      |osc(w)| ≤ osc |||w|||,
-//! |||u − v|||² + ∫ σ_N(u) (v_N − g) + ∫ q_N (u_N − g) = ∫ d : ε(v − u) + ∫ q_N (v_N − g) − osc(v − u)
+//! |||u − v|||² + ∫ σ_N(u) (v_N − g) + ∫ q_N (u_N − g)
+//!     = ∫ d : ε(v − u) + ∫ q_N (v_N − g) − osc(v − u)
 //! ```
 //!
-//! where the three terms on the left are not negative. With A = |||d|||* + osc and b = ∫ q_N (v_N − g) ≥ 0,
+//! where the three terms on the left are not negative. With A = |||d|||* + osc and b = ∫ q_N (v_N −
+//! g) ≥ 0,
 //!
 //! ```text
 //! |||u − v||| ≤ (A + (A² + 4 b)^(1/2))/2,        2 (J(v) − J(u)) ≤ A² + 2 b.
 //! ```
 //!
-//! Without oscillation A² + 2b = 2 (J(v) − J*(q)). The oscillation: on a triangle of diameter h, with Payne and
-//! Weinberger's constant h/π and Korn's constant K for mean-free rotation, K² ≤ 1 + 2/sin²(α/4), α the smallest angle,
+//! Without oscillation A² + 2b = 2 (J(v) − J*(q)). The oscillation: on a triangle of diameter h,
+//! with Payne and Weinberger's constant h/π and Korn's constant K for mean-free rotation, K² ≤ 1 +
+//! 2/sin²(α/4), α the smallest angle,
 //!
 //! ```text
-//! osc_T = ( (h/π) K ‖f − f_T‖_T + Σ_E h K (|E|/|T| (1/π² + 1/π))^(1/2) ‖F − q n‖_E ) (2 min(μ, λ + μ))^(−1/2)
+//! osc_T = ( (h/π) K ‖f − f_T‖_T + Σ_E h K (|E|/|T| (1/π² + 1/π))^(1/2) ‖F − q n‖_E )
+//!         · (2 min(μ, λ + μ))^(−1/2)
 //! ```
 //!
-//! (scalar: K = 1 and without the last factor), because what is left over of f and of F on a triangle has no resultant
-//! and no moment.
+//! (scalar: K = 1 and without the last factor), because what is left over of f and of F on a
+//! triangle has no resultant and no moment. On one mesh osc² = Σ osc_T².
 //!
-//! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q is paired with w beside
-//! d, and A² has the further terms ‖r‖_T²/c. Where it is better only its mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T²,
-//! the rest may be oscillation,
+//! With a reaction term −Δu + c u = f no equilibrium is required: the residual r = c v − f − div q
+//! is paired with w beside d, and A² has the further terms ‖r‖_T²/c. Where it is better only its
+//! mean r̄ has: as |||w|||_T² ≥ (π²/h² + c) ‖w − w̄‖_T², the rest may be oscillation,
 //!
 //! ```text
 //! |∫_T (r − r̄) w| ≤ (π²/h² + c)^(−1/2) ‖r − r̄‖_T |||w|||_T,
 //! ```
 //!
 //! and is where ‖d‖_T and this factor add up to less than (‖d‖_T² + ‖r − r̄‖_T²/c)^(1/2).
+//!
+//! A stress of a coarser mesh leaves osc_H on its triangles H, and the displacement of the mesh
+//! leaves rest_T on its triangles T. w may live on the few T where the rest is large, so the two
+//! are not added triangle by triangle, but
+//!
+//! ```text
+//! Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T
+//!     ≤ Σ_H (osc_H + (Σ_{T ⊂ H} rest_T²)^(1/2)) |||w|||_H ≤ osc |||w|||,
+//! osc² = Σ_H (osc_H + (Σ_{T ⊂ H} rest_T²)^(1/2))²
+//! ```
+//!
+//! by Cauchy and Schwarz's inequality in H, and then over all H; on one mesh osc_T and rest_T are
+//! added.
 
 use super::dual::Dual;
 use super::element::{Linear, Value, combine, pieces, traction};
-use super::setting::{Border, Sample, Setting};
+use super::setting::{Border, QUADRATURE, Sample, Setting};
 use crate::error::Result;
 use crate::fem::Element;
 use crate::mesh::{Part, Point, distance, doubled_area};
@@ -47,7 +64,7 @@ use std::f64::consts::PI;
 pub(super) struct Parts {
     /// |||d|||*² of every triangle.
     pub(super) distance: Vec<f64>,
-    /// osc of every triangle.
+    /// osc of every triangle, or its part of osc on the triangle of the stress in which it lies.
     pub(super) oscillation: Vec<f64>,
     /// ∫ |q_N| (g − v_N) of every contact segment, by number of the border.
     pub(super) contact: Vec<f64>,
@@ -57,11 +74,11 @@ pub(super) struct Parts {
     pub(super) means: Vec<Value>,
 }
 
-/// |||d|||*², osc, ½ ∫ q : 𝒜⁻¹q and the mean of q on a triangle.
+/// |||d|||*², the oscillation of the displacement, ½ ∫ q : 𝒜⁻¹q and the mean of q on a triangle.
 #[derive(Default)]
 struct OnTriangle {
     distance: f64,
-    oscillation: f64,
+    rest: f64,
     energy: f64,
     mean: Value,
 }
@@ -159,10 +176,14 @@ impl Setting<'_, '_> {
                     if x == 0.0 && y == 0.0 {
                         continue;
                     }
-                    let shares = [1.0 - s, s, 0.0];
-                    let mut value = combine(&shares, &dual.fields[border.triangle][border.side]);
-                    let exact = self.exact_at(&[point])[0];
+                    let (piece, shares) = self.on_side(border.triangle, border.side, s, point);
+                    let mut value = combine(&shares, &dual.fields[border.triangle][piece]);
+                    let exact = self.exact_at(point);
                     (0..3).for_each(|c| value[c] += exact[c]);
+                    if let Some(own) = self.own_of(border.triangle) {
+                        let more = own.at(piece, shares);
+                        (0..3).for_each(|c| value[c] += more[c]);
+                    }
                     let [n, t] = traction(self.components, value, &side);
                     let given = match self.components {
                         1 => n * x,
@@ -175,17 +196,18 @@ impl Setting<'_, '_> {
                 }
             }
         }
+        let rest: Vec<f64> = per_triangle.iter().map(|part| part.rest).collect();
         Ok(Parts {
             distance: per_triangle.iter().map(|part| part.distance).collect(),
-            oscillation: per_triangle.iter().map(|part| part.oscillation).collect(),
+            oscillation: oscillations(|t| self.host(t), &dual.oscillation, &rest),
             means: per_triangle.iter().map(|part| part.mean).collect(),
             contact,
             complementary,
         })
     }
 
-    /// d = σ(v) − q at the samples of a triangle for v with the constant stress σ(v); with a reaction term also what is
-    /// carried of r = c v − f − div q, and the oscillation of the rest.
+    /// d = σ(v) − q at the samples of a triangle for v with the constant stress σ(v); with a
+    /// reaction term also what is carried of r = c v − f − div q, and the oscillation of the rest.
     pub(super) fn distances(
         &self,
         t: usize,
@@ -238,7 +260,7 @@ impl Setting<'_, '_> {
     /// f + div q at a point, for a problem with reaction term.
     fn source(&self, t: usize, sample: &Sample, field: &Linear) -> Result<f64> {
         let load = self.body.load_at(self.mesh.region(t), sample.point)?[0];
-        Ok(load + divergence(self.mesh.corners(t), field))
+        Ok(load + divergence(self.host_corners(t), field))
     }
 
     fn on_triangle(&self, t: usize, displacement: &[f64], dual: &Dual) -> Result<OnTriangle> {
@@ -246,7 +268,7 @@ impl Setting<'_, '_> {
         let stress = self.stress_of(t, displacement);
         let mut found = OnTriangle::default();
         let mut area = 0.0;
-        let samples = self.samples(t);
+        let samples = self.samples(t, QUADRATURE);
         let (distances, rest) = self.distances(t, &samples, (displacement, &stress), field)?;
         for (sample, (off, residual)) in samples.iter().zip(&distances) {
             let (value, weight) = (sample.stress(field), sample.weight);
@@ -260,7 +282,7 @@ impl Setting<'_, '_> {
             }
         }
         found.mean.iter_mut().for_each(|mean| *mean /= area);
-        found.oscillation = self.oscillation_of(t, dual.left_over[t]) + rest;
+        found.rest = rest;
         Ok(found)
     }
 
@@ -293,7 +315,7 @@ impl Setting<'_, '_> {
             let (corners, nodes) = (self.mesh.corners(t), self.mesh.triangles()[t]);
             let (element, inner) = (Element::new(corners), self.compliance(t));
             let stress = self.stress_of(t, displacement);
-            for Sample { point, weight, .. } in self.samples(t) {
+            for Sample { point, weight, .. } in self.samples(t, QUADRATURE) {
                 let shares = element.barycentric(corners, point);
                 if let Some((own, value)) = self.lifted_at(t, shares, &element) {
                     let load = self.body.load_at(self.mesh.region(t), point)?;
@@ -315,7 +337,7 @@ impl Setting<'_, '_> {
     }
 
     /// osc_T.
-    fn oscillation_of(&self, t: usize, volume: f64) -> f64 {
+    pub(super) fn oscillation_of(&self, t: usize, volume: f64) -> f64 {
         let corners = self.mesh.corners(t);
         let area = 0.5 * doubled_area(corners);
         let lengths = [0, 1, 2].map(|k| distance(corners[k], corners[(k + 1) % 3]));
@@ -343,6 +365,24 @@ impl Setting<'_, '_> {
     }
 }
 
+/// osc by triangle: the squares of those of a host add up to (osc_H + (Σ rest_T²)^(1/2))².
+///
+/// `of_stress` are the parts of osc_H, whose squares add up to osc_H², and `rest` the rest_T.
+fn oscillations(host: impl Fn(usize) -> usize, of_stress: &[f64], rest: &[f64]) -> Vec<f64> {
+    let hosts = (0..rest.len()).map(|t| host(t) + 1).max().unwrap_or(0);
+    let mut sums = vec![[0.0_f64; 2]; hosts];
+    for (t, (osc, rest)) in of_stress.iter().zip(rest).enumerate() {
+        let [sum, more] = &mut sums[host(t)];
+        (*sum, *more) = (sum.hypot(*osc), more.hypot(*rest));
+    }
+    (0..rest.len())
+        .map(|t| match sums[host(t)] {
+            [0.0, 0.0] => 0.0,
+            [osc, more] => of_stress[t].hypot(rest[t]) * ((osc + more) / osc.hypot(more)),
+        })
+        .collect()
+}
+
 /// The longest side.
 fn diameter(corners: [Point; 3]) -> f64 {
     (0..3).fold(0.0, |m: f64, k| m.max(distance(corners[k], corners[(k + 1) % 3])))
@@ -357,4 +397,94 @@ fn divergence(corners: [Point; 3], field: &Linear) -> f64 {
             element.gradients[m][0] * field[0][m][0] + element.gradients[m][1] * field[0][m][1]
         })
         .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bounds::Traction;
+    use crate::contact::Body;
+    use crate::fem::Form;
+    use crate::mesh::{Hierarchy, SideParts, unit_square};
+
+    fn norm(values: &[f64]) -> f64 {
+        values.iter().map(|v| v * v).sum::<f64>().sqrt()
+    }
+
+    /// Σ_H osc_H |||w|||_H + Σ_T rest_T |||w|||_T is not above osc |||w|||, and reaches it for some
+    /// w on one host.
+    #[test]
+    fn no_displacement_sees_more_than_the_oscillation() {
+        let hosts = [0, 0, 1, 0, 1, 2];
+        let of_stress = [0.3, 0.4, 0.2, 1.2, 0.1, 0.0];
+        let mut state = 11_u64;
+        let mut random = || {
+            state = state.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let of_host = |values: &[f64], host: usize| -> f64 {
+            (0..6).filter(|&t| hosts[t] == host).map(|t| values[t] * values[t]).sum::<f64>().sqrt()
+        };
+        let sees = |rest: &[f64], w: &[f64]| -> f64 {
+            (0..3).map(|host| of_host(&of_stress, host) * of_host(w, host)).sum::<f64>()
+                + rest.iter().zip(w).map(|(rest, w)| rest * w).sum::<f64>()
+        };
+        let bound = |rest: &[f64]| norm(&oscillations(|t| hosts[t], &of_stress, rest));
+        let alone = [0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
+        // w on the second triangle only, of the host whose osc is 1.3.
+        let only = sees(&alone, &alone);
+        assert!((only - 2.3).abs() < 1e-15 && only <= bound(&alone), "{only} {}", bound(&alone));
+        let mut closest = 0.0_f64;
+        for _ in 0..20_000 {
+            let rest: Vec<f64> = (0..6).map(|_| random()).collect();
+            let w: Vec<f64> = (0..6).map(|_| random().powi(3)).collect();
+            let share = sees(&rest, &w) / (bound(&rest) * norm(&w));
+            assert!(share <= 1.0 + 1e-14, "{rest:?} {w:?}: {share}");
+            closest = closest.max(share);
+        }
+        assert!(closest > 0.97, "{closest}");
+        // On one mesh the two of a triangle are added.
+        let same = oscillations(|t| t, &of_stress, &[0.5; 6]);
+        assert!(same.iter().zip(of_stress).all(|(all, osc)| (all - osc - 0.5).abs() < 1e-15));
+    }
+
+    /// A reaction term and a flux with a corner: an older stress leaves oscillation on its
+    /// triangles, the displacement of a finer mesh on its own.
+    #[test]
+    fn an_older_stress_and_a_reaction_term_are_added_by_triangle_of_the_stress() {
+        let flux = |[x, y]: Point| (7.0 * x + 5.0 * y).sin();
+        let body =
+            Body::new(unit_square(2, SideParts::HANGING).unwrap(), Form::Scalar { reaction: 0.1 })
+                .load(|[x, y]: Point| 20.0 * (9.0 * x).sin() * (x - y))
+                .traction(flux);
+        let setting = Setting::new(&body, body.mesh(), Traction::Linear).unwrap();
+        let touches = vec![[false; 2]; setting.borders.len()];
+        let dual = setting.best_stress(&touches).unwrap();
+        let mut meshes = Hierarchy::new(body.mesh().clone());
+        // Some triangles are cut, so that the hosts have one or several.
+        meshes.refine_where(|_, t| t % 3 == 0).unwrap();
+        let fine = setting.refined(meshes.finest(), meshes.origins().to_vec()).unwrap();
+        let older = setting.transferred(&fine, &dual).unwrap();
+        let displacement: Vec<f64> =
+            meshes.finest().nodes().iter().map(|[x, y]| -x * (1.0 - y)).collect();
+        let parts = fine.parts(&displacement, &older).unwrap();
+        let rest: Vec<f64> = (0..meshes.finest().triangles().len())
+            .map(|t| {
+                let stress = fine.stress_of(t, &displacement);
+                let of_v = (&displacement[..], &stress);
+                fine.distances(t, &fine.samples(t, QUADRATURE), of_v, &older.fields[t]).unwrap().1
+            })
+            .collect();
+        let hosts = body.mesh().triangles().len();
+        let mut square = 0.0;
+        for host in 0..hosts {
+            let own: Vec<f64> =
+                (0..rest.len()).filter(|&t| fine.host(t) == host).map(|t| rest[t]).collect();
+            square += (dual.oscillation[host] + norm(&own)).powi(2);
+        }
+        println!("{:.6} {:.6}, {:?}", parts.osc(), square.sqrt(), rest);
+        assert!(rest.iter().filter(|rest| **rest > 0.0).count() > 3, "{rest:?}");
+        assert!(dual.oscillation.iter().filter(|osc| **osc > 0.0).count() > 3);
+        assert!((parts.osc() / square.sqrt() - 1.0).abs() < 1e-12);
+    }
 }

@@ -10,7 +10,7 @@ pub(super) struct TriangleRule {
 }
 
 impl TriangleRule {
-    /// n × n points, exact for degree 2n − 2 at least.
+    /// n × n points, exact for degree 2n − 1: the Jacobian s is the weight of the radial rule.
     pub(super) fn new(n: usize) -> Result<Self> {
         let (radial, across) = (gauss_jacobi(n, 0.0, 1.0)?, gauss_legendre(n)?);
         let mut points = Vec::with_capacity(n * n);

@@ -10,8 +10,9 @@
 
 use super::problem::ContactProblem;
 use crate::error::{Error, Result, ToolkitError};
-use crate::fem::{Cubature, Form, load_by_triangles};
+use crate::fem::{Cubature, Form, load_by_edges, load_by_triangles};
 use crate::mesh::{Part, Point, Triangulation};
+use fractional_sobolev::gauss_legendre;
 use std::borrow::Borrow;
 use std::sync::Arc;
 
@@ -19,6 +20,8 @@ use std::sync::Arc;
 const POINTS: usize = 4;
 /// Points of the rule that shows what the other one misses.
 const FINER: usize = 7;
+/// The same on an edge: there the bounds take eight points, the discrete problem takes five.
+const ON_EDGES: [usize; 2] = [5, 9];
 /// Displacements of two groups at a common node that differ by less than this multiple of the largest agree.
 const ROUNDED: f64 = 1e-12;
 
@@ -320,8 +323,9 @@ impl<'a> Body<'a> {
         Ok(found.iter().flat_map(|value| at_node(value).into_iter().take(components)).collect())
     }
 
-    /// What the rule for the volume load may miss of J(u): Σ |ΔF_i u_i|, ΔF the change of the load vector from 4 × 4 to
-    /// 7 × 7 points a triangle, as dJ = −dF·u. Large for a load that jumps, or varies within a triangle.
+    /// What the rules for loads and tractions may miss of l(u), and of J(u): Σ |ΔF_i u_i|, ΔF the change of the load vector
+    /// from 4 × 4 to 7 × 7 points a triangle and from 5 to 9 points an edge, as dJ = −dF·u. Large for a load that jumps, or
+    /// varies within a triangle. An estimate.
     ///
     /// ```
     /// use signorini::{cone::Cone, contact::{Body, Solver}, fem::Form, mesh::{SideParts, unit_square}};
@@ -349,9 +353,26 @@ impl<'a> Body<'a> {
             let density = |t: usize, point: Point| self.load_at(mesh.region(t), point);
             load_by_triangles(mesh, components, &Cubature::new(points)?, &density)
         };
-        let (used, finer) = (vector(POINTS)?, vector(FINER)?);
-        let terms = used.iter().zip(&finer).zip(displacement);
-        Ok(terms.map(|((f, finer), u)| ((f - finer) * u).abs()).sum())
+        let on_edges = |points: usize| {
+            let density = |edge, point: Point, _| self.traction_at(mesh.group(edge), point);
+            let rule = gauss_legendre(points)?;
+            load_by_edges(mesh, Part::Neumann, components, &density, &rule)
+        };
+        let missed = |used: Vec<f64>, finer: Vec<f64>| -> f64 {
+            let terms = used.iter().zip(&finer).zip(displacement);
+            terms.map(|((f, finer), u)| ((f - finer) * u).abs()).sum()
+        };
+        let of_load = missed(vector(POINTS)?, vector(FINER)?);
+        if !self.has_tractions() {
+            return Ok(of_load);
+        }
+        let [used, finer] = ON_EDGES;
+        Ok(of_load + missed(on_edges(used)?, on_edges(finer)?))
+    }
+
+    /// Whether a traction was given.
+    pub(crate) fn has_tractions(&self) -> bool {
+        !self.tractions.is_empty()
     }
 
     /// f at a point of a triangle of the region.
@@ -369,6 +390,11 @@ impl<'a> Body<'a> {
     pub(crate) fn has_loads(&self) -> [bool; 2] {
         [true, false]
             .map(|everywhere| self.loads.iter().any(|load| load.place.is_none() == everywhere))
+    }
+
+    /// Whether neither a gap nor a displacement was given, so that the admissible displacements are a cone.
+    pub(crate) fn has_zero_data(&self) -> bool {
+        self.gaps.is_empty() && self.displacements.is_empty()
     }
 
     /// F at a point of a group of Γ_N.

@@ -24,6 +24,9 @@ use faer::Mat;
 /// Smallest number of nodes of a subtree that is a separate task.
 const TASK: usize = 2000;
 
+/// Largest set of nodes of a mesh that is eliminated at once.
+const LEAF: usize = 40;
+
 /// Bytes per unknown and level of nested dissection.
 const BYTES_PER_DEPTH: usize = 100;
 
@@ -75,6 +78,21 @@ impl Condensation {
         prescribed: &[bool],
         kept: &[usize],
     ) -> Result<Self> {
+        Self::with_leaves(LEAF, matrix, points, prescribed, kept)
+    }
+
+    /// The same with sets of at most `leaf` nodes that are eliminated at once, as dense matrices: small ones save memory
+    /// where nodes have few neighbours.
+    ///
+    /// # Errors
+    /// As for [`Condensation::new`].
+    pub(crate) fn with_leaves(
+        leaf: usize,
+        matrix: &BlockMatrix,
+        points: &[Point],
+        prescribed: &[bool],
+        kept: &[usize],
+    ) -> Result<Self> {
         require_length("points", points.len(), matrix.nodes())?;
         require_length("prescribed", prescribed.len(), matrix.unknowns())?;
         // 4.4 GB at two million unknowns of a plane mesh.
@@ -91,7 +109,7 @@ impl Condensation {
         let (late, early): (Vec<u32>, Vec<u32>) = (0..matrix.nodes() as u32)
             .filter(|&node| interior_at(node as usize).next().is_some())
             .partition(|&node| has_kept(node as usize));
-        let tree = dissect(matrix, points, early);
+        let tree = dissect(matrix, points, early, leaf);
         let mut unknowns = Vec::with_capacity(matrix.unknowns());
         let mut number = |nodes: &[u32]| {
             let first = unknowns.len();

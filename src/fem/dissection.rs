@@ -8,9 +8,6 @@
 use super::matrix::BlockMatrix;
 use crate::mesh::Point;
 
-/// Largest node set that is eliminated at once.
-const LEAF: usize = 40;
-
 /// An elimination tree: children first (if any), then the own pivots, which separate them.
 #[derive(Debug, Default)]
 pub(super) struct Tree {
@@ -20,15 +17,17 @@ pub(super) struct Tree {
     pub(super) size: usize,
 }
 
-/// Dissects the subgraph of `nodes`.
-pub(super) fn dissect(graph: &BlockMatrix, points: &[Point], nodes: Vec<u32>) -> Tree {
-    let mut halves = Halves { graph, points, label: vec![0; graph.nodes()], used: 0 };
+/// Dissects the subgraph of `nodes` down to sets of at most `leaf` nodes.
+pub(super) fn dissect(graph: &BlockMatrix, points: &[Point], nodes: Vec<u32>, leaf: usize) -> Tree {
+    let mut halves = Halves { graph, points, leaf, label: vec![0; graph.nodes()], used: 0 };
     halves.tree(nodes)
 }
 
 struct Halves<'a> {
     graph: &'a BlockMatrix,
     points: &'a [Point],
+    /// Largest node set that is eliminated at once.
+    leaf: usize,
     /// Every set that was cut off has its own label.
     label: Vec<u32>,
     used: u32,
@@ -37,7 +36,7 @@ struct Halves<'a> {
 impl Halves<'_> {
     fn tree(&mut self, nodes: Vec<u32>) -> Tree {
         let size = nodes.len();
-        if size > LEAF
+        if size > self.leaf
             && let Some((left, right)) = self.halve(nodes.clone())
         {
             let (left, right, pivots) = self.separate(left, right);

@@ -77,10 +77,16 @@ impl Front {
             }
         };
         for (j, position) in pivots.clone().enumerate() {
+            // The unknowns of a node follow each other, so that most places are the next one.
+            let mut next = (usize::MAX, 0);
             for (column, value) in ordering.matrix.row(ordering.unknowns[position] as usize) {
                 let other = ordering.positions[column] as usize;
                 if other >= position && other < ordering.unknowns.len() {
-                    panel[j * height + local(other)] += value;
+                    let place = if other == next.0 { next.1 } else { local(other) };
+                    panel[j * height + place] += value;
+                    let follows = place + 1 < pivots.len()
+                        || rows.get(place + 1 - pivots.len()) == Some(&(other as u32 + 1));
+                    next = if follows { (other + 1, place + 1) } else { (usize::MAX, 0) };
                 }
             }
         }
@@ -178,7 +184,13 @@ fn rows_of(ordering: &Ordering<'_>, pivots: &Range<usize>, children: &[Update]) 
         .flat_map(|child| child.rows.iter().copied())
         .filter(|&row| row >= end)
         .collect();
+    let node =
+        |position: usize| ordering.unknowns[position] as usize / ordering.matrix.components();
     for position in pivots.clone() {
+        // All rows of a node have the same columns.
+        if position > pivots.start && node(position) == node(position - 1) {
+            continue;
+        }
         let touched = ordering.matrix.row(ordering.unknowns[position] as usize);
         let after = touched.map(|(column, _)| ordering.positions[column]);
         rows.extend(after.filter(|&other| other >= end && other < limit));

@@ -31,51 +31,28 @@
 //! As ν → 1: K/(1−ν) → 1/24 at e = 1/2 and κ/(1−ν) → (5⁵ 3³ / (60·8⁸))^{1/2} at e = 5/8.
 
 use crate::cone::Cone;
-use crate::error::Result;
+use crate::error::{Error, Result, ToolkitError};
 use crate::numeric::search::golden_section;
 use fractional_sobolev::{BestConstant, Estimate, Given, Moment, Order, Tolerance, Work, moment};
 
 /// A constant, with the measure of the contact set at which it is attained.
+///
+/// ```
+/// use fractional_sobolev::{Order, Tolerance};
+/// use signorini::proof::product_constant;
+/// // with bounds by an independent computation, for the contact set found
+/// let sharp = product_constant(Order::HALF, Tolerance::fast())?.best.bounded()?;
+/// let (value, upper) = (sharp.constant, sharp.upper.map_or(f64::NAN, |upper| upper.value));
+/// assert!(sharp.lower.value <= value.value + value.error && value.value - value.error <= upper);
+/// # Ok::<(), signorini::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct SegmentConstant {
-    /// The constant.
-    pub value: Estimate,
+    /// The constant, as the product of the moments on the contact set and on its complement, with the products of their
+    /// bounds ([`BestConstant::bounded`]).
+    pub best: BestConstant,
     /// The measure |E| of the contact set, accurate to about 1e-6.
     pub contact: f64,
-    /// The two factors: the moments on the contact set E and on its complement N.
-    pub moments: [BestConstant; 2],
-}
-
-impl SegmentConstant {
-    /// Lower and upper bounds of the constant: the products of the bounds of the two moments, an independent check of
-    /// the value for this contact set.
-    ///
-    /// ```
-    /// use fractional_sobolev::{Order, Tolerance};
-    /// use signorini::proof::product_constant;
-    /// let sharp = product_constant(Order::HALF, Tolerance::fast())?;
-    /// let ([low, high], value) = (sharp.bounds()?, sharp.value);
-    /// assert!(low <= value.value + value.error && value.value - value.error <= high);
-    /// # Ok::<(), signorini::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As for [`BestConstant::bounded`].
-    pub fn bounds(&self) -> Result<[f64; 2]> {
-        let [on_contact, on_gap] = [self.moments[0].bounded()?, self.moments[1].bounded()?];
-        let upper = |moment: &BestConstant| moment.upper.map_or(f64::NAN, |upper| upper.value);
-        Ok([on_contact.lower.value * on_gap.lower.value, upper(&on_contact) * upper(&on_gap)])
-    }
-
-    /// The larger of the distances of the two [`SegmentConstant::bounds`] from the value, plus its error,
-    /// relative to the value.
-    ///
-    /// # Errors
-    /// As for [`SegmentConstant::bounds`].
-    pub fn apart(&self) -> Result<f64> {
-        let ([lower, upper], Estimate { value, error, .. }) = (self.bounds()?, self.value);
-        Ok(((upper - value).abs().max((value - lower).abs()) + error) / value)
-    }
 }
 
 /// The constant c(ν) = ν/(2 (4^ν − 1)) in ‖σ‖_{L¹} ‖w‖_{L¹} ≤ c |σ|_ν |w|_ν for functions on (0, 1) with
@@ -98,8 +75,8 @@ pub fn product_bound(order: Order) -> f64 {
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
 /// use signorini::proof::{product_bound, product_constant};
-/// let sharp = product_constant(Order::HALF, Tolerance::fast())?;
-/// assert!(sharp.value.value < product_bound(Order::HALF));
+/// let sharp = product_constant(Order::HALF, Tolerance::fast())?.best.constant;
+/// assert!(sharp.value < product_bound(Order::HALF));
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
@@ -123,7 +100,7 @@ pub fn product_constant(
 /// use signorini::proof::{consistency_constant, product_constant};
 /// let kappa = consistency_constant(Order::HALF, Tolerance::fast())?;
 /// let product = product_constant(Order::HALF, Tolerance::fast())?;
-/// assert!(kappa.value.value < product.value.value && kappa.contact > 0.0 && kappa.contact < 1.0);
+/// assert!(kappa.best.constant.value < product.best.constant.value && kappa.contact > 0.0 && kappa.contact < 1.0);
 /// # Ok::<(), signorini::Error>(())
 /// ```
 ///
@@ -145,8 +122,8 @@ pub fn consistency_constant(
 /// ```
 /// use fractional_sobolev::{Order, Tolerance};
 /// use signorini::proof::{consistency_constant, midpoint_bound};
-/// let every = midpoint_bound(Order::HALF, Tolerance::fast())?.value;
-/// let one_gap = consistency_constant(Order::HALF, Tolerance::fast())?.value;
+/// let every = midpoint_bound(Order::HALF, Tolerance::fast())?.best.constant;
+/// let one_gap = consistency_constant(Order::HALF, Tolerance::fast())?.best.constant;
 /// assert!(one_gap.value <= every.value + every.error + one_gap.error);
 /// # Ok::<(), signorini::Error>(())
 /// ```
@@ -186,25 +163,37 @@ pub fn one_gap_ratio(
         Cone::Nodal => (Moment::Mass, Moment::FromFreeEnd),
         Cone::Midpoint => (Moment::FromFreeEnd, Moment::Mass),
     };
-    Ok(product(order, moments, gap, tolerance)?.0)
+    Ok(product(order, moments, gap, tolerance)?.constant)
 }
 
-/// The ratio for one contact set, and its factors: moments of functions on both parts, of length 1 − `length` and
+/// The ratio for one contact set: the product of the moments of functions on both parts, of length 1 − `length` and
 /// `length`.
 fn product(
     order: Order,
     moments: (Moment, Moment),
     length: f64,
     tolerance: Tolerance,
-) -> Result<(Estimate, [BestConstant; 2])> {
-    let factors = [
-        moment(order, length..1.0, moments.0, tolerance)?,
-        moment(order, 0.0..length, moments.1, tolerance)?,
-    ];
-    let [first, second] = factors.each_ref().map(|factor| factor.constant);
-    let value = first.value * second.value;
-    let error = value * (first.relative_error() + second.relative_error());
-    Ok((Estimate::new(value, error, first.work + second.work)?, factors))
+) -> Result<BestConstant> {
+    let first = moment(order, length..1.0, moments.0, tolerance);
+    let second = moment(order, 0.0..length, moments.1, tolerance);
+    if let (Ok(first), Ok(second)) = (&first, &second) {
+        return Ok(first.product(second)?);
+    }
+    // A refused moment carries its own best value; that of the product is the product.
+    let first = Estimate::or_best(first.map(|found| found.constant))?;
+    let second = Estimate::or_best(second.map(|found| found.constant))?;
+    let best = first.product(second)?;
+    Err(Error::not_met("ratio of one gap", tolerance.relative(), best, "a moment does not meet it"))
+}
+
+/// The refusal of a maximum over the gap: the value for one gap is not its best value.
+fn without_value(error: Error) -> Error {
+    match error {
+        Error::Toolkit(ToolkitError::ToleranceNotMet { asked, reached, why, .. }) => {
+            Error::out_of_reach("largest product of moments", asked, reached, why)
+        }
+        other => other,
+    }
 }
 
 /// The search interval of the maximum, the width of the golden-section search, and the half width of the
@@ -229,24 +218,25 @@ fn largest_product(
                 failure = Some(error);
                 0.0
             },
-            |(found, _)| -found.value,
+            |found| -found.constant.value,
         )
     });
     if let Some(error) = failure {
-        return Err(error);
+        return Err(without_value(error));
     }
     let sharper = Tolerance::new((0.25 * tolerance.relative()).max(1e-15))?;
+    let exact = |e: f64| product(order, moments, e, sharper).map_err(without_value);
     let mut values = [0.0; 5];
     let mut work = Work::default();
     for (k, value) in values.iter_mut().enumerate() {
-        let (found, _) = product(order, moments, rough + STEP * (k as f64 - 2.0), sharper)?;
+        let found = exact(rough + STEP * (k as f64 - 2.0))?.constant;
         *value = found.value;
         work += found.work;
     }
     let contact = rough + STEP * stationary(&values);
-    let (found, moments) = product(order, moments, contact, sharper)?;
-    let value = Estimate::new(found.value, found.error, work + found.work)?;
-    Ok(SegmentConstant { value, contact, moments })
+    let mut best = exact(contact)?;
+    best.constant.work += work;
+    Ok(SegmentConstant { best, contact })
 }
 
 /// The stationary point near 0 of the polynomial through the values at −2 ... 2, by Newton's method.
@@ -301,16 +291,16 @@ mod tests {
         for nu in [0.01, 0.5, 0.95] {
             let order = Order::new(nu).unwrap();
             let kappa = consistency_constant(order, ASKED).unwrap();
-            let largest = product_constant(order, ASKED).unwrap().value;
+            let largest = product_constant(order, ASKED).unwrap().best.constant;
             for k in 1..40 {
                 let gap = f64::from(k) / 40.0;
                 let ratio = one_gap_ratio(Cone::Nodal, order, gap, Tolerance::fast()).unwrap();
                 assert!(
-                    ratio.value - ratio.error <= kappa.value.value,
+                    ratio.value - ratio.error <= kappa.best.constant.value,
                     "{nu} {gap}: {ratio} {kappa:?}"
                 );
-                let (k, _) =
-                    product(order, (Moment::Mass, Moment::Mass), gap, Tolerance::fast()).unwrap();
+                let masses = (Moment::Mass, Moment::Mass);
+                let k = product(order, masses, gap, Tolerance::fast()).unwrap().constant;
                 assert!(k.value - k.error <= largest.value, "{nu} {gap}: {k} {largest}");
             }
         }

@@ -4,7 +4,8 @@
 //! weighted pressures beside those of the mesh of 16 times as many triangles.
 //!
 //! `SIGNORINI_FUZZ=20000 cargo test --release --test attacks -- --nocapture no_bound_is_below` takes as many scenes,
-//! `SIGNORINI_SCENE=17` only that one.
+//! from `SIGNORINI_FIRST` on, every `SIGNORINI_STEP`-th (32: those on refined meshes); `SIGNORINI_SCENE=17` only that one.
+//! `SIGNORINI_LINES` of the largest ratios are printed.
 
 #[path = "../common/enclosures.rs"]
 mod enclosures;
@@ -480,21 +481,26 @@ impl Found {
 fn no_bound_is_below_the_error() {
     let variable = |name: &str| std::env::var(name).ok().map(|text| text.parse::<u64>().unwrap());
     let one = variable("SIGNORINI_SCENE");
-    let seeds = one.map_or(0..variable("SIGNORINI_FUZZ").unwrap_or(60), |seed| seed..seed + 1);
+    let first = variable("SIGNORINI_FIRST").unwrap_or(0);
+    let count = variable("SIGNORINI_FUZZ").unwrap_or(60);
+    let seeds = one.map_or(first..first + count, |seed| seed..seed + 1);
     let (mut all, mut wrong, mut refused, mut made) = (Vec::new(), Vec::new(), Vec::new(), 0);
-    for seed in seeds {
+    let step = variable("SIGNORINI_STEP").unwrap_or(1) as usize;
+    for seed in seeds.step_by(step) {
         let random = &mut SplitMix::new(seed.wrapping_mul(0x5851_F42D_4C95_7F2D).wrapping_add(52));
         let is_elastic = random.below(3) > 0;
         let Some(mut mesh) = (0..200).find_map(|_| mesh(random, is_elastic)) else { continue };
         let (acting, poisson) = acting(random, is_elastic);
+        let mut refined = None;
         if seed % 32 == 0 {
-            // A mesh on which the bound is small, as far as few unknowns allow.
+            // A mesh on which the bound is small, as far as few unknowns allow; mostly by the stress of the mesh before.
             let tolerance = random.between(0.06, 0.2);
             let unknowns = if is_elastic { 3000 } else { 1500 };
             let refinement =
                 Refinement { tolerance, unknowns, growth: 2.0, ..Refinement::default() };
             if let Ok((found, _)) = refinement.run(&acting.on(mesh.clone()), |_| {}) {
                 mesh = found.problem.mesh().clone();
+                refined = Some(found.error);
             }
         }
         if one.is_some() {
@@ -518,6 +524,16 @@ fn no_bound_is_below_the_error() {
                 }
                 Ok(Ok(beside)) => {
                     wrong.extend(beside.violations(&format!("scene {seed} {cone}")));
+                    let distance = beside.closer.unwrap_or(beside.distance);
+                    let room = 1e-9 * beside.fine.norm.upper;
+                    if let Some(bound) = refined
+                        && cone == Cone::Nodal
+                        && bound < distance - room
+                    {
+                        wrong.push(format!(
+                            "scene {seed}: bound {bound:e} of the refinement below {distance:e}"
+                        ));
+                    }
                     all.push(Found { seed, cone, poisson, acting: described.clone(), beside });
                 }
             }
@@ -525,21 +541,27 @@ fn no_bound_is_below_the_error() {
     }
     report(&mut all, &refused, made);
     assert!(wrong.is_empty(), "{} wrong: {:#?}", wrong.len(), &wrong[..wrong.len().min(200)]);
-    // Without a Dirichlet edge on one of its parts a body is refused, and nothing else.
-    assert!(refused.iter().all(|text| text.contains("has no edge")), "{refused:#?}");
+    // A body is refused without a Dirichlet edge on one of its parts, if only floors hold it and the load does not press
+    // it onto them, or if one of several contact edges is closed; a solver may give up on one in two hundred.
+    let known = ["has no edge", "not in equilibrium", "closed contact edge"];
+    refused.retain(|text| !known.iter().any(|reason| text.contains(reason)));
+    assert!(refused.iter().all(|text| text.contains("not converged")), "{refused:#?}");
+    assert!(200 * refused.len() <= made.max(200), "{refused:#?}");
 }
 
 fn report(all: &mut [Found], refused: &[String], made: usize) {
     all.sort_by(|a, b| b.beside.effectivity().total_cmp(&a.beside.effectivity()));
     println!("{made} scenes, {} enclosures, {} refused", all.len(), refused.len());
     println!("{:#?}", &refused[..refused.len().min(20)]);
+    let take = std::env::var("SIGNORINI_LINES").map_or(10, |t| t.parse().unwrap());
     let line = |found: &Found| {
         let Found { seed, cone, poisson, acting, beside } = found;
         let enclosure = &beside.found;
         println!(
-            "scene {seed:6} {cone:9} ν {poisson:.4} ratio {:9.4} relative {:.3} osc {:.2e} correction {:.2e} \
+            "scene {seed:6} {cone:9} ν {poisson:.4} ratio {:9.4} (reduced tractions {:.4}) relative {:.3} osc {:.2e} correction {:.2e} \
              rounding {:.1e} of the bound, fine bound {:.2}, {} triangles; {acting}; {}",
             beside.effectivity(),
+            beside.effectivity_of_reduced(),
             enclosure.relative_error(),
             enclosure.oscillation / enclosure.error,
             enclosure.correction / enclosure.error,
@@ -549,7 +571,7 @@ fn report(all: &mut [Found], refused: &[String], made: usize) {
             found.reason(),
         );
     };
-    all.iter().filter(|found| found.beside.found.relative_error() < 0.2).take(10).for_each(line);
+    all.iter().filter(|found| found.beside.found.relative_error() < 0.2).take(take).for_each(line);
     println!("the smallest");
     all.iter().rev().take(10).for_each(line);
     let is_tame = |found: &Found| found.poisson <= 0.4 && found.beside.found.relative_error() < 0.2;
@@ -564,6 +586,9 @@ fn report(all: &mut [Found], refused: &[String], made: usize) {
     for (name, belongs) in kinds {
         let tame = all.iter().filter(|found| is_tame(found) && belongs(found));
         median(name, "bound over error", tame.map(|found| found.beside.effectivity()).collect());
+        let tame = all.iter().filter(|found| is_tame(found) && belongs(found));
+        let reduced = tame.map(|found| found.beside.effectivity_of_reduced()).collect();
+        median(name, "bound by reduced tractions over error", reduced);
     }
     let ratio = |[coarse, fine]: &[Interval; 2]| {
         let middle = |interval: &Interval| 0.5 * (interval.lower + interval.upper);

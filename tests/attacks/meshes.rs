@@ -68,8 +68,14 @@ fn problems_that_hang_in_the_air_are_errors() {
         ContactProblem::new(mesh.clone(), elastic(), &values),
         Err(Error::Toolkit(ToolkitError::CountOutOfRange { name: "Dirichlet edges", .. }))
     ));
-    assert!(ContactProblem::new(mesh.clone(), Form::LAPLACE, &values[..16]).is_err());
-    assert!(ContactProblem::new(mesh, Form::Scalar { reaction: 1.0 }, &values[..16]).is_ok());
+    // The floor alone holds a membrane that is pressed onto it, and not one that is lifted.
+    let scalar = |load: &[f64]| {
+        let problem = ContactProblem::new(mesh.clone(), Form::LAPLACE, load)?;
+        problem.solve(Cone::Nodal, signorini::contact::Solver::ActiveSet)
+    };
+    assert!(scalar(&values[..16]).is_ok() && scalar(&[-1.0; 16]).is_err());
+    let reaction = Form::Scalar { reaction: 1.0 };
+    assert!(ContactProblem::new(mesh.clone(), reaction, &values[..16]).is_ok());
     assert!(
         ContactProblem::new(
             unit_square(3, SideParts::HANGING).unwrap(),
@@ -135,10 +141,9 @@ fn nodes_of_a_file_are_called_by_its_numbers() {
         other => panic!("{other}"),
     };
     // The bottom has no label: its first edge is that of nodes 1 and 2 of the file, 0 and 1 in the mesh.
-    assert_eq!(
-        edge(&GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1)),
-        [1, 2]
-    );
+    let unlabelled = GOOD.replacen("1 0 0 0 2 0 0 1 3 2 20 -20", "1 0 0 0 2 0 0 0 2 20 -20", 1);
+    let said = of(&unlabelled).to_string();
+    assert!(said.starts_with("msh, line 44: edge 1-2 from (0, 0) to (1, 0) is on"), "{said}");
     // Node 3 of the file is off the line: node 2 leaves that from 1 to 3, found when the problem is made.
     let bent = GOOD.replacen("1 0 0\n2 0 0", "1 0 0\n2 -0.25 0", 1);
     assert_eq!(edge(&bent), [1, 2]);
@@ -174,6 +179,6 @@ fn a_bad_entry_of_an_edge_is_named_by_its_index() {
 fn a_segment_constant_refused_carries_its_best_value() {
     use signorini::proof::one_gap_ratio;
     let ratio = |asked: f64| one_gap_ratio(Cone::Nodal, 0.25, 0.3, asked);
-    let (met, best) = (ratio(0.02).unwrap(), ratio(1e-16).unwrap_err().best().unwrap());
+    let (met, best) = (ratio(0.02).unwrap(), ratio(1e-15).unwrap_err().best().unwrap());
     assert!((best.value - met.value).abs() <= best.error + met.error, "{best} {met}");
 }

@@ -22,10 +22,15 @@ fn the_constants_are_known_by_two_computations() {
         let [product, kappa, midpoint] = [product_constant, consistency_constant, midpoint_bound]
             .map(|of| of(nu, tolerance).unwrap());
         for found in [&product, &kappa, &midpoint] {
-            assert!(found.apart().unwrap() < 1e-8, "{nu}: {found:?}");
+            let bounded = found.best.bounded().unwrap();
+            let (value, error) = (bounded.constant.value, bounded.constant.error);
+            let (lower, upper) = (bounded.lower.value, bounded.upper.unwrap().value);
+            let apart = (upper - value).abs().max((value - lower).abs()) + error;
+            assert!(apart < 1e-8 * value, "{nu}: {bounded:?}");
         }
         assert!((product.contact - 0.5).abs() < 1e-4, "{nu}: {product:?}");
-        let [product, kappa, midpoint] = [product, kappa, midpoint].map(|found| found.value.value);
+        let [product, kappa, midpoint] =
+            [product, kappa, midpoint].map(|found| found.best.constant.value);
         assert!(kappa < midpoint && midpoint < product && product < product_bound(nu), "{nu}");
         assert!(kappa < 0.5 * 0.136, "{nu}: {kappa}");
         if nu == Order::HALF {
@@ -39,8 +44,10 @@ fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
     let tolerance = Tolerance::new(1e-8).unwrap();
     let nus = [1e-7, 1e-5, 1e-3, 0.05, 0.2, 0.4, 0.6, 0.8, 0.95];
     for constant in [product_constant, consistency_constant, midpoint_bound] {
-        let values: Vec<f64> =
-            nus.iter().map(|&nu| constant(order(nu), tolerance).unwrap().value.value).collect();
+        let values: Vec<f64> = nus
+            .iter()
+            .map(|&nu| constant(order(nu), tolerance).unwrap().best.constant.value)
+            .collect();
         assert!(values.windows(2).all(|pair| pair[1] < pair[0]), "{values:?}");
         // Analytic in ν through 0: the first differences are proportional to ν.
         let slope = (values[1] - values[2]) / (nus[2] - nus[1]);
@@ -56,7 +63,7 @@ fn constants_fall_with_the_order_and_have_limits_at_both_ends() {
         (consistency_constant(near, tolerance), (place / 60.0).sqrt()),
         (midpoint_bound(near, tolerance), (place * 2.0 / 45.0).sqrt()),
     ] {
-        let value = constant.unwrap().value.value / left;
+        let value = constant.unwrap().best.constant.value / left;
         assert!((value / limit - 1.0).abs() < 1e-5, "{value} {limit}");
     }
 }

@@ -30,7 +30,7 @@ fn the_ratio_of_a_set_is_that_of_two_independent_computations() {
     inside[25] = false;
     assert!(ratio(Cone::Midpoint, &inside) < ratio(Cone::Midpoint, &one_gap(12)));
     // Every contact interval stays below the sharp constant of one gap.
-    let sharp = consistency_constant(order, Tolerance::fast()).unwrap().value.value;
+    let sharp = consistency_constant(order, Tolerance::fast()).unwrap().best.constant.value;
     for cone in [Cone::Nodal, Cone::Midpoint] {
         for (a, b) in (0..40).flat_map(|a| (a + 1..=40).map(move |b| (a, b))) {
             let contact: Vec<bool> = (0..40).map(|k| (a..b).contains(&k)).collect();

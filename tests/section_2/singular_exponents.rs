@@ -7,9 +7,10 @@ mod example;
 use crate::exponents_on_arc::exponents_on_arc;
 use signorini::problems::{Parameters, TestProblem};
 use signorini::singular::{
-    Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Wedge,
+    Exponent, LARGEST, Medium, SideCondition, SideConditions, SignCondition, Spectrum, Wedge,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::sync::LazyLock;
 
 /// Twelve digits.
 const DIGITS: f64 = 1e-12;
@@ -57,7 +58,7 @@ fn elastic(angle: f64, poisson: f64, sides: SideConditions) -> Wedge {
 
 /// The nodes of the grid, and openings to the last bit on both sides of where two real exponents become
 /// complex.
-fn grid() -> Vec<Wedge> {
+fn grid() -> Vec<(Wedge, Spectrum)> {
     let mut wedges = Vec::new();
     for sides in SideConditions::ALL {
         for &angle in &OPENINGS {
@@ -80,15 +81,20 @@ fn grid() -> Vec<Wedge> {
             }
         }
     }
-    wedges
+    let with_exponents = |wedge: Wedge| {
+        let spectrum = wedge.exponents().unwrap();
+        (wedge, spectrum)
+    };
+    wedges.into_iter().map(with_exponents).collect()
 }
+
+/// Both computations look at the same ones.
+static GRID: LazyLock<Vec<(Wedge, Spectrum)>> = LazyLock::new(grid);
 
 #[test]
 fn none_is_lost() {
-    let wedges = grid();
-    assert!(wedges.len() >= 500, "{}", wedges.len());
-    for wedge in &wedges {
-        let spectrum = wedge.exponents().unwrap();
+    assert!(GRID.len() >= 500, "{}", GRID.len());
+    for (wedge, spectrum) in &*GRID {
         let [first, last] = [spectrum.exponents.first(), spectrum.exponents.last()]
             .map(|exponent| exponent.map_or(1.0, |exponent| exponent.re.value));
         let right = LARGEST - 0.02 * (LARGEST - last);
@@ -111,11 +117,11 @@ fn none_is_lost() {
 #[test]
 fn the_arc_agrees() {
     let (mut compared, mut together, mut largest) = (0, 0, 0.0f64);
-    for wedge in grid().into_iter().filter(|wedge| wedge.angle() >= THINNEST) {
-        let found = wedge.exponents().unwrap().places();
+    for (wedge, spectrum) in GRID.iter().filter(|(wedge, _)| wedge.angle() >= THINNEST) {
+        let found = spectrum.places();
         let height = 0.5 + found.iter().map(|z| z.1).fold(0.0, f64::max);
         let degree = 24 + (4.0 * wedge.angle()) as usize;
-        let arc = exponents_on_arc(&wedge, degree, height);
+        let arc = exponents_on_arc(wedge, degree, height);
         let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).hypot(a.1 - b.1) < NEAR;
         let inside = |z: (f64, f64)| z.0 > MARGIN && z.0 < LARGEST - MARGIN;
         let eigenvalues: Vec<(f64, f64)> = arc.into_iter().filter(|&z| inside(z)).collect();

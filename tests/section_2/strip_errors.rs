@@ -46,26 +46,49 @@ fn layer(n: usize, lame: Lame) -> Mat<f64> {
     matrix
 }
 
-/// The discrete solution on n × n squares with the given edge row: rows from the edge to the clamped top.
-fn field(layer: &Mat<f64>, n: usize, edge: &[f64]) -> Vec<Vec<f64>> {
-    let size = edge.len();
-    let block = |a: usize, b: usize| layer.submatrix(a * size, b * size, size, size).to_owned();
-    let mut above = block(0, 0);
-    // How a row follows the one below it: u_{j+1} = −(P + K_11)⁻¹ K_10 u_j, found from the top downwards.
-    let mut steps = Vec::new();
-    for _ in 0..n - 1 {
-        let step = (&above + block(1, 1)).llt(Side::Lower).unwrap().solve(&block(1, 0));
-        above = block(0, 0) - block(0, 1) * &step;
-        steps.push(step);
+/// A body of n × n squares between the edge and the clamped top, its rows eliminated from the top downwards.
+struct Body {
+    layer: Mat<f64>,
+    /// how a row follows the one below it, from the top downwards: u_{j+1} = −(P + K_11)⁻¹ K_10 u_j
+    steps: Vec<Mat<f64>>,
+    /// the energy of the body on the edge
+    edge: Mat<f64>,
+}
+
+impl Body {
+    fn new(n: usize, lame: Lame) -> Self {
+        let (layer, size) = (layer(n, lame), 2 * n);
+        let block = |a: usize, b: usize| layer.submatrix(a * size, b * size, size, size).to_owned();
+        let (mut edge, mut steps) = (block(0, 0), Vec::new());
+        for _ in 0..n - 1 {
+            let step = (&edge + block(1, 1)).llt(Side::Lower).unwrap().solve(&block(1, 0));
+            edge = block(0, 0) - block(0, 1) * &step;
+            steps.push(step);
+        }
+        Self { layer, steps, edge }
     }
-    let mut rows = vec![edge.to_vec()];
-    for step in steps.iter().rev() {
-        let below = rows.last().unwrap();
-        let row = step * Mat::from_fn(size, 1, |i, _| below[i]);
-        rows.push((0..size).map(|i| -row[(i, 0)]).collect());
+
+    /// The discrete solution with the given edge row: rows from the edge to the clamped top.
+    fn field(&self, edge: &[f64]) -> Vec<Vec<f64>> {
+        let mut rows = vec![edge.to_vec()];
+        for step in self.steps.iter().rev() {
+            let below = rows.last().unwrap();
+            let row = step * Mat::from_fn(edge.len(), 1, |i, _| below[i]);
+            rows.push((0..edge.len()).map(|i| -row[(i, 0)]).collect());
+        }
+        rows.push(vec![0.0; edge.len()]);
+        rows
     }
-    rows.push(vec![0.0; size]);
-    rows
+
+    /// (u_x, u_y) on the edge for given u_N without tangential force, by a dense solve.
+    fn with_tangential(&self, normal: &[f64]) -> Vec<f64> {
+        let n = normal.len();
+        let part =
+            |a: usize, b: usize| Mat::from_fn(n, n, |i, j| self.edge[(2 * i + a, 2 * j + b)]);
+        let pull = part(0, 1) * Mat::from_fn(n, 1, |i, _| normal[i]);
+        let x = part(0, 0).llt(Side::Lower).unwrap().solve(&pull);
+        (0..n).flat_map(|i| [x[(i, 0)], -normal[i]]).collect()
+    }
 }
 
 /// P1 interpolation to the grid of half the mesh size; squares cut from bottom left to top right.
@@ -102,35 +125,20 @@ fn solve(problem: &StripProblem, n: usize, cone: Cone) -> EdgeSolution {
     problem.solve(n, cone).unwrap()
 }
 
-/// (u_x, u_y) on the edge for given u_N without tangential force, by a dense solve.
-fn with_tangential(layer: &Mat<f64>, n: usize, normal: &[f64]) -> Vec<f64> {
-    let size = 2 * n;
-    let block = |a: usize, b: usize| layer.submatrix(a * size, b * size, size, size).to_owned();
-    let mut edge = block(0, 0);
-    for _ in 0..n - 1 {
-        let step = (&edge + block(1, 1)).llt(Side::Lower).unwrap().solve(&block(1, 0));
-        edge = block(0, 0) - block(0, 1) * step;
-    }
-    let part = |a: usize, b: usize| Mat::from_fn(n, n, |i, j| edge[(2 * i + a, 2 * j + b)]);
-    let pull = part(0, 1) * Mat::from_fn(n, 1, |i, _| normal[i]);
-    let x = part(0, 0).llt(Side::Lower).unwrap().solve(&pull);
-    (0..n).flat_map(|i| [x[(i, 0)], -normal[i]]).collect()
-}
-
 #[test]
 fn elastic_error_is_that_of_the_fields() {
     let cells = 128;
     let lame = Lame::new(1.0, 1.0).unwrap();
     let scene = scene(cells, LateralCondition::Periodic);
     let problem = StripProblem::new(StripKind::Elastic, &scene, Reference::Nested, 2).unwrap();
-    let fine = layer(cells, lame);
-    let u = field(&fine, cells, &with_tangential(&fine, cells, scene.values()));
+    let fine = Body::new(cells, lame);
+    let u = fine.field(&fine.with_tangential(scene.values()));
     for n in [8, 16, 32, 64] {
+        let coarse = Body::new(n, lame);
         for cone in Cone::ALL {
             let values = solve(&problem, n, cone).values;
-            let coarse = layer(n, lame);
-            let u_h = field(&coarse, n, &with_tangential(&coarse, n, &values));
-            let expected = field_error(&fine, &u, u_h);
+            let u_h = coarse.field(&coarse.with_tangential(&values));
+            let expected = field_error(&fine.layer, &u, u_h);
             let got = problem.distance(n, &values).unwrap();
             let error = (got.value / expected - 1.0).abs();
             println!("elastic field {n} {cone}: {error:.1e}");

@@ -11,10 +11,14 @@ use super::plane::{PlaneFunction, PlanePosition, SingularPlaneFunction, Triangle
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::resolved::Resolved;
-use crate::root::root_of_squares;
+use crate::root::{self, root_of_squares};
 use std::sync::OnceLock;
 
 mod verbs;
+
+/// Message: both parts of a norm meet the tolerance, but not their sum.
+const OF_PARTS: &str =
+    "the errors of the function and of its derivative add up to more than the tolerance";
 
 /// A real function on an interval, a polygonal curve or a triangulation, given by a formula or by values.
 ///
@@ -676,11 +680,11 @@ impl<'a> Function<'a> {
             (Kind::Plane(u), _) => u.norm_with_gradient(order, tolerance),
             (Kind::Curve(u), _) => {
                 let slope = u.derivative()?.norm(order, tolerance).map_err(one_more);
-                whole([u.l2_norm(), slope], tolerance)
+                root::whole([u.l2_norm(), slope], tolerance, OF_PARTS)
             }
             (Kind::CurveFormula(u), _) => {
                 let slope = u.derivative().norm(order, tolerance).map_err(one_more);
-                whole([u.l2_norm(tolerance), slope], tolerance)
+                root::whole([u.l2_norm(tolerance), slope], tolerance, OF_PARTS)
             }
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),

@@ -11,22 +11,28 @@ use crate::estimate::{Estimate, Tolerance};
 use crate::numeric::check::require_memory;
 use crate::numeric::check::require_values;
 use crate::numeric::sum::compensated;
+use crate::piecewise::PiecewisePolynomial;
+use crate::root::ENTRY_ROUNDING;
 use nalgebra::DMatrix;
 use std::sync::OnceLock;
 
 /// Largest ratio of |sum| to sum of absolute values for a load that must sum to zero.
 const BALANCED: f64 = 1e-8;
+/// Tolerance of the form of an eigenvector, relative to that of the eigenvalue.
+const OF_FORM: f64 = 0.05;
 
-/// The Gram matrix A of |·|_s in a nodal basis, uᵀAu = |u|²_s, and the mass matrix M of the same basis.
+/// The Gram matrix A of |·|_s in a nodal basis, uᵀAu = |u|²_s, and the mass matrix M of the same
+/// basis.
 ///
 /// # Method
 ///
-/// Products are computed by FFT on uniform meshes, and by H²-matrices on other meshes, in O(N log N)
-/// to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on a uniform
-/// mesh, 60 N on other meshes. The fast product is prepared at its first use.
-/// The entries of the dense matrix are sums of a few integrals in closed form, and cost O(N²) kernel values; their
-/// relative error is below 1e-13, of which the entries of neighbouring hat functions, whose integrals have both signs,
-/// reach 3e-14 on very unequal elements. Where A maps constants to zero, the mean of x is subtracted before a product.
+/// Products are computed by FFT on uniform meshes, and by H²-matrices on other meshes, in O(N log
+/// N) to O(N log²(1/τ)) operations at the relative tolerance τ; the memory is about 10 N numbers on
+/// a uniform mesh, 60 N on other meshes. The fast product is prepared at its first use. The entries
+/// of the dense matrix are sums of a few integrals in closed form, and cost O(N²) kernel values;
+/// their relative error is below 1e-13, of which the entries of neighbouring hat functions, whose
+/// integrals have both signs, reach 3e-14 on very unequal elements. Where A maps constants to zero,
+/// the mean of x is subtracted before a product.
 ///
 /// ```
 /// use fractional_sobolev::{Gram, Mesh};
@@ -64,7 +70,8 @@ impl Gram {
         if let Some(fast) = self.fast.get() {
             return Ok(fast);
         }
-        // Not inside `get_or_init`: the parallel loops may steal a task that asks for the same product.
+        // Not inside `get_or_init`: the parallel loops may steal a task that asks for the same
+        // product.
         let build = match self.basis {
             Basis::Hats => GramOperator::linears,
             Basis::InnerHats => GramOperator::zero_outside,
@@ -90,12 +97,14 @@ impl std::fmt::Debug for Gram {
 }
 
 impl Gram {
-    /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral over the
-    /// square of the interval, which is the form of the *regional* fractional Laplacian. The form of the
-    /// *integral* fractional Laplacian, over the whole line, is [`Gram::zero_outside`].
+    /// The Gram matrix for the hat functions of all nodes of a mesh, 0 < s < 1: the double integral
+    /// over the square of the interval, which is the form of the *regional* fractional Laplacian.
+    /// The form of the *integral* fractional Laplacian, over the whole line, is
+    /// [`Gram::zero_outside`].
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an order or a tolerance outside its range.
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) for an order or a tolerance outside its
+    /// range.
     pub fn new(
         mesh: &Mesh,
         s: impl Given<Order>,
@@ -126,13 +135,15 @@ impl Gram {
         Ok(Self::on_interval(mesh, order, tolerance.given()?, Basis::Indicators))
     }
 
-    /// The Gram matrix on the whole line for the hat functions of the N − 1 inner nodes of a mesh, which vanish
-    /// outside it: the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 < s < 1.
+    /// The Gram matrix on the whole line for the hat functions of the N − 1 inner nodes of a mesh,
+    /// which vanish outside it: the form ∫∫ (u(x)−u(y)) (v(x)−v(y)) / |x−y|^{1+2s} over R × R, 0 <
+    /// s < 1.
     ///
-    /// This is the form of the integral fractional Laplacian with u = 0 outside the interval: the weak form of (−Δ)^s
-    /// u = f is C(1, s)/2 A x = b with
-    /// [`fractional_laplacian_constant`](crate::closed_forms::fractional_laplacian_constant). [`Gram::new`] is the
-    /// *regional* form, over the square of the interval: a different operator, with different solutions.
+    /// This is the form of the integral fractional Laplacian with u = 0 outside the interval: the
+    /// weak form of (−Δ)^s u = f is C(1, s)/2 A x = b with
+    /// [`fractional_laplacian_constant`](crate::closed_forms::fractional_laplacian_constant).
+    /// [`Gram::new`] is the *regional* form, over the square of the interval: a different operator,
+    /// with different solutions.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
@@ -147,7 +158,8 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a mesh with one element; as [`Gram::new`].
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for a mesh with one element; as
+    /// [`Gram::new`].
     #[doc(alias(
         "fractional Laplacian",
         "integral fractional Laplacian",
@@ -181,11 +193,12 @@ impl Gram {
         self.basis.count(&self.mesh)
     }
 
-    /// The product A x; the error is of the size of the tolerance times |A| |x − x̄|, absolute values entry
-    /// by entry, x̄ the mean of x.
+    /// The product A x; the error is of the size of the tolerance times |A| |x − x̄|, absolute
+    /// values entry by entry, x̄ the mean of x.
     ///
     /// # Errors
-    /// [`Error::LengthMismatch`](crate::Error::LengthMismatch), [`Error::NotFinite`](crate::Error::NotFinite).
+    /// [`Error::LengthMismatch`](crate::Error::LengthMismatch),
+    /// [`Error::NotFinite`](crate::Error::NotFinite).
     pub fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
         self.fast()?.apply(x)
     }
@@ -199,15 +212,16 @@ impl Gram {
         Ok(Network::new(&self.mesh, self.basis, 0.0, 1.0).times(x))
     }
 
-    /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the number of
-    /// iterations.
+    /// The solution x of A x = b, to the relative tolerance in the norm of A, and xᵀA x with the
+    /// number of iterations.
     ///
-    /// The method of conjugate gradients is preconditioned by the power s of the tridiagonal pencil of (u′, v′)
-    /// and L², at the cost of 10 to 40 tridiagonal solves per step. The number of iterations depends neither on
-    /// the number of elements nor on their lengths: about 15 for eight digits. Except for
-    /// [`Gram::zero_outside`], constants have seminorm zero: then the entries of b must sum to zero, and x is
-    /// the solution with mean zero. The error of xᵀA x includes the rounding of the entries of A, which exceeds
-    /// the tolerance if elements are very short and s is near 1.
+    /// The method of conjugate gradients is preconditioned by the power s of the tridiagonal pencil
+    /// of (u′, v′) and L², at the cost of 10 to 40 tridiagonal solves per step. The number of
+    /// iterations depends neither on the number of elements nor on their lengths: about 15 for
+    /// eight digits. Except for [`Gram::zero_outside`], constants have seminorm zero: then the
+    /// entries of b must sum to zero, and x is the solution with mean zero. The error of xᵀA x
+    /// includes the rounding of the entries of A, which exceeds the tolerance if elements are very
+    /// short and s is near 1.
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
     /// let form = Gram::new(&Mesh::uniform(50, 1.0)?, 0.3, 1e-10)?;
@@ -218,8 +232,9 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`](crate::Error::OutOfRange) if the entries of b must sum to zero but do not;
-    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best energy; as [`Gram::apply`].
+    /// [`Error::OutOfRange`](crate::Error::OutOfRange) if the entries of b must sum to zero but do
+    /// not; [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best energy; as
+    /// [`Gram::apply`].
     #[doc(alias("fractional Laplacian", "preconditioner", "conjugate gradients"))]
     pub fn solve(&self, load: &[f64]) -> Result<(Vec<f64>, Estimate)> {
         require_values("load", load, self.len())?;
@@ -237,12 +252,12 @@ impl Gram {
         solve(self.fast()?, self.inverse(), load, self.tolerance)
     }
 
-    /// The preconditioner of [`Gram::solve`] applied to r: a symmetric approximate inverse of A, for use in
-    /// other iterations.
+    /// The preconditioner of [`Gram::solve`] applied to r: a symmetric approximate inverse of A,
+    /// for use in other iterations.
     ///
-    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh. Cost: 10 to
-    /// 40 tridiagonal solves. If constants have seminorm zero, it is applied to r minus its mean, and the
-    /// result has mean zero.
+    /// The eigenvalues of its product with A lie in an interval that depends on s, not on the mesh.
+    /// Cost: 10 to 40 tridiagonal solves. If constants have seminorm zero, it is applied to r minus
+    /// its mean, and the result has mean zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh};
@@ -265,15 +280,21 @@ impl Gram {
         Ok(out)
     }
 
-    /// The smallest positive and the largest eigenvalue of A x = λ M x on an interval, to the tolerance of the form.
+    /// The smallest positive and the largest eigenvalue of A x = λ M x on an interval, to the
+    /// tolerance of the form.
     ///
-    /// They are computed by a block iteration with preconditioned residuals (LOBPCG), which for the largest
-    /// one starts, among others, from the Ritz vectors of windows of 48 basis functions: 5 to 30 steps of a
-    /// few products each, up to 200 on a uniform mesh, where the largest eigenvalues are close together and
-    /// tolerances below 1e-6 are not met. The error bounds the distance to the spectrum by the residual, the
-    /// rounding of the product and its tolerance. On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue
-    /// may exceed the tolerance: it is 4e-15 Σ a_ii x_i² for a vector x with ∫ x² = 1. The ratio of the two eigenvalues is the condition number of A relative
-    /// to M, on the functions of mean zero if constants have seminorm zero.
+    /// They are computed by a block iteration with preconditioned residuals (LOBPCG), which for the
+    /// largest one starts, among others, from the Ritz vectors of windows of 48 basis functions: 5
+    /// to 30 steps of a few products each, up to 200 on a uniform mesh, where the largest
+    /// eigenvalues are close together and tolerances below 1e-6 are not met. The error bounds the
+    /// distance to the spectrum by the residual, for the smallest one by its square over the
+    /// distance to the next eigenvalue, plus the rounding of the product and its tolerance. For at
+    /// most 128 basis functions the number of eigenvalues in between is counted by the inertia of A
+    /// − σM; for more, the distance is that of the Ritz values, less the residual of the next one.
+    /// On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue may exceed the
+    /// tolerance: it is 4e-15 Σ a_ii x_i² for a vector x with ∫ x² = 1. The ratio of the two
+    /// eigenvalues is the condition number of A relative to M, on the functions of mean zero if
+    /// constants have seminorm zero.
     ///
     /// ```
     /// use fractional_sobolev::{Gram, Mesh, closed_forms::fractional_laplacian_constant};
@@ -286,8 +307,9 @@ impl Gram {
     /// ```
     ///
     /// # Errors
-    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis functions;
-    /// [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value;
+    /// [`Error::CountOutOfRange`](crate::Error::CountOutOfRange) for fewer than four basis
+    /// functions; [`Error::ToleranceNotMet`](crate::Error::ToleranceNotMet) with the best value,
+    /// without one if a larger eigenvalue than the one found is counted;
     /// [`Error::Solver`](crate::Error::Solver) if the iteration breaks down.
     #[doc(alias("condition number", "eigenvalue", "spectrum", "LOBPCG"))]
     pub fn extreme_eigenvalues(&self) -> Result<[Estimate; 2]> {
@@ -296,7 +318,28 @@ impl Gram {
             return Err(Error::CountOutOfRange { name, value: self.len(), range });
         }
         let (fast, inverse) = (self.fast()?, self.inverse());
-        extreme_eigenvalues(fast, inverse, &self.mesh, self.basis, self.tolerance)
+        let dense = || self.to_dense();
+        let form = |x: &[f64]| self.form_of_differences(fast, x);
+        extreme_eigenvalues(fast, inverse, &dense, &self.mesh, self.basis, &form, self.tolerance)
+    }
+
+    /// xᵀA x as |u|² of the function u with these coefficients: a sum of positive terms over pairs of
+    /// elements, whose rounding error is relative to itself.
+    fn form_of_differences(&self, fast: &GramOperator, x: &[f64]) -> Result<Estimate> {
+        let mesh = self.mesh.clone();
+        let u = match self.basis {
+            Basis::Indicators => PiecewisePolynomial::constants(mesh, x)?,
+            Basis::Hats => PiecewisePolynomial::linears(mesh, x)?,
+            Basis::InnerHats => {
+                let values: Vec<f64> = [0.0].iter().chain(x).chain(&[0.0]).copied().collect();
+                PiecewisePolynomial::linears(mesh, &values)?
+            }
+        };
+        let asked = Tolerance::new((OF_FORM * self.tolerance.relative()).max(1e-15))?;
+        let found = Estimate::or_best(u.seminorm(self.order, asked))?;
+        let (inside, outside) = (found.product(found)?, fast.form_outside(x));
+        let error = inside.error + ENTRY_ROUNDING * outside;
+        Estimate::new(inside.value + outside, error, inside.work)
     }
 
     /// The diagonal of A, stored with the fast product.
@@ -307,8 +350,8 @@ impl Gram {
         Ok(self.fast()?.diagonal().to_vec())
     }
 
-    /// A as a dense matrix, by closed forms, to a relative error of every entry below 1e-13, at the cost of O(N²) kernel
-    /// evaluations.
+    /// A as a dense matrix, by closed forms, to a relative error of every entry below 1e-13, at the
+    /// cost of O(N²) kernel evaluations.
     ///
     /// # Errors
     /// [`Error::TooLarge`](crate::Error::TooLarge) if the memory does not suffice.

@@ -7,17 +7,10 @@ use crate::estimate::{Estimate, Tolerance, Work};
 /// terms of one sign.
 pub(super) const ENTRY_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
-/// √(Σ parts²) without overflow, with its error.
+/// √(Σ v²) without overflow, with its error ([`Estimate::hypot`]).
 pub(crate) fn root_of_squares(parts: &[Estimate]) -> Result<Estimate> {
-    let value = parts.iter().fold(0.0, |norm, part| part.value.hypot(norm));
-    let mut error = 0.0;
-    let mut work = Work::default();
-    for part in parts {
-        let weight = if value > 0.0 { part.value / value } else { 1.0 };
-        error += part.error * weight;
-        work += part.work;
-    }
-    Estimate::new(value, error, work)
+    let zero = Estimate::new(0.0, 0.0, Work::default())?;
+    parts.iter().try_fold(zero, |root, part| root.hypot(*part))
 }
 
 /// The estimate, or [`Error::ToleranceNotMet`] with the reason if its error exceeds the tolerance.
@@ -33,4 +26,20 @@ pub(super) fn accept(
         return Ok(estimate);
     }
     Err(Error::not_met(what, tolerance.relative(), estimate, why))
+}
+
+/// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance; otherwise with the
+/// reason for which the first part was refused, or `why`.
+pub(super) fn whole(
+    parts: [Result<Estimate>; 2],
+    tolerance: Tolerance,
+    why: &'static str,
+) -> Result<Estimate> {
+    let reason = |part: &Result<Estimate>| match part {
+        Err(Error::ToleranceNotMet { why, .. }) => Some(*why),
+        _ => None,
+    };
+    let why = parts.iter().find_map(reason).unwrap_or(why);
+    let [a, b] = parts.map(Estimate::or_best);
+    accept("norm", root_of_squares(&[a?, b?])?, tolerance, why)
 }

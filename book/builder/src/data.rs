@@ -30,6 +30,8 @@ pub enum Unknown {
     Missing,
     /// Several examples have it; the page must say which.
     Ambiguous(Vec<String>),
+    /// The example has these.
+    Others(Vec<String>),
 }
 
 impl Unknown {
@@ -40,6 +42,7 @@ impl Unknown {
             Unknown::Ambiguous(examples) => {
                 format!("{what} of several examples ({}), write `example/key`", examples.join(", "))
             }
+            Unknown::Others(keys) => format!("unknown {what}, the example has {}", keys.join(", ")),
         }
     }
 }
@@ -174,7 +177,10 @@ impl Data {
             .get(example)
             .and_then(|e| e["findings"].as_array())
             .ok_or(Unknown::Missing)?;
-        findings.iter().find(|finding| finding["finding"] == key).ok_or(Unknown::Missing)
+        findings.iter().find(|finding| finding["finding"] == key).ok_or_else(|| {
+            let keys = findings.iter().filter_map(|finding| finding["finding"].as_str());
+            Unknown::Others(keys.map(|key| format!("`{key}`")).collect())
+        })
     }
 
     /// A text of an example's headline: `label`, `claim`, `measured` or `verdict`.
@@ -240,7 +246,8 @@ mod tests {
     use super::*;
 
     fn data() -> Data {
-        let text = r#"{"a": {"values": {"x": 1.5, "own": 2}}, "b": {"values": {"x": 3}, "verdict": "holds"}}"#;
+        let text = r#"{"a": {"values": {"x": 1.5, "own": 2}, "findings": [{"finding": "small"}]},
+            "b": {"values": {"x": 3}, "verdict": "holds"}}"#;
         Data {
             examples: parse_object(Path::new("test"), text).unwrap(),
             options: parse_object(Path::new("test"), r#"{"a": {"options": []}}"#).unwrap(),
@@ -272,5 +279,8 @@ mod tests {
         assert_eq!(data.figure("f"), Ok(("a/f", "<svg/>")));
         assert_eq!(data.figure("b/f"), Err(Unknown::Missing));
         assert_eq!(data.text("b", "verdict"), Some("holds"));
+        let unknown = data.finding("a/smal").unwrap_err().words("finding");
+        assert_eq!(unknown, "unknown finding, the example has `small`");
+        assert!(data.finding("a/small").is_ok());
     }
 }

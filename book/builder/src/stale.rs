@@ -109,8 +109,10 @@ pub fn is_timed(key: &str) -> bool {
 
 fn difference(path: &str, old: &Value, new: &Value, found: &mut Vec<(String, String)>) {
     let mut differs = || found.push((path.to_owned(), format!("committed {old}, computed {new}")));
+    // The path begins with the name of the example, which may have such a word.
+    let inside = path.split_once('/').map_or("", |(_, inside)| inside);
     match (old, new) {
-        _ if is_timed(path) => {}
+        _ if is_timed(inside) => {}
         (Value::Number(a), Value::Number(b)) => {
             if !same_number(a.as_f64().unwrap_or(f64::NAN), b.as_f64().unwrap_or(f64::NAN)) {
                 differs();

@@ -56,6 +56,39 @@ fn a_finding_about_seconds_may_turn_on_a_busy_machine_and_no_other() {
     assert!(found.iter().any(|s| s.entry == "ex/findings/0/outcome"), "{found:?}");
 }
 
+/// An example whose name speaks of seconds is compared like any other.
+#[test]
+fn the_name_of_an_example_hides_nothing() {
+    let old = OLD.replace(r#""ex":"#, r#""error_against_seconds":"#);
+    let new = old.replace("0.29155661", "0.2916");
+    let found = compare(&data(&old, "<svg/>"), &data(&new, "<svg/>"));
+    let entries: Vec<&str> = found.iter().map(|stale| stale.entry.as_str()).collect();
+    assert_eq!(entries, ["error_against_seconds/values/gamma"]);
+}
+
+/// What the check leaves out of the committed numbers: a column or finding whose name has one of these words by chance is
+/// not compared either, and would be seen here.
+#[test]
+fn what_is_not_compared_is_a_time_or_a_count_of_steps() {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../generated/values.json");
+    let examples = parse_object(&file, &std::fs::read_to_string(&file).unwrap()).unwrap();
+    let names = |list: &str, key: &str| -> BTreeSet<String> {
+        let entries =
+            examples.values().flat_map(|example| example[list].as_array().into_iter().flatten());
+        entries
+            .filter_map(|entry| entry[key].as_str())
+            .filter(|name| is_timed(name))
+            .map(str::to_owned)
+            .collect()
+    };
+    let columns = ["ms", "ms_11", "ms_3", "ms_7", "seconds", "steps"].map(str::to_owned);
+    assert_eq!(names("columns", "key"), columns.into());
+    let findings =
+        ["cg-iterations-increase-from-n-4-to-n-largest-n", "max-inner-cg-iterations-per-step"]
+            .map(str::to_owned);
+    assert_eq!(names("findings", "finding"), findings.into());
+}
+
 /// Another name of a check, source of a bound, range of a corrected form or status is stale; digits are not.
 #[test]
 fn words_of_findings_are_compared() {

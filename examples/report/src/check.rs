@@ -107,16 +107,18 @@ impl Checked {
         }
     }
 
-    /// Whether the relation would hold for the other plausible outcome as well, with the error of
-    /// this value.
+    /// Whether the relation does not exclude the other plausible outcome, with the error of this
+    /// value; an outcome at the end of the tolerance is not excluded.
     fn admits_alternative(&self) -> bool {
+        const ROUNDED: f64 = 1e-9;
         let Some(other) = self.alternative else { return false };
-        let other = Self {
-            value: Measured::new(other, self.value.error),
-            alternative: None,
-            ..self.clone()
+        let relation = match self.relation {
+            Relation::Near(tolerance) => Relation::Near(tolerance * (1.0 + ROUNDED)),
+            relation => relation,
         };
-        other.decision() == Decision::Holds
+        let value = Measured::new(other, self.value.error);
+        let other = Self { value, relation, alternative: None, ..self.clone() };
+        other.decision() != Decision::Fails
     }
 
     /// The amount by which the relation is violated.
@@ -251,10 +253,10 @@ impl<'a> Claim<'a> {
         Self { checks, claim, role, alternative: None }
     }
 
-    /// The same claim, whose tolerance must rule out this other plausible outcome: if the
-    /// comparison would hold for that one as well, the check is undecided. For tolerances that
-    /// depend on the data, as the next term of an expansion.
-    pub fn undecided_if_it_admits(self, alternative: f64) -> Self {
+    /// The same claim, whose tolerance must rule out this other plausible outcome: unless the
+    /// comparison fails for that one, with the same error, the check is undecided. For tolerances
+    /// that depend on the data, as the next term of an expansion.
+    pub fn undecided_if_also_true_of(self, alternative: f64) -> Self {
         Self { alternative: Some(alternative), ..self }
     }
 
@@ -371,8 +373,10 @@ mod tests {
         assert_eq!(decided(|c| c.holds(false, "")).decision(), Decision::Fails);
         // A tolerance that admits another outcome decides nothing; a violation stays one.
         let against = |value, tolerance| {
-            decided(|c| c.undecided_if_it_admits(0.0).differ_by_at_most(value, 1.0, tolerance, ""))
-                .decision()
+            decided(|c| {
+                c.undecided_if_also_true_of(0.0).differ_by_at_most(value, 1.0, tolerance, "")
+            })
+            .decision()
         };
         assert_eq!([against(0.9, 0.2), against(0.9, 1.0)], [Decision::Holds, Decision::Undecided]);
         assert_eq!(against(3.0, 1.0), Decision::Fails);

@@ -2,7 +2,7 @@
 //! undecided or no number was compared, 2 an error.
 
 use crate::files::{require_writable, write_whole};
-use crate::options::{command, describe};
+use crate::options::{About, command, describe};
 use crate::shown::line_width;
 use crate::{Declarations, Error, Outcome, Report, Result};
 use clap::ArgMatches;
@@ -13,23 +13,38 @@ use std::sync::Mutex;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::time::Duration;
 
+/// The work of an example whose options are read.
+type Work = Box<dyn FnOnce(&mut Report) -> Result<()>>;
+/// The text that was given for an option, by its name and its default.
+type Given<'a> = &'a dyn Fn(&str, &str) -> String;
+
 /// Parses the command line, runs the example, prints its outcome and returns the exit code.
-pub fn main<P: Declarations, T>(run: fn(&P, &mut Report) -> Result<T>) -> ExitCode {
-    let matches = match command::<P>().try_get_matches() {
+pub fn main<P: Declarations + 'static, T: 'static>(
+    run: fn(&P, &mut Report) -> Result<T>,
+) -> ExitCode {
+    // Little is left to be compiled with every example.
+    respond(&About::of::<P>(), &|given| {
+        let options = P::read(given)?;
+        Ok(Box::new(move |report| run(&options, report).map(|_| ())))
+    })
+}
+
+fn respond(about: &About, read: &dyn Fn(Given<'_>) -> Result<Work>) -> ExitCode {
+    let matches = match command(about).try_get_matches() {
         Ok(matches) => matches,
         Err(error) => return usage(&error),
     };
     let given = |name: &str| matches.get_one::<String>(name);
-    let options = P::read(&|name, _| match matches.try_get_one::<bool>(name) {
+    let work = read(&|name, _| match matches.try_get_one::<bool>(name) {
         Ok(flag) => flag.map_or(String::new(), ToString::to_string),
         Err(_) => given(name).cloned().unwrap_or_default(),
     });
-    // Behind the options: what they say is read, so that a command is checked without a computation.
-    if options.is_ok() && matches.get_flag("describe") {
-        let _ = writeln!(std::io::stdout(), "{}", describe::<P>());
+    // After the options are read, so that a command is checked without a computation.
+    if work.is_ok() && matches.get_flag("describe") {
+        let _ = writeln!(std::io::stdout(), "{}", describe(about));
         return ExitCode::SUCCESS;
     }
-    match options.and_then(|options| answer(&matches, &options, run)) {
+    match work.and_then(|work| answer(&matches, Report::new(about.label, about.statement), work)) {
         Ok(outcome) => ExitCode::from(outcome.exit_code()),
         Err(error) => {
             eprintln!("error: {error}");
@@ -38,19 +53,14 @@ pub fn main<P: Declarations, T>(run: fn(&P, &mut Report) -> Result<T>) -> ExitCo
     }
 }
 
-fn answer<P: Declarations, T>(
-    matches: &ArgMatches,
-    options: &P,
-    run: fn(&P, &mut Report) -> Result<T>,
-) -> Result<Outcome> {
+fn answer(matches: &ArgMatches, mut report: Report, work: Work) -> Result<Outcome> {
     let given = |name: &str| matches.get_one::<String>(name);
     let values = given("values").map(Path::new);
     values.map_or(Ok(()), require_writable)?;
     let directory = given("out").map(Path::new);
     directory.map_or(Ok(()), require_writable_directory)?;
-    let mut report = Report::of::<P>();
     report.draws = directory.is_some();
-    with_clock(|| run(options, &mut report))?;
+    with_clock(|| work(&mut report))?;
     let mut outcome = report.close();
     match given("fault").map(String::as_str) {
         Some("every") => outcome.turns()?,

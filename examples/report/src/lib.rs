@@ -44,8 +44,9 @@
 //! whole_error_bars_differ_by_at_most(v, b, t)   |v − b| + u + w ≤ t       |v − b| − u − w > t
 //! ```
 //!
-//! With `undecided_if_it_admits(x)` before the comparison it is also undecided where x in place of v
-//! would pass: a tolerance that does not rule out another plausible outcome decides nothing.
+//! With `undecided_if_also_true_of(x)` before the comparison it is also undecided unless it fails
+//! for x in place of v: a tolerance that does not rule out another plausible outcome decides
+//! nothing. An x at the end of the tolerance is not ruled out.
 //!
 //! A check that is reported several times keeps its worst case: failed before undecided before
 //! satisfied, and among equals the one that violates its bound most or satisfies it with the

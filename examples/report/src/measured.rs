@@ -162,7 +162,8 @@ pub fn order_of_increments(y: [f64; 3]) -> f64 {
 /// squares:
 ///
 /// ```text
-/// p = ½ log₂ |t(h)/t(h/2^k)|/k,    t(h) = 4 d(h/2) − d(h) ~ h^(2p),    d(h) = e(h)² − e(h/2)²,    k = halvings,
+/// p = ½ log₂ |t(h)/t(h/2^k)|/k,   t(h) = 4 d(h/2) − d(h) ~ h^(2p),   d(h) = e(h)² − e(h/2)²,
+/// k = halvings,
 /// ```
 ///
 /// on the last meshes. ± is the largest change of p since the three meshes before it, or as many as

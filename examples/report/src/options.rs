@@ -109,10 +109,29 @@ impl Declared {
     }
 }
 
+/// What an example declares, as values: what reads them is compiled once, not in every example.
+pub(crate) struct About {
+    pub(crate) label: &'static str,
+    pub(crate) statement: &'static str,
+    cost: &'static str,
+    options: Vec<Declared>,
+}
+
+impl About {
+    pub(crate) fn of<P: Declarations>() -> Self {
+        let (label, statement, cost) = (P::LABEL, P::STATEMENT, P::COST);
+        Self { label, statement, cost, options: P::declared() }
+    }
+
+    fn title(&self) -> String {
+        format!("{}: {}", self.label, self.statement)
+    }
+}
+
 /// `--describe`: the options, from which a page makes its input fields and sliders.
-pub(crate) fn describe<P: Declarations>() -> Value {
-    let options: Vec<Value> = P::declared().iter().filter_map(Declared::json).collect();
-    json!({"about": format!("{}: {}", P::LABEL, P::STATEMENT), "cost": P::COST, "options": options})
+pub(crate) fn describe(about: &About) -> Value {
+    let options: Vec<Value> = about.options.iter().filter_map(Declared::json).collect();
+    json!({"about": about.title(), "cost": about.cost, "options": options})
 }
 
 /// How to read a report; the end of `--help`.
@@ -133,13 +152,13 @@ How to read the report:
     fails, undecided   a claim does or is: exit code 1 (an error: 2)";
 
 /// The command line of an example.
-pub(crate) fn command<P: Declarations>() -> Command {
+pub(crate) fn command(about: &About) -> Command {
     let path = std::env::args().next().unwrap_or_default();
     let name = Path::new(&path).file_stem().map_or("example".into(), |stem| stem.to_string_lossy());
     Command::new(name.into_owned())
-        .about(format!("{}: {}", P::LABEL, P::STATEMENT))
+        .about(about.title())
         .after_help(LEGEND)
-        .args(P::declared().iter().map(Declared::argument))
+        .args(about.options.iter().map(Declared::argument))
         .arg(arg!(--json "one JSON object per row and check, with all digits"))
         .arg(arg!(--out <PATH> "directory for pictures (SVG)"))
         .arg(

@@ -21,7 +21,11 @@ pub struct Report {
 impl Report {
     /// An empty report under the label of an example.
     pub fn of<P: Declarations>() -> Self {
-        let found = Outcome { label: P::LABEL, statement: P::STATEMENT, ..Outcome::default() };
+        Self::new(P::LABEL, P::STATEMENT)
+    }
+
+    pub(crate) fn new(label: &'static str, statement: &'static str) -> Self {
+        let found = Outcome { label, statement, ..Outcome::default() };
         Self { found, draws: false, started: Instant::now() }
     }
 
@@ -109,14 +113,14 @@ impl Report {
         points
     }
 
-    /// Slope of ln y against ln x between the last two rows of [`Report::series`], with the effect of
-    /// the errors of y; [`Measured::NONE`] for fewer than two rows.
+    /// Slope of ln y against ln x between the last two rows of [`Report::series`], with the effect
+    /// of the errors of y; [`Measured::NONE`] for fewer than two rows.
     pub fn exponent(&self, x: &str, y: &str) -> Measured {
         self.slope(x, y, f64::ln, f64::ln)
     }
 
-    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`], with the effect of
-    /// the errors of y for a monotone g; [`Measured::NONE`] for fewer than two rows.
+    /// Slope of g(y) against f(x) between the last two rows of [`Report::series`], with the effect
+    /// of the errors of y for a monotone g; [`Measured::NONE`] for fewer than two rows.
     pub fn slope(
         &self,
         x: &str,

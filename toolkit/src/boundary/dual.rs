@@ -5,7 +5,7 @@ use super::curve::Curve;
 use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::dense::Cholesky;
 use crate::numeric::parallel;
 use crate::order::Order;
@@ -18,6 +18,9 @@ const MOST: usize = 1500;
 const ENTRIES: f64 = 1e-13;
 /// Relative rounding error of the factorization.
 const ROUNDING: f64 = 1e-12;
+/// Message: what limits the accuracy.
+const LIMIT: &str =
+    "1500 elements do not suffice: grade the mesh towards the corners and the jumps";
 
 impl BoundaryFunction {
     /// The norm of H^{−ν}(Γ), sup ∫_Γ f v / ||v||_ν over v ∈ H^ν(Γ), in which normal derivatives and boundary
@@ -89,15 +92,15 @@ pub(super) fn limit_of_suprema(
             ..Work::default()
         };
         if let Some(found) = limit(&values, &mut limits, work)? {
-            let found = Estimate { error: found.error + error, ..found };
+            let found = Estimate::new(found.value, found.error + error, found.work)?;
             if found.value == 0.0 || found.relative_error() <= tolerance.relative() {
                 return Ok(found);
             }
             best = Some(best.filter(|best| best.error <= found.error).unwrap_or(found));
         }
-        if 2 * curve.len() > MOST || work.points > tolerance.work() {
-            let why =
-                "1500 elements do not suffice: grade the mesh towards the corners and the jumps";
+        let is_spent = work.points > tolerance.work();
+        if 2 * curve.len() > MOST || is_spent {
+            let why = if is_spent { SPENT } else { LIMIT };
             return Err(Error::best_of("dual norm", tolerance.relative(), best, why));
         }
         curve = curve.halved()?;
@@ -170,5 +173,7 @@ fn suprema(curve: &Curve, loads: [&[[f64; 2]]; 2], order: Order) -> Result<[f64;
     let factored = Cholesky::new(&matrix)
         .ok_or(Error::NotPositiveDefinite { what: "Gram matrix of H^nu", pivot: 0 })?;
     let solution = factored.solve(&load);
-    Ok([0, 1].map(|k| load.column(k).dot(&solution.column(k)).max(0.0).sqrt()))
+    // A square below zero is rounding; one that is not a number stays one.
+    let root = |square: f64| if square < 0.0 { 0.0 } else { square.sqrt() };
+    Ok([0, 1].map(|k| root(load.column(k).dot(&solution.column(k)))))
 }

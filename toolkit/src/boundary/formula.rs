@@ -21,7 +21,8 @@
 //! h p′(x_i) = Σ_{j≠i} (w_j/w_i) (u_j − u_i) / (x_i − x_j),    w_j barycentric weights,
 //! ```
 //!
-//! and its norms are those above. Values of u with the rounding errors ε change it by 2 (2n)² ε/h (Markov). Next to a
+//! and its norms are those above. Rounding errors ε of the values of u are estimated to change it by 2 (2n)² ε/h. This is
+//! Markov's inequality for a polynomial of size ε; it is no bound, since ε is known at the Gauss points only. Next to a
 //! vertex, where differences of u between two layers have no digits, one polynomial therefore serves all layers, and the
 //! derivatives of those through n and through 2n points are compared. A function in H¹ changes by at most √δ ‖u′‖ over a
 //! distance δ: where values on both sides of a vertex, or of the middle of a side, differ by more, u jumps.
@@ -30,10 +31,11 @@ use super::curve::{Curve, Relation};
 use super::pairs::{OF_CUT, Part, cut, split};
 use crate::energy::PairSum;
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::mesh::Mesh;
 use crate::numeric::budget::Budget;
+use crate::numeric::check::require_finite_at;
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::order::Order;
 use crate::quadrature::Rule;
@@ -150,8 +152,8 @@ impl<'a> CurveFormula<'a> {
     /// the best value if the rules do not converge: for kinks inside a side, or strong singularities at vertices
     /// where x is rounded.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let [seminorm, _] = self.settle(order, tolerance, [1.0, 0.0])?;
-        accept("seminorm", seminorm, tolerance, LIMIT)
+        let ([seminorm, _], why) = self.settle(order, tolerance, [1.0, 0.0])?;
+        accept("seminorm", seminorm, tolerance, why)
     }
 
     /// The norm ‖u‖_ν, 0 < ν < 1.
@@ -159,8 +161,8 @@ impl<'a> CurveFormula<'a> {
     /// # Errors
     /// As [`CurveFormula::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let parts = self.settle(order, tolerance, [1.0, 1.0])?;
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        let (parts, why) = self.settle(order, tolerance, [1.0, 1.0])?;
+        accept("norm", root_of_squares(&parts)?, tolerance, why)
     }
 
     /// The L² norm ‖u‖.
@@ -168,18 +170,18 @@ impl<'a> CurveFormula<'a> {
     /// # Errors
     /// As [`CurveFormula::seminorm`].
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let [_, norm] = self.settle(None, tolerance, [0.0, 1.0])?;
-        accept("norm", norm, tolerance, LIMIT)
+        let ([_, norm], why) = self.settle(None, tolerance, [0.0, 1.0])?;
+        accept("norm", norm, tolerance, why)
     }
 
     /// Seminorm (0 without an order) and L² norm, refined until the weighted sum of their squares meets the
-    /// tolerance; otherwise the most accurate pair.
+    /// tolerance; otherwise the most accurate pair. With what limits their accuracy.
     fn settle(
         &self,
         order: impl Into<Option<Order>>,
         tolerance: Tolerance,
         weights: [f64; 2],
-    ) -> Result<[Estimate; 2]> {
+    ) -> Result<([Estimate; 2], &'static str)> {
         let order = order.into();
         let kernel = order.map(PowerKernel::new);
         let one_minus = kernel.as_ref().map_or(1.0, |kernel| kernel.one_minus);
@@ -188,6 +190,7 @@ impl<'a> CurveFormula<'a> {
             [self.unit.powf(0.5 * one_minus), self.unit.sqrt()].map(|unit| unit * per_length);
         let (mut work, mut squared, mut unit) = (Work::default(), Vec::new(), None);
         let mut found: Vec<[Estimate; 2]> = Vec::new();
+        let mut why = LIMIT;
         for (n, layers) in STEPS {
             let squares = self.squares(kernel.as_ref(), n, layers, tolerance.work())?;
             work.points += squares.points;
@@ -212,9 +215,10 @@ impl<'a> CurveFormula<'a> {
             }
             found.push(now);
             if relative(&now, weights) <= tolerance.relative() {
-                return Ok(now);
+                return Ok((now, LIMIT));
             }
-            if work.points > tolerance.work() {
+            if work.points > tolerance.work() && found.len() < STEPS.len() {
+                why = SPENT;
                 break;
             }
         }
@@ -239,9 +243,8 @@ impl<'a> CurveFormula<'a> {
         }
         let best =
             found.iter().min_by(|a, b| relative(a, weights).total_cmp(&relative(b, weights)));
-        best.map_or(Ok([Estimate::new(0.0, 0.0, work)?; 2]), |best| {
-            Ok(best.map(|part| Estimate { work, ..part }))
-        })
+        let nothing = [Estimate::new(0.0, 0.0, work)?; 2];
+        Ok((best.map_or(nothing, |best| best.map(|part| Estimate { work, ..part })), why))
     }
 
     /// The mesh with this many layers at every vertex, or fewer if the elements reach the rounding of the
@@ -288,14 +291,23 @@ impl<'a> CurveFormula<'a> {
     }
 
     /// f at a distance from the first or the last vertex of a side.
-    fn near(&self, curve: &Curve, side: usize, end: usize, distance: f64) -> f64 {
-        (self.f)(curve.point(curve.place_near(side, end, distance)).map(|x| self.unit * x))
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`].
+    fn near(&self, curve: &Curve, side: usize, end: usize, distance: f64) -> Result<f64> {
+        let value =
+            (self.f)(curve.point(curve.place_near(side, end, distance)).map(|x| self.unit * x));
+        require_finite_at("value of the function", side, value)?;
+        Ok(value)
     }
 
     /// The number of layers at an end of a side between which the differences of u have digits.
     fn layers_with_digits(&self, plain: &Curve, side: usize, end: usize, most: usize) -> usize {
         let half = 0.5 * plain.element_length(side);
-        let at = |layer: usize| self.near(plain, side, end, half * RATIO.powi(layer as i32));
+        // Where rounding makes a point the vertex the function may have no value: then there are no digits.
+        let at = |layer: usize| {
+            self.near(plain, side, end, half * RATIO.powi(layer as i32)).unwrap_or(f64::NAN)
+        };
         let (mut before, mut failed) = (at(0), 0);
         for layer in 1..=most {
             let value = at(layer);
@@ -338,7 +350,7 @@ impl<'a> CurveFormula<'a> {
         let slopes = if self.is_slope {
             let near =
                 |Last { side, end, length }: Last, s: f64| self.near(&curve, side, end, s * length);
-            Some(Slopes::new(&curve, &ends, [&rule, &fine], &sampled(&fine)?, &near))
+            Some(Slopes::new(&curve, &ends, [&rule, &fine], &sampled(&fine)?, &near)?)
         } else {
             None
         };
@@ -367,25 +379,28 @@ impl<'a> CurveFormula<'a> {
                 (left - right).abs() > JUMP * (whole * apart.sqrt() + rounding)
             };
             let sides = self.vertices.len();
-            let at_vertex = |side: usize| {
+            let at_vertex = |side: usize| -> Result<bool> {
                 let next = (side + 1) % sides;
                 let reach = |side: usize, end: usize| {
                     (BESIDE * curve.side_length(side)).max(ROUNDED * curve.blurs(side)[end])
                 };
                 let apart = [reach(side, 1), reach(next, 0)];
-                let [left, right] =
-                    [self.near(&curve, side, 1, apart[0]), self.near(&curve, next, 0, apart[1])];
-                is_jump(left, right, apart[0] + apart[1])
+                let left = self.near(&curve, side, 1, apart[0])?;
+                let right = self.near(&curve, next, 0, apart[1])?;
+                Ok(is_jump(left, right, apart[0] + apart[1]))
             };
-            let in_middle = |side: usize| {
+            let in_middle = |side: usize| -> Result<bool> {
                 let (half, blurs) = (0.5 * curve.side_length(side), curve.blurs(side));
                 let apart = (BESIDE * half).max(ROUNDED * blurs[0].max(blurs[1]));
-                let [left, right] = [0, 1].map(|end| self.near(&curve, side, end, half - apart));
-                is_jump(left, right, 2.0 * apart)
+                let left = self.near(&curve, side, 0, half - apart)?;
+                let right = self.near(&curve, side, 1, half - apart)?;
+                Ok(is_jump(left, right, 2.0 * apart))
             };
-            if (0..sides).any(|side| at_vertex(side) || in_middle(side)) {
-                let order = kernel.map_or(0.0, |kernel| 0.5 * kernel.twice);
-                return Err(Error::InfiniteNorm { order, why: JUMPS });
+            for side in 0..sides {
+                if at_vertex(side)? || in_middle(side)? {
+                    let order = kernel.map_or(0.0, |kernel| 0.5 * kernel.twice);
+                    return Err(Error::InfiniteNorm { order, why: JUMPS });
+                }
             }
         }
         let first = values[0][0];
@@ -434,7 +449,6 @@ impl<'a> CurveFormula<'a> {
             values: &values,
             noise: &noise,
             ends: &ends,
-            is_slope: self.is_slope,
             rule: rule.clone(),
             own: Rule::power_weight(2 * n, kernel.two_minus)?,
             radial: Rule::power_weight(2 * n, kernel.three_minus)?,
@@ -462,13 +476,16 @@ impl<'a> Slopes<'a> {
     /// The derivatives of the polynomials through the points of the second rule, from the values of the function there, or
     /// on the last elements at a vertex of one polynomial through `near(last, s)`, s in units of their length, which is
     /// compared with the one through the points of the first rule.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] for a value of `near`.
     fn new(
         curve: &Curve,
         ends: &[End],
         [coarse, rule]: [&'a Rule; 2],
         of: &[Vec<f64>],
-        near: &dyn Fn(Last, f64) -> f64,
-    ) -> Self {
+        near: &dyn Fn(Last, f64) -> Result<f64>,
+    ) -> Result<Self> {
         let weights = barycentric_weights(rule);
         let steep = 2.0 * (rule.points().len() as f64).powi(2);
         let largest = |all: &[f64]| all.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
@@ -490,13 +507,13 @@ impl<'a> Slopes<'a> {
                 noise.push(off);
                 continue;
             };
-            let (polynomial, off) = kept[2 * last.side + last.end].get_or_insert_with(|| {
-                let at = |rule: &Rule| -> Vec<f64> {
+            let one_polynomial = || -> Result<(Vec<f64>, f64)> {
+                let at = |rule: &Rule| -> Result<Vec<f64>> {
                     rule.points().iter().map(|s| near(last, *s)).collect()
                 };
-                let (mut slopes, off) = slopes_of(&at(rule), last.length, ends[e].blur);
+                let (mut slopes, off) = slopes_of(&at(rule)?, last.length, ends[e].blur);
                 let other = barycentric_weights(coarse);
-                let fewer = differentiate(coarse, &other, &at(coarse));
+                let fewer = differentiate(coarse, &other, &at(coarse)?);
                 let apart = rule.points().iter().zip(&slopes).map(|(s, slope)| {
                     (interpolate(coarse, &other, &fewer, *s) / last.length - slope).abs()
                 });
@@ -504,8 +521,13 @@ impl<'a> Slopes<'a> {
                 if last.end == 1 {
                     slopes.iter_mut().for_each(|slope| *slope = -*slope);
                 }
-                (slopes, off)
-            });
+                Ok((slopes, off))
+            };
+            let kept = &mut kept[2 * last.side + last.end];
+            let (polynomial, off) = match kept {
+                Some(found) => found,
+                None => kept.insert(one_polynomial()?),
+            };
             let at = |s: &f64| {
                 let distance = Curve::distance_to_vertex(curve.place(e, s * h), last.end);
                 interpolate(rule, &weights, polynomial, distance / last.length)
@@ -513,7 +535,7 @@ impl<'a> Slopes<'a> {
             values.push(rule.points().iter().map(at).collect());
             noise.push(*off);
         }
-        Self { rule, values, noise }
+        Ok(Self { rule, values, noise })
     }
 
     /// The values at the points of another rule.
@@ -567,7 +589,6 @@ struct Pairs<'a> {
     /// rounding error of the values on an element, from the rounding of the coordinates
     noise: &'a [f64],
     ends: &'a [End],
-    is_slope: bool,
     rule: Rule,
     /// rules for the weights z^{1−2ν} and ξ^{2−2ν}
     own: Rule,
@@ -624,8 +645,7 @@ impl Pairs<'_> {
     fn row(&self, e: usize) -> PairSum {
         let mut sum = PairSum::default();
         let mut add_part = |pair: &[usize], part: PairSum| {
-            // Derivatives have this error in their noise.
-            let is_cut = !self.is_slope && pair.iter().any(|&k| self.ends[k].is_cut);
+            let is_cut = pair.iter().any(|&k| self.ends[k].is_cut);
             let rest = if is_cut { BELOW * part.value } else { 0.0 };
             sum = sum + PairSum { rounding: part.rounding + rest, ..part };
         };
@@ -732,5 +752,23 @@ impl Pairs<'_> {
             .map(|(s, _)| (self.value)(e, start + s * length))
             .collect::<Vec<_>>()
             .into()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_derivative_needs_finite_values_at_the_points_of_either_rule() {
+        // The polynomial that serves the last layers at (0, 0) is compared with that through 8 points.
+        let length = 0.5 * RATIO.powi(8);
+        let place = length * Rule::gauss_legendre(8).unwrap().points()[3];
+        let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+        let u = CurveFormula::new(&square, |[x, y]| {
+            if y == 0.0 && (x / place - 1.0).abs() < 1e-9 { f64::NAN } else { 1.0 + x * x }
+        });
+        let found = u.unwrap().derivative().l2_norm(Tolerance::new(0.1).unwrap());
+        assert!(matches!(found, Err(Error::NotFinite { .. })), "{found:?}");
     }
 }

@@ -90,12 +90,12 @@ impl CurveFormula<'_> {
         let (mut loads, mut error) = (vec![[0.0; 2]; curve.len()], vec![[0.0; 2]; curve.len()]);
         for (part, [sums, fewer]) in parts.iter().zip(&found) {
             for k in 0..2 {
-                if !sums[k].is_finite() {
+                if let Some(&value) = [sums[k], fewer[k]].iter().find(|sum| !sum.is_finite()) {
                     let (name, index) = ("value of the function", part.element);
-                    return Err(Error::NotFinite { name, index, value: sums[k] });
+                    return Err(Error::NotFinite { name, index, value });
                 }
                 loads[part.element][k] += sums[k];
-                error[part.element][k] += sums[k] - fewer[k];
+                error[part.element][k] += (sums[k] - fewer[k]).abs();
                 if part.at_vertex {
                     error[part.element][k] += BELOW * sums[k].abs();
                 }
@@ -103,5 +103,49 @@ impl CurveFormula<'_> {
         }
         let points = (parts.len() * (POINTS + FEWER)) as u64;
         Ok(Loads { loads, error, points })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SQUARE: [[f64; 2]; 4] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+
+    /// The errors of the loads for one layer at every vertex: elements of length 0.15 and 0.35.
+    fn errors(f: impl Fn([f64; 2]) -> f64 + Sync) -> Vec<[f64; 2]> {
+        let mut lengths = Mesh::geometric(1, RATIO, 0.5).unwrap().lengths().to_vec();
+        lengths.extend(lengths.clone().iter().rev());
+        let mesh = Mesh::from_lengths(&lengths).unwrap();
+        let curve = Curve::closed(&SQUARE, &vec![mesh; 4]).unwrap();
+        CurveFormula::new(&SQUARE, f).unwrap().loads(&curve, 1.0).unwrap().error
+    }
+
+    #[test]
+    fn errors_of_the_parts_of_an_element_do_not_cancel() {
+        // Kinks in two parts of the element (0, 0.15) of the first side, which ends at (1, 0).
+        let kink =
+            |c: f64, [x, y]: [f64; 2]| if y == 0.0 { (0.01 - (x - c).abs()).max(0.0) } else { 0.0 };
+        let (one, other) = (errors(|at| kink(0.09, at)), errors(|at| kink(0.03, at)));
+        for sign in [1.0, -1.0] {
+            let both = errors(|at| kink(0.09, at) + sign * kink(0.03, at));
+            for k in 0..2 {
+                let sum = one[0][k] + other[0][k];
+                assert!(one[0][k] > 0.0 && other[0][k] > 0.0, "{one:?} {other:?}");
+                assert!((both[0][k] / sum - 1.0).abs() < 1e-12, "{sign}: {both:?} {sum}");
+            }
+        }
+    }
+
+    #[test]
+    fn values_at_the_points_of_either_rule_must_be_finite() {
+        // In the middle of an element lies a point of the rule with 9 points only.
+        for bad in [f64::NAN, f64::INFINITY] {
+            let f = |[x, y]: [f64; 2]| if y == 0.0 && (x - 0.325).abs() < 1e-9 { bad } else { 1.0 };
+            let found = CurveFormula::new(&SQUARE, f)
+                .unwrap()
+                .dual_of_slobodeckij(Order::HALF, Tolerance::fast());
+            assert!(matches!(found, Err(Error::NotFinite { .. })), "{found:?}");
+        }
     }
 }

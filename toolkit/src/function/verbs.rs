@@ -324,8 +324,7 @@ impl<'a> Function<'a> {
         let [u, v] = [self.norm(s, inner), other.norm(s, inner)].map(Estimate::or_best);
         let (u, v) = (u?, v?);
         if u.value == 0.0 || v.value == 0.0 {
-            let error = u.error * v.value + v.error * u.value + u.error * v.error;
-            return Estimate::new(0.0, error, u.work + v.work);
+            return u.product(v);
         }
         let c = u.value / v.value;
         let of = |c: f64| match Estimate::or_best(self.combined(1.0, other, c)?.norm(s, inner)) {

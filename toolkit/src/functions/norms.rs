@@ -173,7 +173,7 @@ impl SingularFunction<'_> {
             let rounding = 32.0 * f64::EPSILON * value;
             back(Estimate::new(value, error + rounding, power.work)?.times(unit)?)
         };
-        u.integral_of(&profile, &look, tolerance, q, q, |u| (u / unit).abs().powf(q))
+        u.integral_of(&profile, &look, tolerance, q, q, &|u| (u / unit).abs().powf(q))
             .map_err(|error| error.carry("L^q norm", root))
             .and_then(root)
     }
@@ -188,7 +188,7 @@ impl SingularFunction<'_> {
         let (_, look) = u.l2_norm_of_waves(tolerance)?;
         let crude = Tolerance::fast().with_work(tolerance.work());
         let size =
-            Estimate::or_best(u.integral_of(&profile, &look, crude, 1.0, 1.0, f64::abs))?.value;
+            Estimate::or_best(u.integral_of(&profile, &look, crude, 1.0, 1.0, &f64::abs))?.value;
         if size == 0.0 {
             return Estimate::new(0.0, 0.0, Work::default());
         }
@@ -200,7 +200,7 @@ impl SingularFunction<'_> {
             Estimate::new((shifted.value - 2.0) * factor, shifted.error * factor, shifted.work)?
                 .times(scale)
         };
-        u.integral_of(&profile, &look, tolerance, 0.3, 1.0, |u| u / size + shift)
+        u.integral_of(&profile, &look, tolerance, 0.3, 1.0, &|u| u / size + shift)
             .map_err(|error| error.carry("mean", back))
             .and_then(back)
     }
@@ -213,7 +213,7 @@ impl SingularFunction<'_> {
         tolerance: Tolerance,
         factor: f64,
         q: f64,
-        f: impl Fn(f64) -> f64,
+        f: &dyn Fn(f64) -> f64,
     ) -> Result<Estimate> {
         let asked = factor * tolerance.relative();
         let by_scales = || {

@@ -1,9 +1,9 @@
-//! Bounds of the variation of a function between its sample points.
+//! Estimates of the variation of a function between its sample points.
 //!
 //! Let e = u − p on cells K of lengths h of an interval of length L, p a polynomial of degree d, and ε =
 //! ε_K = max |e| sampled between the points of p. With D = 2(d+2)², Markov's bound for the slope of a
 //! polynomial of degree d + 2 of size 1 on an interval of length 1, pairs with |x−y| < h/D have |e(x)−e(y)| ≤
-//! ε D |x−y|/h, and all others (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
+//! ε D |x−y|/h if e is such a polynomial, and all others (e(x)−e(y))² ≤ 2e(x)² + 2e(y)². So
 //!
 //! |e|²_ν ≤ Σ_K h ε² h^{-2ν} D^{2ν} (2/(2−2ν) + 8 (1 − (h/(DL))^{2ν})/(2ν)).
 //!

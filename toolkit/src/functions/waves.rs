@@ -276,9 +276,10 @@ impl SingularFunction<'_> {
         let piece = Piece { left: ends[0], right: ends[1], bubbles };
         let (mut residual, mut low, mut high) =
             (0.0_f64, ends[0].min(ends[1]), ends[0].max(ends[1]));
-        for &t in fit.between.points() {
+        let between = fit.between.points();
+        for (&t, of_piece) in between.iter().zip(piece.values(between)) {
             let found = seen(t);
-            residual = residual.max((found - piece.value(t)).abs());
+            residual = residual.max((found - of_piece).abs());
             (low, high) = (low.min(found), high.max(found));
         }
         let noise = |low: f64, high: f64| {

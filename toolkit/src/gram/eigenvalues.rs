@@ -1,23 +1,29 @@
 //! The smallest positive and the largest eigenvalue of A x = λ M x.
 //!
-//! For the smallest one, the preconditioner is the inverse spectral power, and the iteration starts from a few
-//! long waves. For the largest one, the preconditioner is (κM − K)⁻¹, K the stiffness matrix and κ slightly above the
-//! largest eigenvalue of (K, M), and the iteration starts from vectors of the largest eigenvalues of (K, M), from hat functions
-//! where a_ii/m_ii is largest, and from vectors of windows of [`WINDOW`] basis functions: vectors of large eigenvalues live on a few short elements, of which
-//! there may be many groups far from each other. A Krylov space of M⁻¹A is built in all windows of a row at
-//! once, each product being restricted to the windows, and the windows with the largest Ritz values are used.
-//! Vectors that change sign from element to element interact little at a distance, so that one product serves
-//! all windows.
+//! For the smallest one, the preconditioner is the inverse spectral power, and the iteration starts
+//! from a few long waves. For the largest one, the preconditioner is (κM − K)⁻¹, K the stiffness
+//! matrix and κ slightly above the largest eigenvalue of (K, M), and the iteration starts from
+//! vectors of the largest eigenvalues of (K, M), from hat functions where a_ii/m_ii is largest, and
+//! from vectors of windows of [`WINDOW`] basis functions: vectors of large eigenvalues live on a
+//! few short elements, of which there may be many groups far from each other. A Krylov space of
+//! M⁻¹A is built in all windows of a row at once, each product being restricted to the windows, and
+//! the windows with the largest Ritz values are used. Vectors that change sign from element to
+//! element interact little at a distance, so that one product serves all windows. For at most [`DENSE`]
+//! functions one start vector is the eigenvector of the dense matrices.
+//!
+//! Where rounding of xᵀ(A x) limits the smallest eigenvalue, xᵀA x is summed once more as |u|².
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
-use crate::numeric::block_iteration::{Pencil, smallest};
+use crate::numeric::block_iteration::{Count, Pencil, smallest};
 use crate::numeric::dense::symmetric_eigen;
+use crate::numeric::pencil::Factored;
 use crate::numeric::sum::pairwise_dot;
 use nalgebra::DMatrix;
+use std::cell::OnceCell;
 use std::ops::Range;
 
 /// Number of vectors in a block.
@@ -29,7 +35,8 @@ const STEPS: usize = 300;
 /// Relative distance of κ from the largest eigenvalue of (K, M).
 const ABOVE: f64 = 1e-4;
 
-/// Number of basis functions in a window; the windows of a second row begin in the middle of those of the first.
+/// Number of basis functions in a window; the windows of a second row begin in the middle of those
+/// of the first.
 const WINDOW: usize = 48;
 
 /// Dimension of the Krylov space of a window, and number of windows that are taken.
@@ -39,17 +46,43 @@ const TAKEN: usize = 6;
 /// Smallest share of a product that a new direction of a window has.
 const NEW: f64 = 1e-8;
 
+/// Relative distance above the largest eigenvalue found at which eigenvalues are counted, and the
+/// message if there are more.
+const ABOVE_LARGEST: f64 = 1e-9;
+const LARGER: &str = "the block iteration converged to an eigenvalue that is not the largest one";
+
+/// Largest number of basis functions for which the iteration for the largest eigenvalue also starts
+/// from its vector by dense matrices: a third of a second. Among as few very unequal elements there
+/// may be more groups of short ones than vectors in the block, which then converges slowly.
+const DENSE: usize = 512;
+
 /// Number of steps of inverse iteration for the start vectors.
 const INVERSE: usize = 6;
 
 /// Rounding error of xᵀA x, in units of ε Σ a_ii x_i².
 const ROUNDING: f64 = 16.0;
 
+/// Share of the tolerance up to which that error is accepted. Where it is larger the form is summed
+/// once more as |u|², by positive terms.
+const SMALL_SHARE: f64 = 0.1;
+
+/// Largest number of basis functions for which eigenvalues are counted, and the size of an
+/// eigenvalue of the matrix scaled to a diagonal of 1, per row, whose sign rounding may decide.
+const COUNTED: usize = 128;
+const UNDECIDED: f64 = 1e-12;
+
 struct Small<'a> {
     operator: &'a GramOperator,
+    /// A and M as dense matrices, for counts
+    dense: &'a dyn Fn() -> Result<DMatrix<f64>>,
+    matrices: OnceCell<[DMatrix<f64>; 2]>,
+    has_constants: bool,
     spectral: &'a Spectral,
     mass: Network,
     mass_factor: Tridiagonal,
+    /// xᵀA x as a sum of positive terms
+    form: &'a dyn Fn(&[f64]) -> Result<Estimate>,
+    tolerance: f64,
 }
 
 impl Pencil for Small<'_> {
@@ -67,6 +100,11 @@ impl Pencil for Small<'_> {
         out
     }
 
+    fn without_kernel(&self, x: &mut [f64]) -> bool {
+        self.spectral.without_constant(x);
+        self.has_constants
+    }
+
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.mass_factor.solve(r)
     }
@@ -75,6 +113,51 @@ impl Pencil for Small<'_> {
         true
     }
 
+    /// By the signs of the eigenvalues of D (A − σ M) D, D² the inverse of the diagonal of A + σ M.
+    fn counted_below(&self, sigma: f64) -> Result<Count> {
+        let n = self.operator.dimension();
+        if n > COUNTED {
+            return Ok(Count::TooLarge);
+        }
+        let Some([a, m]) = self.matrices()? else { return Ok(Count::TooLarge) };
+        let unit = |i: usize| (a[(i, i)] + sigma * m[(i, i)]).sqrt().recip();
+        let scaled = DMatrix::from_fn(n, n, |i, j| {
+            (a[(i, j)] * unit(i)) * unit(j) - (sigma * m[(i, j)] * unit(i)) * unit(j)
+        });
+        let Some((values, _)) = symmetric_eigen(&scaled) else { return Ok(Count::Undecided) };
+        if values.iter().any(|value| value.abs() <= UNDECIDED * n as f64) {
+            return Ok(Count::Undecided);
+        }
+        let below = values.iter().filter(|value| **value < 0.0).count();
+        Ok(Count::Exact(below.saturating_sub(usize::from(self.has_constants))))
+    }
+
+    fn form(&self, x: &[f64], product: f64) -> Result<(f64, f64)> {
+        let rounding = self.rounding(x);
+        if rounding <= SMALL_SHARE * self.tolerance * product {
+            return Ok((product, rounding));
+        }
+        let summed = (self.form)(x)?;
+        Ok(if summed.error < rounding { (summed.value, summed.error) } else { (product, rounding) })
+    }
+}
+
+impl Small<'_> {
+    /// A and M as dense matrices, made once.
+    fn matrices(&self) -> Result<Option<&[DMatrix<f64>; 2]>> {
+        if self.matrices.get().is_none() {
+            let n = self.operator.dimension();
+            let mut mass = DMatrix::zeros(n, n);
+            for j in 0..n {
+                let unit: Vec<f64> = (0..n).map(|i| f64::from(i == j)).collect();
+                mass.column_mut(j).copy_from_slice(&self.mass.times(&unit));
+            }
+            let _ = self.matrices.set([(self.dense)()?, mass]);
+        }
+        Ok(self.matrices.get())
+    }
+
+    /// A bound of the rounding error of the product of x with A x.
     fn rounding(&self, x: &[f64]) -> f64 {
         // |x|ᵀ|A||x| ≤ 2 Σ a_ii x_i² for a matrix with rows of sum zero and one positive entry.
         let terms = self.operator.diagonal().iter().zip(x).map(|(a, x)| a * x * x);
@@ -100,6 +183,12 @@ impl Pencil for Large<'_> {
         self.shifted.solve(r)
     }
 
+    // Constants have the smallest eigenvalue of −A; vectors of the largest ones of A are far from
+    // them.
+    fn without_kernel(&self, _: &mut [f64]) -> bool {
+        false
+    }
+
     fn mass_inverse(&self, r: &[f64]) -> Vec<f64> {
         self.small.mass_inverse(r)
     }
@@ -108,22 +197,39 @@ impl Pencil for Large<'_> {
         false
     }
 
-    fn rounding(&self, x: &[f64]) -> f64 {
-        self.small.rounding(x)
+    fn counted_below(&self, _: f64) -> Result<Count> {
+        Ok(Count::Undecided)
+    }
+
+    fn form(&self, x: &[f64], product: f64) -> Result<(f64, f64)> {
+        Ok((product, self.small.rounding(x)))
     }
 }
 
-/// The smallest positive and the largest eigenvalue.
+/// The smallest positive and the largest eigenvalue; `dense` is A as a dense matrix, `form` is xᵀA x
+/// as a sum of positive terms.
 pub(crate) fn extreme_eigenvalues(
     operator: &GramOperator,
     spectral: &Spectral,
+    dense: &dyn Fn() -> Result<DMatrix<f64>>,
     mesh: &Mesh,
     basis: Basis,
+    form: &dyn Fn(&[f64]) -> Result<Estimate>,
     tolerance: Tolerance,
 ) -> Result<[Estimate; 2]> {
     let count = basis.count(mesh);
     let mass = Network::new(mesh, basis, 0.0, 1.0);
-    let small = Small { operator, spectral, mass_factor: mass.factor(), mass };
+    let small = Small {
+        operator,
+        dense,
+        matrices: OnceCell::new(),
+        has_constants: basis != Basis::InnerHats,
+        spectral,
+        mass_factor: mass.factor(),
+        mass,
+        form,
+        tolerance: tolerance.relative(),
+    };
     let waves = (1..=BLOCK.min(count)).map(|k| wave(mesh, basis, k));
     let start = waves
         .map(|mut x| {
@@ -135,7 +241,8 @@ pub(crate) fn extreme_eigenvalues(
 
     let kappa = largest_of_tridiagonal(mesh, basis) * (1.0 + ABOVE);
     let shifted = Network::new(mesh, basis, -1.0, kappa).factor();
-    // The form feels an end of the interval as a smaller stiffness: vectors that vanish there are nearer.
+    // The form feels an end of the interval as a smaller stiffness: vectors that vanish there are
+    // nearer.
     let inner = if basis == Basis::Hats { Basis::InnerHats } else { basis };
     let mut start = short_waves(mesh, inner);
     if basis == Basis::Hats {
@@ -161,30 +268,50 @@ pub(crate) fn extreme_eigenvalues(
             peaks.push(i);
         }
     }
+    let quotient = |x: &[f64]| -> Result<f64> {
+        Ok(pairwise_dot(x, &small.apply(x)?) / pairwise_dot(x, &small.mass(x)))
+    };
     for peak in peaks {
-        let mut x = vec![0.0; count];
-        for (offset, value) in [(-1, -0.5), (0, 1.0), (1, -0.5)] {
+        let mut unit = vec![0.0; count];
+        unit[peak] = 1.0;
+        let mut x = unit.clone();
+        for offset in [-1, 1] {
             if let Some(x) = peak.checked_add_signed(offset).and_then(|i| x.get_mut(i)) {
-                *x = value;
+                *x = -0.5;
             }
         }
-        start.push(x);
+        // On equal elements the sign alternates; beside a much longer element that one would
+        // outweigh the peak.
+        start.push(if quotient(&x)? >= quotient(&unit)? { x } else { unit });
+    }
+    if count <= DENSE
+        && let Some([a, m]) = small.matrices()?
+        && let Ok((_, x)) = Factored::new(m).and_then(|mass| mass.largest_eigenvalue(a))
+    {
+        start.insert(0, x);
     }
     let mut windows: Vec<(f64, Vec<f64>)> = Vec::new();
     for first in [0, WINDOW / 2] {
         for x in vectors_of_windows(&small, count, first)? {
-            windows
-                .push((pairwise_dot(&x, &small.apply(&x)?) / pairwise_dot(&x, &small.mass(&x)), x));
+            windows.push((quotient(&x)?, x));
         }
     }
     windows.sort_by(|a, b| b.0.total_cmp(&a.0));
     start.extend(windows.into_iter().take(TAKEN).map(|(_, x)| x));
-    let high =
-        found(smallest(&Large { small, shifted }, start, tolerance.relative(), STEPS)?, tolerance)?;
-    Ok([low, high])
+    let large = Large { small, shifted };
+    let high = found(smallest(&large, start, tolerance.relative(), STEPS)?, tolerance)?;
+    let above = high.value * (1.0 + ABOVE_LARGEST) + high.error;
+    let positive = count - usize::from(large.small.has_constants);
+    match large.small.counted_below(above)? {
+        Count::Exact(below) if below < positive => {
+            Err(Error::out_of_reach("eigenvalue", tolerance.relative(), f64::INFINITY, LARGER))
+        }
+        _ => Ok([low, high]),
+    }
 }
 
-/// The vectors of the largest Ritz values of windows, zero outside; the first window ends at `first` if it is not 0.
+/// The vectors of the largest Ritz values of windows, zero outside; the first window ends at
+/// `first` if it is not 0.
 fn vectors_of_windows(small: &Small, count: usize, first: usize) -> Result<Vec<Vec<f64>>> {
     let ends = (0..).map(|k| first + k * WINDOW).take_while(|&end| end < count);
     let edges: Vec<usize> =
@@ -279,7 +406,8 @@ fn wave(mesh: &Mesh, basis: Basis, k: usize) -> Vec<f64> {
     }
 }
 
-/// The largest eigenvalue of (K, M) by bisection on the signs of the pivots of κM − K; relative error 1e-9.
+/// The largest eigenvalue of (K, M) by bisection on the signs of the pivots of κM − K; relative
+/// error 1e-9.
 fn largest_of_tridiagonal(mesh: &Mesh, basis: Basis) -> f64 {
     let shortest = mesh.lengths().iter().copied().fold(f64::INFINITY, f64::min);
     let mut high = 12.0 / shortest / shortest * (1.0 + 1e-9);

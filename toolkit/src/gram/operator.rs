@@ -140,6 +140,14 @@ impl GramOperator {
         Ok(y)
     }
 
+    /// The contribution of the exterior to xᵀA x.
+    pub(crate) fn form_outside(&self, x: &[f64]) -> f64 {
+        let Some(exterior) = &self.exterior else { return 0.0 };
+        let own = exterior.diagonal.iter().zip(x).map(|(d, x)| d * x * x);
+        let beside = exterior.beside.iter().zip(x.windows(2)).map(|(b, x)| 2.0 * b * x[0] * x[1]);
+        own.sum::<f64>() + beside.sum::<f64>()
+    }
+
     fn apply_inside(&self, x: &[f64]) -> Result<Vec<f64>> {
         let share = 1.0 / x.len() as f64;
         // Pieces of fixed size: the sum does not depend on the number of threads.

@@ -10,6 +10,8 @@ use crate::root::accept;
 
 /// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
+/// Number of points per degree between which extrema are sought.
+const SAMPLES: usize = 12;
 /// Rounding error of a compensated mean, relative to the mean of the sizes of the pieces.
 const MEAN_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
@@ -91,8 +93,15 @@ impl PiecewisePolynomial {
         for piece in self.pieces() {
             largest = largest.max(piece.left.abs()).max(piece.right.abs());
         }
-        for piece in self.pieces().iter().filter(|piece| !piece.bubbles.is_empty()) {
-            let (value, uncertainty) = largest_inside(piece);
+        let inside = self.pieces().iter().filter(|piece| !piece.bubbles.is_empty());
+        let mut bounds: Vec<(f64, &Piece)> = inside.map(|piece| (piece.size(), piece)).collect();
+        bounds.sort_by(|a, b| b.0.total_cmp(&a.0));
+        for (bound, piece) in bounds {
+            // A piece is no larger than its bound, and all that follow have smaller ones.
+            if bound <= largest {
+                break;
+            }
+            let (value, uncertainty) = largest_inside(piece, largest);
             largest = largest.max(value);
             error = error.max(uncertainty);
         }
@@ -151,20 +160,28 @@ impl PowerIntegral<'_> {
     }
 }
 
-/// The maximum of |u| in the interior and its uncertainty: the zeros of u' are located by sign changes on a
-/// fine grid and bisection.
-fn largest_inside(piece: &Piece) -> (f64, f64) {
-    // A polynomial of degree n has its extrema at least ~1/n² apart unless they cancel.
+/// The maximum of |u| in the interior if it exceeds `known`, otherwise a smaller value, and its uncertainty: the zeros of
+/// u' are located by sign changes on a fine grid and bisection.
+///
+/// A polynomial of degree n in t = (1 − cos φ)/2 is a cosine series of n terms. Its extrema are at least ~1/n apart in φ
+/// unless they cancel. By Bernstein's inequality its second derivative in φ is at most n² max |u|: between grid points
+/// at a distance d in φ, |u| exceeds the larger one of the values there by at most (dn)²/8 max |u|. Zeros are looked for
+/// only where this may exceed the largest value on the grid.
+fn largest_inside(piece: &Piece, known: f64) -> (f64, f64) {
     let degree = piece.bubbles.len() + 1;
-    let samples = 8 * degree * degree;
-    let mut largest = 0.0f64;
-    let slope_at = |k: usize| piece.slope(k as f64 / samples as f64);
-    for k in 0..samples {
-        let (low, high) = (k as f64 / samples as f64, (k + 1) as f64 / samples as f64);
-        largest = largest.max(piece.value(low).abs());
-        let rising = slope_at(k);
-        if rising * slope_at(k + 1) < 0.0 {
-            let turn = sign_change(low, high, 1e-9, |t| piece.slope(t) * rising <= 0.0).0;
+    let samples = SAMPLES * degree;
+    let place = |k: usize| (0.5 * std::f64::consts::PI * k as f64 / samples as f64).sin().powi(2);
+    let places: Vec<f64> = (0..=samples).map(place).collect();
+    let values: Vec<f64> = piece.values(&places).into_iter().map(f64::abs).collect();
+    let mut largest = values.iter().copied().fold(0.0, f64::max);
+    let between = (std::f64::consts::PI / SAMPLES as f64).powi(2) / 8.0 * piece.size();
+    for (ends, values) in places.windows(2).zip(values.windows(2)) {
+        if values[0].max(values[1]) + between <= largest.max(known) {
+            continue;
+        }
+        let (rising, after) = (piece.slope(ends[0]), piece.slope(ends[1]));
+        if rising * after < 0.0 {
+            let turn = sign_change(ends[0], ends[1], 1e-9, |t| piece.slope(t) * rising <= 0.0).0;
             largest = largest.max(piece.value(turn).abs());
         }
     }

@@ -44,7 +44,8 @@ impl PlaneFunction {
     /// [`Error::InfiniteNorm`] for a function with a jump and s ≥ 1/2; [`Error::OutOfRange`] for triangles that
     /// touch without a common node or whose distance is too small for their length; [`Error::ToleranceNotMet`].
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        accept("seminorm", self.seminorm_as_it_is(order, tolerance)?, tolerance, LIMIT)
+        let (found, why) = self.seminorm_as_it_is(order, tolerance)?;
+        accept("seminorm", found, tolerance, why)
     }
 
     /// The norm of order s: ||w||²_s = ||w||² + |w|²_s.
@@ -52,8 +53,8 @@ impl PlaneFunction {
     /// # Errors
     /// As [`PlaneFunction::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
-        let parts = [self.seminorm_as_it_is(order, tolerance)?, self.l2_norm()?];
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        let (found, why) = self.seminorm_as_it_is(order, tolerance)?;
+        accept("norm", root_of_squares(&[found, self.l2_norm()?])?, tolerance, why)
     }
 
     /// The norm of order 1 + s, s < 1/2, of a continuous piecewise linear function, the square of which is
@@ -71,12 +72,13 @@ impl PlaneFunction {
             let why = "a function that jumps has no gradient in L^2";
             return Err(Error::InfiniteNorm { order: 1.0 + order.value(), why });
         }
-        let mut parts = vec![self.l2_norm()?];
+        let (mut parts, mut limit) = (vec![self.l2_norm()?], LIMIT);
         for part in self.gradient()? {
-            parts.push(part.l2_norm()?);
-            parts.push(part.seminorm_as_it_is(order, tolerance)?);
+            let (found, why) = part.seminorm_as_it_is(order, tolerance)?;
+            parts.extend([part.l2_norm()?, found]);
+            limit = if why == LIMIT { limit } else { why };
         }
-        accept("norm", root_of_squares(&parts)?, tolerance, LIMIT)
+        accept("norm", root_of_squares(&parts)?, tolerance, limit)
     }
 
     /// The L² norm, exact to rounding, so that it meets every tolerance: on a triangle the mean of w² is (Σ
@@ -101,19 +103,23 @@ impl PlaneFunction {
         used.iter().all(|value| *value == used[0])
     }
 
-    /// |w|_s with its error, which may exceed the tolerance; computed in units of the size of the polygon and
-    /// of the values.
-    fn seminorm_as_it_is(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+    /// |w|_s with its error, which may exceed the tolerance, and what limits it; computed in units of the size of the
+    /// polygon and of the values.
+    fn seminorm_as_it_is(
+        &self,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<(Estimate, &'static str)> {
         if self.is_constant() {
-            return Estimate::new(0.0, 0.0, Work::default());
+            return Ok((Estimate::new(0.0, 0.0, Work::default())?, LIMIT));
         }
         if self.shape() == Shape::Constants && !order.is_below_half() {
             let why = "a function that jumps across an edge is not in H^s for s >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
         let (unit, extent) = (unit_of(self.values()), power_of_two(self.mesh().extent()));
-        let root = self.squared(order, tolerance, unit, extent)?.sqrt()?.times(unit)?;
-        root.times(extent.powf(order.complement()))
+        let (square, why) = self.squared(order, tolerance, unit, extent)?;
+        Ok((square.sqrt()?.times(unit)?.times(extent.powf(order.complement()))?, why))
     }
 
     /// The limit of kernel evaluations for one sum: the requested one, by default proportional to the
@@ -126,22 +132,25 @@ impl PlaneFunction {
         }
     }
 
-    /// |w|²_s for w divided by `unit` on the polygon divided by `extent`.
+    /// |w|²_s for w divided by `unit` on the polygon divided by `extent`, and what limits its accuracy.
     fn squared(
         &self,
         order: Order,
         tolerance: Tolerance,
         unit: f64,
         extent: f64,
-    ) -> Result<Estimate> {
+    ) -> Result<(Estimate, &'static str)> {
         let sum = PairSum::new(self, unit, extent);
         let mut accuracy = FIRST * tolerance.relative().max(ENTRY_ROUNDING);
-        let (mut best, mut work) = (None::<Estimate>, Work::default());
+        let (mut best, mut work, mut limit) = (None::<Estimate>, Work::default(), LIMIT);
         let allowed = self.allowed(tolerance);
         for _ in 0..ATTEMPTS {
             let means = Means::new(order, self.shape(), accuracy, allowed);
             let found = match sum.squared(&means, order.value(), accuracy) {
-                Err(Error::ToleranceNotMet { .. }) if best.is_some() => break,
+                Err(Error::ToleranceNotMet { why, .. }) if best.is_some() => {
+                    limit = why;
+                    break;
+                }
                 other => other?,
             };
             work += found.work;
@@ -157,6 +166,6 @@ impl PlaneFunction {
         let why = "no quadrature rule gave a finite value";
         let best =
             best.ok_or(Error::out_of_reach("seminorm", tolerance.relative(), f64::INFINITY, why))?;
-        Estimate::new(best.value, best.error, work)
+        Ok((Estimate::new(best.value, best.error, work)?, limit))
     }
 }

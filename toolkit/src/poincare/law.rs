@@ -125,8 +125,8 @@ impl Law {
     /// ```
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1, or nearly 1 where the expansion at an end for s near 1/2 has no
-    /// value; those of [`gamma`].
+    /// [`Error::OutOfRange`] unless 1e-300 ≤ θ < 1; at an end for s near 1/2 beyond θ = 0.8, where the expansion may not
+    /// be positive; those of [`gamma`].
     pub fn at(&self, theta: f64) -> Result<Estimate> {
         let value = self.leading(theta)?;
         let remainders = parallel::over(&self.starts(theta), |&start| {

@@ -21,6 +21,9 @@ const NEWTON: usize = 20;
 
 /// Value of 1 − 2ν from which the limit B(ν) is more accurate than the quotient of two values of N².
 const NEAR_HALF: f64 = 1e-6;
+/// Lengths at which the law is positive for every order; the least length at which it is not is 0.837.
+const POSITIVE: &str =
+    "(0, 0.8], or longer where the expansion in ln(1/theta) is positive; gamma has no such limit";
 
 /// The law γ² = λ with λ = s + d/λ + e/λ², s = A (θ^{2ν−1} − 1)/(1 − 2ν) + c.
 ///
@@ -64,11 +67,7 @@ impl UniformLaw {
             Estimate::new(END_SLOPE, 0.0, Work::default())?
         } else if p > NEAR_HALF {
             let limit = mellin::reached(order, Tolerance::reference())?;
-            Estimate::new(
-                p * limit.value * limit.value,
-                2.0 * p * limit.value * limit.error,
-                limit.work,
-            )?
+            limit.product(limit)?.times(p)?
         } else {
             let [far, ..] = dual_moments(order, SHORTER, tolerance)?;
             let span = growth(SHORTER) - growth(SHORT);
@@ -108,12 +107,7 @@ impl UniformLaw {
             let residual = lambda - s - d / lambda - e / (lambda * lambda);
             lambda -= residual / (1.0 + d / (lambda * lambda) + 2.0 * e / lambda.powi(3));
         }
-        Error::require(
-            "theta",
-            theta,
-            "the range of theta in which the law is positive",
-            lambda > 0.0 && s > 0.0,
-        )?;
+        Error::require("theta", theta, POSITIVE, lambda > 0.0 && s > 0.0)?;
         Ok(lambda)
     }
 }

@@ -7,6 +7,7 @@ use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
 use crate::functions::{Arm, Normalized, SingularFunction};
 use crate::piecewise::Piece;
+use std::cell::OnceCell;
 
 /// Largest number of cells.
 const MOST: usize = 1 << 17;
@@ -23,6 +24,16 @@ const NEXT_TO: f64 = 1.0 / 16.0 * f64::EPSILON;
 const FIRST: usize = 4;
 /// Relative rounding error of values.
 const FLOOR: f64 = 64.0 * f64::EPSILON;
+/// Rounding of a coordinate in ulps, of the place of a kink and of the values beside it.
+const STAIRS: f64 = 4.0;
+/// Number of cells on either side whose slopes count, and their least length in units of this rounding.
+const NEARBY: usize = 3;
+const LONG: f64 = 64.0;
+/// Local coordinate below which a polynomial of degree 18 has its value at the end: its slope is at most 2 · 18² times its
+/// size.
+const AT_END: f64 = 1e-20;
+/// Number of times that the logarithm of the smallest distance is doubled where a function can be evaluated at any depth.
+const DOUBLINGS: u32 = 64;
 /// Message: more halvings than asked for.
 const DEEP: &str = "the function is singular at a breakpoint";
 /// Message: too many cells.
@@ -74,6 +85,7 @@ impl Resolved {
                 open.push(base);
             }
             let slack = slack_of(&side[0], arm);
+            join_along(&mut side, arm, normal.coordinate_if_seen(arm.anchor).abs());
             if arm.sign < 0.0 {
                 side.reverse();
             }
@@ -111,6 +123,46 @@ fn join(cells: &mut [Cell], at: usize, is_middle: bool, slack: [f64; 2]) {
     }
 }
 
+/// Neighbouring cells of a side have the same value at their common end if the values differ by no more than the
+/// rounding of x, `coordinate` of which enters u, moves them along the slopes of the cells nearby: a kink is located to
+/// an ulp, and u is a staircase of ulps beside it. The value of the longer cell is taken; the difference is part of the
+/// error of the other.
+fn join_along(side: &mut [Side], arm: &Arm, coordinate: f64) {
+    let outwards = arm.sign > 0.0;
+    for k in 1..side.len() {
+        let [inner, outer] = [&side[k - 1], &side[k]];
+        let (before, after) = match outwards {
+            true => (inner.piece.right, outer.piece.left),
+            false => (inner.piece.left, outer.piece.right),
+        };
+        let apart = (before - after).abs();
+        if apart == 0.0 {
+            continue;
+        }
+        let blur = STAIRS * f64::EPSILON * (coordinate + inner.far);
+        // A cell of a few ulps has no slope.
+        let nearby = side[k.saturating_sub(NEARBY)..(k + NEARBY).min(side.len())].iter();
+        let steep = nearby
+            .filter(|cell| cell.far - cell.near > LONG * blur)
+            .map(|cell| (cell.piece.right - cell.piece.left).abs() / (cell.far - cell.near))
+            .fold(0.0, f64::max);
+        let size = inner.piece.size().max(outer.piece.size());
+        if apart > FLOOR * size + 2.0 * blur * steep {
+            continue;
+        }
+        let is_inner_longer = inner.far - inner.near >= outer.far - outer.near;
+        let (limit, other) = if is_inner_longer { (before, k) } else { (after, k - 1) };
+        let cell = &mut side[other];
+        cell.off += apart;
+        // the end at which the other cell meets the longer one
+        if is_inner_longer == outwards {
+            cell.piece.left = limit;
+        } else {
+            cell.piece.right = limit;
+        }
+    }
+}
+
 /// A bound of the difference between the value at the breakpoint and the limit there.
 fn slack_of(cell: &Side, arm: &Arm) -> f64 {
     let size = cell.piece.size();
@@ -130,10 +182,19 @@ impl Builder<'_> {
     /// distance.
     fn side(&self, arm: &Arm, most: usize) -> Result<(Vec<Side>, bool)> {
         let deepest = arm.depth.floor() as usize;
-        let scales: Vec<(f64, f64)> = (0..deepest)
-            .map(|k| arm.delta(k as f64 + 0.5))
-            .map_while(|delta| self.u.evaluated(arm, delta).ok().map(|value| (delta, value)))
-            .collect();
+        // The values on all scales; only a polynomial that is resolved is compared with them. A function of the logarithm
+        // of the distance may change far below the smallest one.
+        let scales = OnceCell::new();
+        let sampled = || -> Vec<(f64, f64)> {
+            let seen = (0..deepest)
+                .map(|k| arm.delta(k as f64 + 0.5))
+                .map_while(|delta| self.u.evaluated(arm, delta).ok().map(|v| (delta, v)));
+            let doublings = if self.u.is_known_at_any_depth() { DOUBLINGS } else { 0 };
+            let deeper = (1..=doublings)
+                .map(|k| arm.depth * f64::from(k).exp2())
+                .map_while(|t| self.u.at_depth(arm, t).ok().map(|value| (0.0, value)));
+            seen.chain(deeper).collect()
+        };
         let least = arm.delta(arm.depth);
         let (mut far, mut halvings, mut count) = (arm.length, Vec::new(), 0);
         let (end, is_open) = loop {
@@ -142,13 +203,16 @@ impl Builder<'_> {
                 let part = Part { near: 0.0, far, low: least, high: far, halvings: 0 };
                 let Fitted { piece, off, is_resolved, allowed } = self.fitted(arm, &part)?;
                 let cell = Side { near: 0.0, far, piece, off, is_rough: false };
-                let below = || scales.iter().filter(|(delta, _)| *delta < far);
-                let apart = below()
-                    .map(|(delta, value)| (value - cell.value(arm, *delta)).abs())
-                    .fold(0.0, f64::max);
-                let agrees = is_resolved && apart <= allowed;
-                if agrees || is_last {
-                    break (Side { off: cell.off.max(apart), ..cell }, !agrees);
+                if is_resolved || is_last {
+                    let below = scales.get_or_init(sampled);
+                    let below = below.iter().filter(|(delta, _)| *delta < far);
+                    let apart = below
+                        .map(|(delta, value)| (value - cell.value(arm, *delta)).abs())
+                        .fold(0.0, f64::max);
+                    let agrees = is_resolved && apart <= allowed;
+                    if agrees || is_last {
+                        break (Side { off: cell.off.max(apart), ..cell }, !agrees);
+                    }
                 }
             }
             halvings.push(far);
@@ -242,6 +306,9 @@ impl Side {
     /// The value of the polynomial at distance δ.
     fn value(&self, arm: &Arm, delta: f64) -> f64 {
         let t = (delta - self.near) / (self.far - self.near);
+        if t < AT_END {
+            return if arm.sign > 0.0 { self.piece.left } else { self.piece.right };
+        }
         self.piece.value(if arm.sign > 0.0 { t } else { 1.0 - t })
     }
 }

@@ -28,7 +28,7 @@ use crate::functions::of_residual;
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial};
-use crate::root::{accept, root_of_squares};
+use crate::root::{accept, whole};
 
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the error of the polynomials that represent the function, or the rounding of its values, limits the accuracy";
@@ -62,8 +62,7 @@ impl Resolved {
     /// As [`Resolved::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
-        let [a, b] = parts.map(Estimate::or_best);
-        accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
+        whole(parts, tolerance, LIMIT)
     }
 
     /// ‖u‖.
@@ -93,7 +92,7 @@ impl Resolved {
                 ));
             }
             let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
-            let found = Estimate { error: found.error + off, ..found };
+            let found = Estimate::new(found.value, found.error + off, found.work)?;
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
         let rest =
@@ -377,7 +376,8 @@ impl Resolved {
     }
 
     /// The cells with those at every breakpoint joined to a linear piece as far as Σ V² w(h) is less than `goal`, h the
-    /// lengths and V the variation, and that sum.
+    /// lengths and V the variation from the limit, and that sum. The linear piece itself counts with its whole length:
+    /// where the last cell is short, the tail of a bell, its slope is felt far from that cell.
     fn joined(&self, weight: impl Fn(f64) -> f64, goal: f64) -> (Vec<Cell>, f64) {
         let n = self.cells.len();
         let mut keep = vec![true; n];
@@ -393,20 +393,23 @@ impl Resolved {
                     continue;
                 };
                 let (mut sum, mut length, mut count, mut last) = (0.0, 0.0, 0, limit);
+                let mut slope = 0.0;
                 for cell in near {
                     let (from, to) = ends(&cell.piece);
                     let bubbles: f64 = cell.piece.bubbles.iter().map(|c| 0.25 * c.abs()).sum();
                     let off = (from - limit).abs().max((to - limit).abs()) + bubbles + cell.off;
                     let next = sum + weight(cell.length) * off * off;
-                    if cell.is_rough || next > goal {
+                    let sloping = weight(length + cell.length) * (to - limit).powi(2);
+                    if cell.is_rough || next + sloping > goal {
                         break;
                     }
                     (sum, length, count, last) = (next, length + cell.length, count + 1, to);
+                    slope = sloping;
                 }
                 if count < 2 {
                     continue;
                 }
-                whole += sum;
+                whole += sum + slope;
                 let cells = if is_right { node..node + count } else { node - count..node };
                 keep[cells.clone()].fill(false);
                 let [left, right] = if is_right { [limit, last] } else { [last, limit] };

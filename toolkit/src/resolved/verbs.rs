@@ -51,8 +51,8 @@ impl Resolved {
         Estimate::new(value, cell.off + ROUNDING * cell.piece.size(), Work::default())
     }
 
-    /// u′ between the nodes. The error of the derivative of a polynomial of degree d on a cell of length h is bounded by
-    /// that of the polynomial times 2(d+2)²/h (Markov).
+    /// u′ between the nodes. The error of the derivative of a polynomial of degree d on a cell of length h is estimated as
+    /// that of the polynomial times 2(d+2)²/h, Markov's bound for errors that are polynomials of degree d + 2.
     ///
     /// # Errors
     /// [`Error::NotFinite`] on overflow.

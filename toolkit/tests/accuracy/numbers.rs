@@ -177,6 +177,20 @@ fn slow_powers_are_followed_below_the_range_of_numbers() {
     }
 }
 
+/// |ln x|^155 at an order just below 1/2 is zero at all distances that binary64 has, in units of its maximum near e^(−4e5):
+/// it was 0 ± 0.
+#[test]
+fn a_function_of_the_logarithm_may_live_below_all_distances() {
+    let (alpha, order) = (155.57712450797106, Order::half_plus(-1.8240123181672289e-4).unwrap());
+    let exact = (references::log_power_below_half(alpha, order).sqrt(), REFERENCE);
+    let u = power_of_logarithm(alpha, references::log_unit(alpha, order));
+    let asked = Tolerance::new(1.6e-3).unwrap();
+    let case = Case::new("below".to_owned(), asked, exact, |asked| u.seminorm(order, asked));
+    println!("{:?} {}", case.found, case.exact);
+    assert!(case.fault().is_none(), "{:?}", case.fault());
+    assert!(!matches!(case.found, Ok(found) if found.value == 0.0));
+}
+
 fn log_power(random: &mut SplitMix) -> Case {
     let (alpha, asked) = (log_exponent(random, -5.0), tolerance(random, -3.0, -1.5));
     let u = power_of_logarithm(alpha, 0.0);

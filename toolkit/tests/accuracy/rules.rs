@@ -40,3 +40,19 @@ fn weights_sum_to_their_integral() {
         assert!((sum / exact - 1.0).abs() <= ROUNDING, "{n} {alpha} {beta}: {sum}, {exact}");
     }
 }
+
+/// The weights sum to B(α + 1, β + 1), here to the last digit. The Gamma function at 40 magnifies the rounding of its argument
+/// by 150.
+#[test]
+fn weights_for_large_exponents_keep_their_digits() {
+    for (n, alpha, beta, exact) in [
+        (2297, 19.700336266135015, 18.496549696267785, 6.431073925169798e-13),
+        (20, 1000.3, -0.7, 0.3765089483071119),
+        (300, 37.1, 0.25, 0.009536640766596956),
+        (40, 77.7, 77.7, 1.6602979740596694e-48),
+    ] {
+        let rule = gauss_jacobi(n, alpha, beta).unwrap();
+        let sum: f64 = rule.weights().iter().sum();
+        assert!((sum / exact - 1.0).abs() <= ROUNDING, "{n} {alpha} {beta}: {sum}, {exact}");
+    }
+}

@@ -79,3 +79,31 @@ fn every_norm_of_a_closure_keeps_a_limit_of_work() {
     let few = Tolerance::balanced().with_work(500_000);
     assert!(smooth.norm(0.5, few).is_ok() && smooth.norm(0.5, few.with_work(500)).is_err());
 }
+
+#[test]
+fn a_refusal_for_the_limit_of_work_names_it() {
+    let square = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]];
+    let u = Function::on_polygon(&square, |[x, y]| (9.0 * x).sin() + (y - 0.3).abs()).unwrap();
+    let tolerance = Tolerance::new(1e-13).unwrap();
+    for s in [-0.5, 0.0, 0.5, 1.0, 1.3] {
+        let few = u.norm(s, tolerance.with_work(100));
+        assert!(refusal(&few).1.contains("work limit"), "{s}: {few:?}");
+    }
+    assert!(!refusal(&u.norm(0.0, tolerance)).1.contains("work limit"));
+    // In the plane the first accuracy may be within the limit and the next one not.
+    let nodes = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.05], [0.0, 0.05]];
+    let plane = Triangles::new(&nodes, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+    let w = Function::on_triangles(&plane, 1, &[0.0, 1.0, -2.0, 1.0]).unwrap();
+    let mut with_value = 0;
+    for asked in [1e-10, 1e-12, 1e-13, 3e-14] {
+        let tolerance = Tolerance::new(asked).unwrap();
+        let answered = w.seminorm(0.5, tolerance).is_ok();
+        for power in 10..28 {
+            let found = w.seminorm(0.5, tolerance.with_work(1 << power));
+            let Err(Error::ToleranceNotMet { best, why, .. }) = found else { continue };
+            with_value += usize::from(best.is_some());
+            assert!(!answered || why.contains("work limit"), "{power}: {why}");
+        }
+    }
+    assert!(with_value > 0);
+}

@@ -2,7 +2,7 @@
 
 use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, Tolerance};
 use crate::gram::{gram_linears, mass_form};
 use crate::numeric::dense::{Cholesky, product};
 use crate::numeric::last::Last;
@@ -177,10 +177,8 @@ impl EmbeddingSpace {
         let function = Function::linears(&self.partition, values)?;
         let top = function.lp(q, tolerance)?;
         let norm = function.norm(self.order, tolerance)?;
-        let value = top.value / norm.value;
-        let relative = top.relative_error() + norm.relative_error();
-        let work = Work { factorizations: 1, ..top.work + norm.work };
-        let quotient = Estimate::new(value, relative * value, work)?;
+        let mut quotient = top.quotient(norm)?;
+        quotient.work.factorizations = 1;
         Ok(Trial { quotient, mesh: self.partition.clone(), values: values.to_vec() })
     }
 }
