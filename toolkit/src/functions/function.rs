@@ -400,6 +400,14 @@ impl<'a> SingularFunction<'a> {
         }
     }
 
+    /// The same at δ = R e^{−t}, both of which are given.
+    pub(super) fn along(&self, arm: &Arm, t: f64, delta: f64) -> Result<f64> {
+        match self.spot_at(t).and_then(|spot| self.at_spot(arm, spot)) {
+            Some(value) => self.spend(1).map(|()| value),
+            None => self.evaluated(arm, delta),
+        }
+    }
+
     /// The value at distance e^s δ, where δ is that of a spot.
     pub(super) fn farther(&self, arm: &Arm, spot: Option<Spot>, s: f64, delta: f64) -> Result<f64> {
         match spot.and_then(|spot| spot.farther(s)).and_then(|spot| self.at_spot(arm, spot)) {

@@ -264,7 +264,7 @@ impl SingularFunction<'_> {
                 let found = integral.integrate(arm.depth, value, None, samples, |t| {
                     points += 1;
                     let delta = arm.delta(t);
-                    let value = delta * f(self.at(arm, delta)?);
+                    let value = delta * f(self.along(arm, t, delta)?);
                     Ok(Density { value, rounding: 4.0 * f64::EPSILON * value.abs() })
                 })?;
                 value += found.limit.value;

@@ -8,7 +8,7 @@
 //! y = 2 log₂(2^{k+1} δ/R) − 1,    −1 ≤ y ≤ 1,
 //! ```
 //!
-//! through 16 points, or 32. Powers of δ are e^{cy} and powers of logarithms (c + y)^α, of which the coefficients fall below
+//! through 14, 20 or 32 points, written in powers of y. Powers of δ are e^{cy} and powers of logarithms (c + y)^α, of which the coefficients fall below
 //! rounding after ten. The polynomial is used if its last coefficients are rounding, if it agrees with u at two other points
 //! and at all samples of equal distance in the octave ([`super::look`]), and if u does not vary so much that the rounding of
 //! y would count; otherwise u itself is evaluated. Below the smallest distance, where u is a function of t = ln(R/δ)
@@ -19,12 +19,13 @@
 
 use super::arm::Arm;
 use super::function::SingularFunction;
+use super::supremum::Peak;
 use crate::error::Result;
 use std::f64::consts::{LOG2_E, PI};
 use std::sync::OnceLock;
 
 /// Numbers of points, until one is enough.
-const POINTS: [usize; 2] = [16, 32];
+const COUNTS: [usize; 3] = [14, 20, 32];
 /// Other points at which u and the polynomial are compared.
 const BETWEEN: [f64; 2] = [-0.7431, 0.3217];
 /// Number of last coefficients that must be rounding.
@@ -36,6 +37,8 @@ const AGREES: f64 = 8.0;
 const NOTHING: f64 = 0.5 * f64::EPSILON;
 /// Largest Σ k |c_k|, relative to the largest value: x^10 on an octave.
 const STEEP: f64 = 4.0;
+/// Largest Σ |a_k|, relative to the largest value: above it powers of y would cancel.
+const CANCELS: f64 = 8.0;
 /// Number of octaves of t.
 const DEEPEST: usize = 1024;
 
@@ -47,6 +50,8 @@ pub(super) struct Seen {
     /// the values on all scales of every side, at t = 1/2, 3/2, ..., and at δ = 3/4 R/2^k, k = 0, 1, ...
     pub(super) scales: OnceLock<Vec<Vec<f64>>>,
     pub(super) middles: OnceLock<Vec<Vec<f64>>>,
+    /// the largest values by the two coarsest sets of samples: the accuracy of the cells, the value, and the work it took
+    pub(super) peaks: [OnceLock<(f64, Peak, u64)>; 2],
     /// the octaves of δ and those of t, of every side
     sides: OnceLock<Vec<[Octaves; 2]>>,
 }
@@ -54,19 +59,22 @@ pub(super) struct Seen {
 /// Polynomials on octaves; `None` where u itself is evaluated.
 type Octaves = Vec<OnceLock<Option<Box<[f64]>>>>;
 
-/// A point by its octave and its place in it, 0 at the smaller end, 1 at the larger one.
+/// A point by its octave and y there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Spot {
     octave: usize,
-    place: f64,
+    y: f64,
 }
 
+/// ln 2 in two parts, of which the first one times an integer below 2^20 is exact.
+const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+
 impl Spot {
-    /// The place of a number in (2^e, 2^{e+1}), and e.
+    /// y of a number in (2^e, 2^{e+1}), and e.
     fn of(x: f64) -> (i32, f64) {
         let exponent = ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023;
         let mantissa = f64::from_bits((x.to_bits() & ((1 << 52) - 1)) | (1023 << 52));
-        (exponent, mantissa.log2())
+        (exponent, 2.0 * mantissa.log2() - 1.0)
     }
 
     /// Of the share δ/R of a side.
@@ -75,67 +83,118 @@ impl Spot {
             return None;
         }
         if share == 1.0 {
-            return Some(Self { octave: 0, place: 1.0 });
+            return Some(Self { octave: 0, y: 1.0 });
         }
-        let (exponent, place) = Self::of(share);
-        Some(Self { octave: (-exponent - 1) as usize, place })
+        let (exponent, y) = Self::of(share);
+        Some(Self { octave: (-exponent - 1) as usize, y })
+    }
+
+    /// Of the share e^{−t}, with all digits of t.
+    fn of_depth(t: f64) -> Self {
+        let octave = (t * LOG2_E).floor();
+        let rest = (t - octave * LN_2[0]) - octave * LN_2[1];
+        Self { octave: octave as usize, y: 1.0 - 2.0 * LOG2_E * rest }
     }
 
     /// The point at e^s times the distance.
     pub(super) fn farther(self, s: f64) -> Option<Self> {
-        let place = self.place + s * LOG2_E;
-        let octaves = place.floor();
+        let y = self.y + 2.0 * LOG2_E * s;
+        let octaves = (0.5 * (y + 1.0)).floor();
         let octave = self.octave.checked_sub(octaves as usize)?;
-        Some(Self { octave, place: place - octaves })
+        Some(Self { octave, y: y - 2.0 * octaves })
     }
 }
 
-/// Σ c_k T_k(y), by Clenshaw's recurrence.
-fn value_of(coefficients: &[f64], y: f64) -> f64 {
-    let (mut next, mut after) = (0.0, 0.0);
-    for c in coefficients[1..].iter().rev() {
-        (next, after) = (2.0 * y * next - after + c, next);
+/// Σ a_k y^k, of an even number of terms: even and odd powers apart, for half of the time.
+fn value_of(powers: &[f64], y: f64) -> f64 {
+    let square = y * y;
+    let (mut even, mut odd) = (0.0, 0.0);
+    for pair in powers.rchunks_exact(2) {
+        even = even * square + pair[0];
+        odd = odd * square + pair[1];
     }
-    y * next - after + coefficients[0]
+    even + y * odd
 }
 
-/// cos(πm/2n) for m < 4n, of which the roots of T_n and the values of all T_k there consist, k < n.
-fn cosines(n: usize) -> &'static [f64] {
-    static OF: [OnceLock<Vec<f64>>; POINTS.len()] = [const { OnceLock::new() }; POINTS.len()];
-    let make = || (0..4 * n).map(|m| (PI * m as f64 / (2 * n) as f64).cos()).collect();
-    OF[POINTS.iter().position(|&points| points == n).unwrap_or(0)].get_or_init(make)
+/// The coefficients of y^k of Σ c_k T_k(y), an even number of them.
+fn powers_of(chebyshev: &[f64]) -> Vec<f64> {
+    let mut powers = vec![0.0; chebyshev.len().next_multiple_of(2)];
+    let (mut before, mut current) = (vec![0.0; powers.len()], vec![0.0; powers.len()]);
+    // T_{-1} = T_1 = y
+    current[0] = 1.0;
+    before[1] = 1.0;
+    for (k, c) in chebyshev.iter().enumerate() {
+        for (power, t) in powers.iter_mut().zip(&current) {
+            *power += c * t;
+        }
+        // T_{k+1} = 2y T_k − T_{k−1}
+        for j in (0..=(k + 1).min(powers.len() - 1)).rev() {
+            before[j] = if j > 0 { 2.0 * current[j - 1] } else { 0.0 } - before[j];
+        }
+        std::mem::swap(&mut before, &mut current);
+    }
+    powers
 }
 
-/// The coefficients of the Chebyshev polynomial through values at the roots of T_n.
-fn coefficients_of(values: &[f64], cosines: &[f64]) -> Vec<f64> {
-    let n = values.len();
-    // Differences from one of them are smaller, and so is their rounding.
-    let middle = values[n / 2];
-    let of = |k: usize| {
-        let term = |(j, v): (usize, &f64)| (v - middle) * cosines[k * (2 * j + 1) % (4 * n)];
-        let sum = values.iter().enumerate().map(term).sum::<f64>() / n as f64;
-        if k == 0 { middle + sum } else { 2.0 * sum }
-    };
-    (0..n).map(of).collect()
+/// The points of one polynomial.
+struct Points {
+    /// 2^{(y+1)/2}, the distance in units of the smallest one of the octave
+    factors: Vec<f64>,
+    /// T_k(y_j), by rows of k
+    chebyshev: Vec<f64>,
 }
 
-/// The polynomial of a function of the place in an octave, if it agrees with it; `blur` is the relative rounding error of
-/// the argument, `seen` are the places and values of other samples.
+impl Points {
+    /// The roots of T_n.
+    fn new(n: usize) -> Self {
+        let cosine = |m: usize| (PI * (m % (4 * n)) as f64 / (2 * n) as f64).cos();
+        Self {
+            factors: (0..n).map(|j| factor(cosine(2 * j + 1))).collect(),
+            chebyshev: (0..n * n).map(|kj| cosine(kj / n * (2 * (kj % n) + 1))).collect(),
+        }
+    }
+
+    /// The coefficients of the Chebyshev polynomial through values.
+    fn coefficients(&self, values: &[f64]) -> Vec<f64> {
+        let n = values.len();
+        // Differences from one of them are smaller, and so is their rounding.
+        let middle = values[n / 2];
+        let apart: Vec<f64> = values.iter().map(|value| value - middle).collect();
+        let of = |(k, row): (usize, &[f64])| {
+            let sum = row.iter().zip(&apart).map(|(t, v)| t * v).sum::<f64>() / n as f64;
+            if k == 0 { middle + sum } else { 2.0 * sum }
+        };
+        self.chebyshev.chunks_exact(n).enumerate().map(of).collect()
+    }
+}
+
+fn factor(y: f64) -> f64 {
+    (0.5 * y + 0.5).exp2()
+}
+
+/// The points of all polynomials, and the other points.
+fn all_points() -> &'static ([Points; COUNTS.len()], [f64; BETWEEN.len()]) {
+    static OF: OnceLock<([Points; COUNTS.len()], [f64; BETWEEN.len()])> = OnceLock::new();
+    OF.get_or_init(|| (COUNTS.map(Points::new), BETWEEN.map(factor)))
+}
+
+/// The powers of y of a function of 2^{(y+1)/2}, if a polynomial agrees with it; `blur` is the relative rounding error of
+/// the argument, `seen` are y and values of other samples.
 fn polynomial(
     u: impl Fn(f64) -> Result<f64>,
     blur: f64,
     seen: &[(f64, f64)],
 ) -> Option<Box<[f64]>> {
-    for n in POINTS {
-        let cosines = cosines(n);
-        let place = |j: usize| 0.5 + 0.5 * cosines[2 * j + 1];
-        let values = (0..n).map(|j| u(place(j)).ok()).collect::<Option<Vec<f64>>>()?;
+    let (all, between) = all_points();
+    for points in all {
+        let n = points.factors.len();
+        let values = points.factors.iter().map(|&x| u(x).ok()).collect::<Option<Vec<f64>>>()?;
         let (low, high) = values
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| (low.min(*v), high.max(*v)));
         let largest = high.abs().max(low.abs());
         // Constants keep differences that are exactly zero.
-        let mut found = if low == high { vec![low] } else { coefficients_of(&values, cosines) };
+        let mut found = if low == high { vec![low] } else { points.coefficients(&values) };
         let rounding = ROUNDING * largest + 4.0 * (high - low) * blur;
         let is_small = |c: &f64| c.abs() <= rounding;
         if found.len() > LAST && !found[n - LAST..].iter().all(is_small) {
@@ -149,16 +208,17 @@ fn polynomial(
         while found.len() > 1 && found.last().is_some_and(|c| c.abs() <= nothing) {
             found.pop();
         }
-        // The place of a point is rounded, too.
+        let powers = powers_of(&found);
+        if powers.iter().map(|power| power.abs()).sum::<f64>() > CANCELS * largest {
+            return None;
+        }
+        // y is rounded, too.
         let slack = AGREES * rounding + 2.0 * ROUNDING * steep;
-        let agrees =
-            |place: f64, value: f64| (value - value_of(&found, 2.0 * place - 1.0)).abs() <= slack;
-        let is_confirmed = BETWEEN.iter().all(|&y| {
-            let place = 0.5 + 0.5 * y;
-            u(place).is_ok_and(|value| agrees(place, value))
-        });
-        if is_confirmed && seen.iter().all(|&(place, value)| agrees(place, value)) {
-            return Some(found.into_boxed_slice());
+        let agrees = |y: f64, value: f64| (value - value_of(&powers, y)).abs() <= slack;
+        let is_confirmed =
+            BETWEEN.iter().zip(between).all(|(&y, &x)| u(x).is_ok_and(|value| agrees(y, value)));
+        if is_confirmed && seen.iter().all(|&(y, value)| agrees(y, value)) {
+            return Some(powers.into_boxed_slice());
         }
         return None;
     }
@@ -166,16 +226,21 @@ fn polynomial(
 }
 
 impl SingularFunction<'_> {
-    /// The place of a point of a side in its octave.
+    /// A point of a side by its octave, δ given.
     pub(super) fn spot(&self, arm: &Arm, delta: f64) -> Option<Spot> {
         if self.is_normalized() { Spot::of_share(delta / arm.length) } else { None }
+    }
+
+    /// A point of a side by its octave, t given.
+    pub(super) fn spot_at(&self, t: f64) -> Option<Spot> {
+        if self.is_normalized() && t >= 0.0 { Some(Spot::of_depth(t)) } else { None }
     }
 
     /// The value there by the polynomial of its octave, if there is one.
     pub(super) fn at_spot(&self, arm: &Arm, spot: Spot) -> Option<f64> {
         let [octaves, _] = self.octaves(arm)?;
         let found = octaves.get(spot.octave)?.get_or_init(|| self.octave(arm, spot.octave));
-        found.as_ref().map(|found| value_of(found, 2.0 * spot.place - 1.0))
+        found.as_ref().map(|found| value_of(found, spot.y))
     }
 
     /// The value at depth t by the polynomial of its octave, if there is one.
@@ -184,11 +249,15 @@ impl SingularFunction<'_> {
             return None;
         }
         let [_, octaves] = self.octaves(arm)?;
-        let (octave, place) = Spot::of(t);
-        let depth = |place: f64| libm::ldexp(place.exp2(), octave);
-        let fill = || polynomial(|place| self.deep(arm, depth(place)), 0.0, &[]);
+        let (octave, y) = Spot::of(t);
+        let fill = || polynomial(|x| self.deep(arm, libm::ldexp(x, octave)), 0.0, &[]);
         let found = octaves.get(octave as usize)?.get_or_init(fill);
-        found.as_ref().map(|found| value_of(found, 2.0 * place - 1.0))
+        match found {
+            Some(found) => Some(value_of(found, y)),
+            // A power of δ, as steep as an exponential of t.
+            None if t < arm.depth => self.at_spot(arm, Spot::of_depth(t)),
+            None => None,
+        }
     }
 
     fn octaves(&self, arm: &Arm) -> Option<&[Octaves; 2]> {
@@ -196,7 +265,7 @@ impl SingularFunction<'_> {
         let make = || {
             let of_side = |arm: Arm| {
                 let deep = if self.is_known_at_any_depth() { DEEPEST } else { 0 };
-                [empty((arm.depth * LOG2_E) as usize), empty(deep)]
+                [empty((arm.depth * LOG2_E).ceil() as usize), empty(deep)]
             };
             self.arms().into_iter().map(of_side).collect()
         };
@@ -207,9 +276,11 @@ impl SingularFunction<'_> {
         let near = arm.length * libm::ldexp(1.0, -(octave as i32) - 1);
         let seen: Vec<(f64, f64)> = self
             .seen_within(arm, near, 2.0 * near)
-            .map(|(delta, value)| ((delta / near).log2(), value))
+            .map(|(delta, value)| (2.0 * (delta / near).log2() - 1.0, value))
             .collect();
-        polynomial(|place| self.direct(arm, near * place.exp2()), arm.blur / near, &seen)
+        // The logarithm of the distance is a rounded number, too.
+        let blur = if self.is_known_at_any_depth() { near.ln().abs() * f64::EPSILON } else { 0.0 };
+        polynomial(|x| self.direct(arm, near * x), blur.max(arm.blur / near), &seen)
     }
 }
 
@@ -254,11 +325,31 @@ mod tests {
 
     #[test]
     fn kinks_layers_and_noise_are_evaluated() {
-        let refused = |f: fn(f64) -> f64| polynomial(|place| Ok(f(place)), 0.0, &[]).is_none();
-        assert!(refused(|t| (t - 0.4).abs()) && refused(|t| (-100.0 * t).exp()));
-        assert!(refused(|t| t + 1e-12 * (1e6 * t).sin()) && !refused(f64::sin));
+        let refused = |f: fn(f64) -> f64| polynomial(|x| Ok(f(x)), 0.0, &[]).is_none();
+        assert!(refused(|x| (x - 1.3).abs()) && refused(|x| (-100.0 * (x - 1.0)).exp()));
+        assert!(refused(|x| x + 1e-12 * (1e6 * x).sin()) && !refused(f64::sin));
         // a bell between the points, at one of the other samples
-        let none = polynomial(|_| Ok(1.0), 0.0, &[(0.123, 1.5)]);
-        assert!(none.is_none());
+        assert!(polynomial(|_| Ok(1.0), 0.0, &[(0.123, 1.5)]).is_none());
+    }
+
+    #[test]
+    fn a_point_has_one_place_by_its_distance_and_by_its_depth() {
+        for k in 0..6900 {
+            let t = 0.1 * f64::from(k) + 0.037;
+            let (a, b) = (Spot::of_share((-t).exp()).unwrap(), Spot::of_depth(t));
+            assert!(a.octave == b.octave && (a.y - b.y).abs() < 1e-15, "{t}: {a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn powers_have_the_values_of_chebyshev_polynomials() {
+        let chebyshev = [0.7, -0.2, 0.05, 3e-3, -1e-4];
+        let powers = powers_of(&chebyshev);
+        for y in [-1.0f64, -0.3, 0.0, 0.8, 1.0] {
+            let sum: f64 =
+                chebyshev.iter().enumerate().map(|(k, c)| c * (k as f64 * y.acos()).cos()).sum();
+            assert!((value_of(&powers, y) - sum).abs() < 1e-15);
+        }
+        assert_eq!(value_of(&powers_of(&[2.5]), 0.3), 2.5);
     }
 }

@@ -203,6 +203,7 @@ fn a_singular_end_is_sampled_once_for_all_norms() -> Result<()> {
         // The largest order needs the smallest distances.
         let asked = if name.ends_with("of x") { 1e-5 } else { 1e-8 };
         u.norm(0.7, asked)?;
+        u.lp(f64::INFINITY, asked)?;
         let dual = u.dual_norm(DualOf::Interpolation, 0.4, 1e-6);
         if name.starts_with("x^0.4") {
             // ‖u‖² = Σ (2 − δ_{k0}) (∫ u cos kπx)² (1 + k²π²)^{−ν}, summed with 20 digits
@@ -212,12 +213,16 @@ fn a_singular_end_is_sampled_once_for_all_norms() -> Result<()> {
         for order in [0.1, 0.3, 0.5, 0.65] {
             u.norm(order, asked)?;
         }
-        u.lp(3.0, asked)?;
+        for q in [1.0, 2.0, 3.0, f64::INFINITY] {
+            u.lp(q, asked)?;
+        }
         u.mean(asked)?;
         u.dual_norm(DualOf::Interpolation, 0.3, 1e-6).ok();
         let later = count.load(Ordering::Relaxed) - first;
-        println!("{name}: {first} values for a norm and a dual norm, {later} for seven more");
-        assert!(first < 60_000 && later <= first / 50, "{name}: {first}, {later}");
+        println!("{name}: {first} values at first, {later} in ten more verbs");
+        // Where x is rounded, u is no smooth function of the distance, and is evaluated.
+        let most = if name.ends_with("of x") { first / 100 } else { 0 };
+        assert!(first < 70_000 && later <= most, "{name}: {first}, {later}");
     }
     Ok(())
 }
