@@ -149,16 +149,21 @@ impl Profile {
         };
         let logs: Vec<Vec<f64>> = self.arms.iter().zip(&self.values).map(of).collect();
         let sum = |(arm, values): (&Arm, &Vec<f64>)| {
-            // powf costs as much as all other work on a sample.
-            let power = |value: &f64| match q {
-                1.0 => value.abs(),
-                2.0 => value * value,
-                _ => value.abs().powf(q),
-            };
-            arm.length / LOOKS as f64 * values.iter().map(power).sum::<f64>()
+            arm.length / LOOKS as f64 * values.iter().map(|value| power(*value, q)).sum::<f64>()
         };
         let evenly: f64 = self.arms.iter().zip(&self.evenly).map(sum).sum();
         Logs { whole: log_sum(&logs).max(evenly.ln()), arms: logs }
+    }
+}
+
+/// |u|^q; for general q this costs as much as all other work on a value.
+pub(super) fn power(u: f64, q: f64) -> f64 {
+    match q {
+        1.0 => u.abs(),
+        2.0 => u * u,
+        3.0 => (u * u * u).abs(),
+        4.0 => (u * u) * (u * u),
+        _ => u.abs().powf(q),
     }
 }
 
