@@ -339,7 +339,7 @@ impl<'a> SingularFunction<'a> {
         }
         if self.is_normalized {
             let u = SingularFunction { budget, ..self.clone() };
-            return Ok(Normalized { size: 1.0, length: 1.0, u });
+            return Ok(Normalized { units: Units { length: 1.0, size: 1.0 }, u });
         }
         let size = match self.seen.first.get() {
             Some((size, _)) => *size,

@@ -21,6 +21,7 @@ use super::arm::Arm;
 use super::function::SingularFunction;
 use super::supremum::Peak;
 use crate::error::Result;
+use std::cell::Cell;
 use std::f64::consts::{LOG2_E, PI};
 use std::sync::OnceLock;
 
@@ -250,7 +251,7 @@ impl SingularFunction<'_> {
         }
         let [_, octaves] = self.octaves(arm)?;
         let (octave, y) = Spot::of(t);
-        let fill = || polynomial(|x| self.deep(arm, libm::ldexp(x, octave)), 0.0, &[]);
+        let fill = || self.counted(|x| self.deep(arm, libm::ldexp(x, octave)), 0.0, &[]);
         let found = octaves.get(octave as usize)?.get_or_init(fill);
         match found {
             Some(found) => Some(value_of(found, y)),
@@ -280,7 +281,25 @@ impl SingularFunction<'_> {
             .collect();
         // The logarithm of the distance is a rounded number, too.
         let blur = if self.is_known_at_any_depth() { near.ln().abs() * f64::EPSILON } else { 0.0 };
-        polynomial(|x| self.direct(arm, near * x), blur.max(arm.blur / near), &seen)
+        self.counted(|x| self.direct(arm, near * x), blur.max(arm.blur / near), &seen)
+    }
+
+    /// [`polynomial`], with its values in the work limit.
+    fn counted(
+        &self,
+        u: impl Fn(f64) -> Result<f64>,
+        blur: f64,
+        seen: &[(f64, f64)],
+    ) -> Option<Box<[f64]>> {
+        let count = Cell::new(0);
+        let one = |x: f64| {
+            count.set(count.get() + 1);
+            u(x)
+        };
+        let found = polynomial(one, blur, seen);
+        // The next value is refused if this exceeds the limit.
+        let _ = self.spend(count.get());
+        found
     }
 }
 
