@@ -8,10 +8,10 @@
 //! y = 2 log₂(2^{k+1} δ/R) − 1,    −1 ≤ y ≤ 1,
 //! ```
 //!
-//! through 14, 20 or 32 points, written in powers of y. Powers of δ are e^{cy} and powers of logarithms (c + y)^α, of which the coefficients fall below
-//! rounding after ten. The polynomial is used if its last coefficients are rounding, if it agrees with u at two other points
-//! and at all samples of equal distance in the octave ([`super::look`]), and if u does not vary so much that the rounding of
-//! y would count; otherwise u itself is evaluated. Below the smallest distance, where u is a function of t = ln(R/δ)
+//! through 14, 20 or 32 points, written in powers of y. Powers of δ are e^{cy} and powers of logarithms (c + y)^α, of which
+//! the coefficients fall below rounding after ten. The polynomial is used if its last coefficients are rounding, if it
+//! agrees with u at 24 other points (at two in the deepest octaves) and at all samples of equal distance in the octave
+//! ([`super::look`]), and if u does not vary so much that the rounding of y would count; otherwise u itself is evaluated. Below the smallest distance, where u is a function of t = ln(R/δ)
 //! ([`super::deep_tail`]), the same is done on the octaves 2^k < t < 2^{k+1}.
 //!
 //! Two points of one octave have values of one polynomial: their difference has smaller rounding errors than that of two
@@ -27,8 +27,13 @@ use std::sync::OnceLock;
 
 /// Numbers of points, until one is enough.
 const COUNTS: [usize; 3] = [14, 20, 32];
-/// Other points at which u and the polynomial are compared.
-const BETWEEN: [f64; 2] = [-0.7431, 0.3217];
+/// Number of other points at which u and the polynomial are compared: one of [`FEW`] in octaves deeper than [`DEEP`], where
+/// nothing else looks for structure either.
+const BETWEEN: usize = 24;
+const FEW: usize = 12;
+const DEEP: usize = 64;
+/// Position of the other points in their shares of the octave.
+const WITHIN: f64 = 0.4178;
 /// Number of last coefficients that must be rounding.
 const LAST: usize = 3;
 /// Rounding of a coefficient, and of a value at other points, relative to the largest value.
@@ -173,21 +178,28 @@ fn factor(y: f64) -> f64 {
     (0.5 * y + 0.5).exp2()
 }
 
-/// The points of all polynomials, and the other points.
-fn all_points() -> &'static ([Points; COUNTS.len()], [f64; BETWEEN.len()]) {
-    static OF: OnceLock<([Points; COUNTS.len()], [f64; BETWEEN.len()])> = OnceLock::new();
-    OF.get_or_init(|| (COUNTS.map(Points::new), BETWEEN.map(factor)))
+/// The points of all polynomials.
+fn all_points() -> &'static [Points; COUNTS.len()] {
+    static OF: OnceLock<[Points; COUNTS.len()]> = OnceLock::new();
+    OF.get_or_init(|| COUNTS.map(Points::new))
+}
+
+/// y and the factors of the other points.
+fn other_points() -> &'static [(f64, f64)] {
+    static OF: OnceLock<Vec<(f64, f64)>> = OnceLock::new();
+    let y = |j: usize| 2.0 * (j as f64 + WITHIN) / BETWEEN as f64 - 1.0;
+    OF.get_or_init(|| (0..BETWEEN).map(|j| (y(j), factor(y(j)))).collect())
 }
 
 /// The powers of y of a function of 2^{(y+1)/2}, if a polynomial agrees with it; `blur` is the relative rounding error of
-/// the argument, `seen` are y and values of other samples.
+/// the argument, `seen` are y and values of other samples, and `step` is 1 for all other points.
 fn polynomial(
     u: impl Fn(f64) -> Result<f64>,
     blur: f64,
     seen: &[(f64, f64)],
+    step: usize,
 ) -> Option<Box<[f64]>> {
-    let (all, between) = all_points();
-    for points in all {
+    for points in all_points() {
         let n = points.factors.len();
         let values = points.factors.iter().map(|&x| u(x).ok()).collect::<Option<Vec<f64>>>()?;
         let (low, high) = values
@@ -216,12 +228,10 @@ fn polynomial(
         // y is rounded, too.
         let slack = AGREES * rounding + 2.0 * ROUNDING * steep;
         let agrees = |y: f64, value: f64| (value - value_of(&powers, y)).abs() <= slack;
-        let is_confirmed =
-            BETWEEN.iter().zip(between).all(|(&y, &x)| u(x).is_ok_and(|value| agrees(y, value)));
-        if is_confirmed && seen.iter().all(|&(y, value)| agrees(y, value)) {
-            return Some(powers.into_boxed_slice());
-        }
-        return None;
+        let mut others = other_points().iter().step_by(step);
+        let is_confirmed = seen.iter().all(|&(y, value)| agrees(y, value))
+            && others.all(|&(y, x)| u(x).is_ok_and(|value| agrees(y, value)));
+        return is_confirmed.then(|| powers.into_boxed_slice());
     }
     None
 }
@@ -251,7 +261,7 @@ impl SingularFunction<'_> {
         }
         let [_, octaves] = self.octaves(arm)?;
         let (octave, y) = Spot::of(t);
-        let fill = || self.counted(|x| self.deep(arm, libm::ldexp(x, octave)), 0.0, &[]);
+        let fill = || self.counted(|x| self.deep(arm, libm::ldexp(x, octave)), 0.0, &[], FEW);
         let found = octaves.get(octave as usize)?.get_or_init(fill);
         match found {
             Some(found) => Some(value_of(found, y)),
@@ -281,7 +291,8 @@ impl SingularFunction<'_> {
             .collect();
         // The logarithm of the distance is a rounded number, too.
         let blur = if self.is_known_at_any_depth() { near.ln().abs() * f64::EPSILON } else { 0.0 };
-        self.counted(|x| self.direct(arm, near * x), blur.max(arm.blur / near), &seen)
+        let step = if octave < DEEP { 1 } else { FEW };
+        self.counted(|x| self.direct(arm, near * x), blur.max(arm.blur / near), &seen, step)
     }
 
     /// [`polynomial`], with its values in the work limit.
@@ -290,13 +301,14 @@ impl SingularFunction<'_> {
         u: impl Fn(f64) -> Result<f64>,
         blur: f64,
         seen: &[(f64, f64)],
+        step: usize,
     ) -> Option<Box<[f64]>> {
         let count = Cell::new(0);
         let one = |x: f64| {
             count.set(count.get() + 1);
             u(x)
         };
-        let found = polynomial(one, blur, seen);
+        let found = polynomial(one, blur, seen, step);
         // The next value is refused if this exceeds the limit.
         let _ = self.spend(count.get());
         found
@@ -344,11 +356,15 @@ mod tests {
 
     #[test]
     fn kinks_layers_and_noise_are_evaluated() {
-        let refused = |f: fn(f64) -> f64| polynomial(|x| Ok(f(x)), 0.0, &[]).is_none();
+        let refused = |f: fn(f64) -> f64| polynomial(|x| Ok(f(x)), 0.0, &[], 1).is_none();
         assert!(refused(|x| (x - 1.3).abs()) && refused(|x| (-100.0 * (x - 1.0)).exp()));
         assert!(refused(|x| x + 1e-12 * (1e6 * x).sin()) && !refused(f64::sin));
+        // a narrow bell that none of the 14 points meets
+        let bell = |x: f64| Ok(1.0 + (-0.5 * ((x - 1.31) / 0.003).powi(2)).exp());
+        assert!(polynomial(bell, 0.0, &[], FEW).is_some());
+        assert!(polynomial(bell, 0.0, &[], 1).is_none());
         // a bell between the points, at one of the other samples
-        assert!(polynomial(|_| Ok(1.0), 0.0, &[(0.123, 1.5)]).is_none());
+        assert!(polynomial(|_| Ok(1.0), 0.0, &[(0.123, 1.5)], 1).is_none());
     }
 
     #[test]

@@ -228,6 +228,32 @@ fn a_singular_end_is_sampled_once_for_all_norms() -> Result<()> {
 }
 
 #[test]
+fn narrow_bells_near_a_singular_end_are_seen() -> Result<()> {
+    let mut random = SplitMix::new(54);
+    for _ in 0..100 {
+        let at = 10f64.powf(random.between(-6.0, -1.0));
+        let width = at * random.between(0.004, 0.03);
+        let height = at.powf(0.4) * 10f64.powf(random.between(-2.0, 0.0));
+        let bell = move |x: f64| height * (-0.5 * ((x - at) / width).powi(2)).exp();
+        let u = Function::from_fn(&[0.0, 1.0], move |x| x.powf(0.4) + bell(x))?;
+        // The midpoint rule is exact to rounding for Gauss' bell.
+        let (step, mut square, mut mean) = (width / 16.0, 1.0 / 1.8, 1.0 / 1.4);
+        for k in -160..160 {
+            let x = at + step * (f64::from(k) + 0.5);
+            square += step * bell(x) * (2.0 * x.powf(0.4) + bell(x));
+            mean += step * bell(x);
+        }
+        for (found, exact) in [(u.lp(2.0, 1e-8)?, square.sqrt()), (u.mean(1e-8)?, mean)] {
+            assert!(
+                (found.value - exact).abs() <= found.error + 1e-14,
+                "{at} {width}: {found} {exact}"
+            );
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn differences_are_resolved_on_common_cells() -> Result<()> {
     let mut random = SplitMix::new(53);
     for _ in 0..20 {
