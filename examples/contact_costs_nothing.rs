@@ -26,12 +26,14 @@
 //! |u − v|²_a = g·A_N g − 2 (A_N g)·P v + v·A_n v,     and ∫ σ_N I^h u_N = −λ·(P I^h g).
 //! ```
 //!
-//! I^h u is the discrete harmonic function with the edge values I^h g. The contact sets, where in a
-//! gap (a, b) g = −δ^(τ−1), δ = (x − a)(b − x)/(b − a), and in contact λ = r^(τ−2), r the distance
-//! to the nearest gap, the integral of λ over a cell half to each node:
+//! I^h u is the discrete harmonic function with the edge values I^h g. The ends of all gaps are
+//! rounded to the nodes of the N cells. In a gap (a, b) g = −δ^(τ−1), δ = (x − a)(b − x)/(b − a).
+//! A cell is in contact if g = 0 at both its ends, and so is a gap of one cell; there
+//! λ = r^(τ−2), r the distance to the nearest gap, and the integral of λ over the cell goes half to
+//! each node. The contact sets, with another g and λ where they are written:
 //!
 //! ```text
-//! transitions:3   gaps ((i + 1/4)/3, (i + 3/4)/3), i = 0, 1, 2, ends rounded to nodes
+//! transitions:3   gaps ((i + 1/4)/3, (i + 3/4)/3), i = 0, 1, 2
 //! cantor:0.3      20 times the middle 0.4 is taken out of each interval: g = −δ^(τ−1+d/2), λ = 1,
 //!                 d = ln 2/ln(1/0.3)
 //! fat-cantor      15 times, gaps of length c 2^(−k/d) in the middle of the 2^(k−1) intervals that
@@ -152,8 +154,8 @@ fn shaken(mesh: Triangulation, n: usize) -> signorini::Result<Triangulation> {
 /// The problems with known u, on n × n squares cut from bottom left to top right. G, the best
 /// approximation without constraint, solves a(G, φ) = l(φ) + ∫ σ_N φ for all φ, with the exact σ_N
 /// (five Gauss points on a segment, also on one with an end of contact: that adds O(h) to the
-/// excess). Norms of u − v are integrals over each triangle by 4 × 4
-/// points that gather at the ends of contact: good to 1e-3.
+/// excess). Norms of u − v are integrals over each triangle by 4 × 4 points that gather at the ends
+/// of contact: good to 1e-3.
 fn on_triangles(out: &mut Report) -> Result<()> {
     let lame = Lame::new(1.0, 1.0)?;
     for (name, known, shake) in [
@@ -164,8 +166,8 @@ fn on_triangles(out: &mut Report) -> Result<()> {
     ] {
         for cone in [Cone::Nodal, Cone::Midpoint] {
             let (mut interpolated, mut best, mut excess) = (Vec::new(), Vec::new(), Vec::new());
-            // On all of them an end of contact lies at the same place of its segment (3n/10, 2n/5 and
-            // 7n/10 have the same fractional part): the excess depends on that place.
+            // On all of them an end of contact lies at the same place of its segment (3n/10, 2n/5
+            // and 7n/10 have the same fractional part): the excess depends on that place.
             for n in [22, 42, 82] {
                 let make = || match shake {
                     true => {
