@@ -68,9 +68,9 @@ impl Order {
         self.offset
     }
 
-    /// The complement 1 − ν, exact for ν ≥ 1/2.
+    /// The complement 1 − ν, to rounding: above 1/2 from ν − 1/2, because ν may be rounded, by 1e-16/(1 − ν) of it.
     pub(crate) const fn complement(self) -> f64 {
-        1.0 - self.value
+        if self.offset > 0.0 { 0.5 - self.offset } else { 1.0 - self.value }
     }
 
     /// 1 − 2ν = −2(ν − 1/2): positive where indicator functions have a finite seminorm.
@@ -234,6 +234,14 @@ mod tests {
         assert_eq!(near.to_string().parse(), Ok(near));
         assert_eq!("0.3".parse(), Order::new(0.3));
         assert_eq!(Order::new(0.25).unwrap().one_minus_twice(), 0.5);
+    }
+
+    #[test]
+    fn the_complement_near_one_is_that_of_the_offset() {
+        let near = Order::half_plus(0.49999).unwrap();
+        assert_eq!(near.complement(), 0.5 - 0.49999);
+        assert_ne!(near.complement(), 1.0 - near.value());
+        assert_eq!(Order::new(0.99999).unwrap().complement(), 1.0 - 0.99999);
     }
 
     #[test]

@@ -115,16 +115,21 @@ impl ArmIntegral {
     ) -> Result<Limit> {
         let h = self.level.width;
         let mut sum = self.start(&mut density)?;
-        let (mut ends, mut partial, mut densities) = (vec![h], vec![sum], vec![density(h, 0.0)?]);
+        let mut found = Partials {
+            ends: vec![h],
+            partial: vec![sum],
+            densities: vec![density(h, 0.0)?],
+            roundings: vec![rounding.get()],
+            gap: 2.0 * self.order,
+        };
         let end = depth.min(self.structured);
         let (mut previous, mut rest_before) = (sum, f64::NAN);
-        while ends[ends.len() - 1] + h <= end {
-            let from = ends[ends.len() - 1];
+        while found.end() + h <= end {
+            let from = found.end();
             let cell = self.cell(&self.rule, from, h, &mut density)?;
             sum += cell;
-            ends.push(from + h);
-            partial.push(sum);
-            densities.push(density(from + h, 0.0)?);
+            let last = density(from + h, 0.0)?;
+            found.push(from + h, sum, last, rounding.get());
             let whole = sum.abs() + scale;
             // Nothing here may be nothing yet: a function may be constant over most of its arm, or so small
             // that its squares are zero.
@@ -145,7 +150,6 @@ impl ArmIntegral {
             let rest = cell.abs() * ratio / (1.0 - ratio);
             let settles = |rest: f64| rest <= 0.02 * self.tolerance * whole;
             if from > SETTLED && ratio < 0.95 && settles(rest) {
-                let last = densities[densities.len() - 1];
                 let end_of_cell = from + h;
                 let chords = if samples.is_empty() {
                     rest_by_chords(end_of_cell, last, end, |t| {
@@ -170,19 +174,17 @@ impl ArmIntegral {
             }
             rest_before = rest;
         }
-        let mut partials =
-            Partials { ends, partial, densities, gap: 2.0 * self.order, rounding: rounding.get() };
         if let Some(tail) = tail
             && depth >= TAIL_START
         {
-            return self.with_tail(tail, depth, scale, rounding, &mut partials, &mut density);
+            return self.with_tail(tail, depth, scale, rounding, &mut found, &mut density);
         }
         if depth >= self.structured + 5.0 * BLOCK
-            && let Some(limit) = self.deep(depth, scale, rounding, &mut partials, &mut density)?
+            && let Some(limit) = self.deep(depth, scale, rounding, &mut found, &mut density)?
         {
             return Ok(limit);
         }
-        self.decide(&partials)
+        self.decide(&found)
     }
 
     /// ∫₀^h ℓ dt with layers towards 0.
@@ -234,8 +236,7 @@ impl ArmIntegral {
         while found.end() + width <= start && !found.explodes() {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
-            found.push(from + width, sum, density(from + width, 0.0)?);
-            found.rounding = rounding.get();
+            found.push(from + width, sum, density(from + width, 0.0)?, rounding.get());
         }
         if found.explodes() || found.has_growing_rate() || !tail.starts_at(found.end()) {
             return self.decide(found);
@@ -261,8 +262,7 @@ impl ArmIntegral {
         while found.end() + width <= depth {
             let (from, before) = (found.end(), found.sum());
             let sum = before + self.cell(&rule, from, width, density)?;
-            found.push(from + width, sum, density(from + width, 0.0)?);
-            found.rounding = rounding.get();
+            found.push(from + width, sum, density(from + width, 0.0)?, rounding.get());
             cells += 1;
             if found.explodes() {
                 break;
@@ -299,13 +299,14 @@ impl ArmIntegral {
             return Ok(limit);
         }
         let is_slow = self.is_slow(found);
-        if found.diverges() && (!is_slow || found.explodes()) {
+        let is_open = is_slow && !found.explodes() || found.grows_slowly();
+        if found.diverges() && !is_open {
             return Err(Error::InfiniteNorm {
                 order: self.order,
                 why: "the contributions near a breakpoint do not decay",
             });
         }
-        if is_slow && found.diverges() || found.still_grows() {
+        if found.diverges() || found.still_grows() {
             // No more of it can be seen, and the largest part may lie beyond.
             return Err(Error::out_of_reach("integral", self.tolerance, f64::INFINITY, GROWS));
         }

@@ -36,9 +36,11 @@ pub(crate) struct ArmValue {
 }
 
 /// The result of a level for the squared seminorm.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct LevelValue {
     pub(crate) value: f64,
+    /// its terms by sides, whose errors may have opposite signs
+    pub(crate) sides: Vec<f64>,
     pub(crate) tail: f64,
     pub(crate) rounding: f64,
     /// the error that the rules cannot detect

@@ -15,6 +15,7 @@ use super::arm_integral::ArmIntegral;
 use super::deep_tail::DeepTail;
 use super::function::SingularFunction;
 use super::level::{Density, Level, LevelValue};
+use super::octaves::Slope;
 use super::resolution::missed;
 use crate::error::Result;
 use crate::kernel::power::PowerKernel;
@@ -91,6 +92,8 @@ impl<'a> LogEnergy<'a> {
         let integral =
             ArmIntegral::new(self.level, tolerance, spread, order, self.kernel.one_minus)?;
         let (mut value, mut tail, mut rounding) = (0.0, 0.0, 0.0);
+        let factor = 2.0 * self.kernel.scaling(self.unit);
+        let mut sides = Vec::with_capacity(self.arms.len());
         for arm in 0..self.arms.len() {
             let depth = self.arms[arm].depth;
             let end = self.tail(arm)?;
@@ -99,11 +102,12 @@ impl<'a> LogEnergy<'a> {
             value += found.limit.value;
             tail += found.limit.error;
             rounding = found.rounding.hypot(rounding);
+            sides.push(factor * found.limit.value);
         }
-        let factor = 2.0 * self.kernel.scaling(self.unit);
         let (missed, points) = missed(self.function, self.level, self.kernel)?;
         Ok(LevelValue {
             value: factor * value,
+            sides,
             tail: factor * tail,
             rounding: factor * rounding,
             missed,
@@ -275,24 +279,36 @@ impl<'a> LogEnergy<'a> {
     fn near_by(&self, x: Outer, reach: f64, rule: &Rule) -> Result<Density> {
         let arm = self.arms[x.arm];
         let spot = self.function.spot_at(x.t);
-        let (mut sum, mut rounding) = (0.0, 0.0);
+        let (mut sum, mut of_values, mut of_slopes) = (0.0, 0.0_f64, 0.0);
         for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
             let y = x.delta * s.exp();
-            let value = self.function.farther(&arm, spot, s, y)?;
-            let quotient = (x.value - value) / s;
+            // The difference of two values has their rounding errors over s, the slope of a polynomial has not.
+            let slope = spot.and_then(|at| self.function.slope_at(&arm, at, s));
+            let quotient = match slope {
+                Some(found) => found.value,
+                None => (x.value - self.function.farther(&arm, spot, s, y)?) / s,
+            };
             let stretch = s.exp_m1() / s;
             // δ ε (u−v)² (δ (e^s−1))^{-1-2ν} = δ^{1-2ν} s^{1-2ν} e^s q² ((e^s−1)/s)^{-1-2ν}
             let weight = w * s.exp() / stretch * stretch.powf(-self.kernel.twice);
             sum += weight * quotient * quotient;
             let blur = arm.blur * quotient.abs() / x.delta;
-            let size = f64::EPSILON * (x.value.abs() + value.abs());
-            rounding += (weight * quotient * (size + blur) / s).abs();
+            // Independent roundings add as squares do; slopes of one polynomial are off to the same side.
+            let noise = weight * quotient.abs();
+            match slope {
+                Some(Slope { steep, .. }) => {
+                    of_slopes += noise * steep * (2.0 * f64::EPSILON * x.value.abs() + blur);
+                }
+                None => {
+                    let size = f64::EPSILON * (2.0 * x.value - s * quotient).abs() + blur;
+                    of_values = of_values.hypot(noise * size / s);
+                }
+            }
         }
         // ∫₀^reach s^{1-2ν} f ds = reach^{2-2ν} Σ w f
-        let count = self.level.points as f64;
         let scale = reach.powf(self.kernel.two_minus) * self.kernel.scaling(x.delta / self.unit);
-        Ok(Density { value: sum * scale, rounding: rounding / count.sqrt() * scale })
+        Ok(Density { value: sum * scale, rounding: (of_values + of_slopes) * scale })
     }
 }

@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
-use crate::root::whole;
+use crate::root::{accept, whole};
 
 /// Message: the function is not smooth between its breakpoints.
 const UNDECLARED: &str =
@@ -22,6 +22,8 @@ const UNDECLARED: &str =
 /// Message: the function has structure that rules along its sides do not resolve; polynomials do ([`crate::resolved`]).
 const SCALES: &str =
     "the function has structure on many scales or is not smooth between its breakpoints";
+/// Message: a factor whose logarithm may be 700 is rounded.
+const OF_UNIT: &str = "the power of the length of the interval is rounded";
 
 impl Units {
     /// ‖u‖ in L^q from that of the normalized function.
@@ -71,7 +73,8 @@ impl SingularFunction<'_> {
         let normalized = self.normalized(tolerance)?;
         let found = normalized.u.seminorm_of_normalized(order, tolerance);
         let back = |found: Estimate| normalized.units.seminorm(order, found);
-        found.map_err(|error| error.carry("seminorm", back)).and_then(back)
+        let found = found.map_err(|error| error.carry("seminorm", back)).and_then(back)?;
+        accept("seminorm", found, tolerance, OF_UNIT)
     }
 
     /// |u|_ν of a function of size 1 on an interval of length 1.
@@ -265,6 +268,7 @@ impl SingularFunction<'_> {
             let integral = ArmIntegral::new(level, tolerance, 0.0, 0.0, 1.0)?;
             let (mut value, mut tail, mut rounding, mut points) = (0.0, 0.0, 0.0, 0);
             let mut is_settled = true;
+            let mut sides = Vec::with_capacity(arms.len());
             for (arm, samples) in arms.iter().zip(&samples) {
                 let found = integral.integrate(arm.depth, value, None, samples, |t| {
                     points += 1;
@@ -276,10 +280,11 @@ impl SingularFunction<'_> {
                 tail += found.limit.error;
                 rounding += found.rounding;
                 is_settled &= found.is_settled;
+                sides.push(found.limit.value);
             }
             let missed = missed_of_integral(self, level, f)?;
             let of_rules = (is_settled && !look.is_structured).then_some(missed);
-            Ok(LevelValue { value, tail, rounding, missed, of_rules, points })
+            Ok(LevelValue { value, sides, tail, rounding, missed, of_rules, points })
         })
     }
 }

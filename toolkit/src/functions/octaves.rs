@@ -14,8 +14,16 @@
 //! ([`super::look`]), and if u does not vary so much that the rounding of y would count; otherwise u itself is evaluated. Below the smallest distance, where u is a function of t = ln(R/δ)
 //! ([`super::deep_tail`]), the same is done on the octaves 2^k < t < 2^{k+1}.
 //!
-//! Two points of one octave have values of one polynomial: their difference has smaller rounding errors than that of two
-//! values of u.
+//! Two points of one octave have values of one polynomial p, and (p(x) − p(y))/(x − y) is a polynomial, too: it keeps its
+//! digits as x → y. If the values of p are right to ε, it is right to the largest derivative of a polynomial of degree n < 32
+//! of size ε, which is at most
+//!
+//! ```text
+//! ε min(n², n/√(1 − y²)),
+//! ```
+//!
+//! by Markov and Bernstein. At orders near 1 nearly all of |u|²_ν comes from points whose distance is far below that at which
+//! the difference of two values has digits.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -45,6 +53,8 @@ const NOTHING: f64 = 0.5 * f64::EPSILON;
 const STEEP: f64 = 4.0;
 /// Largest Σ |a_k|, relative to the largest value: above it powers of y would cancel.
 const CANCELS: f64 = 8.0;
+/// How far beyond y = 1 polynomials are used: 1/32².
+const SAME: f64 = 1.0 / 1024.0;
 /// Number of octaves of t.
 const DEEPEST: usize = 1024;
 
@@ -81,6 +91,13 @@ pub(super) struct Spot {
     y: f64,
 }
 
+/// The slope of the polynomial of an octave in s = ln δ, and what it is at most for a polynomial of size 1.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slope {
+    pub(super) value: f64,
+    pub(super) steep: f64,
+}
+
 /// ln 2 in two parts, of which the first one times an integer below 2^20 is exact.
 const LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
@@ -111,6 +128,13 @@ impl Spot {
         Self { octave: octave as usize, y: 1.0 - 2.0 * LOG2_E * rest }
     }
 
+    /// y of the point at e^s times the distance, if it lies in the same octave or so little beyond it that the polynomial
+    /// is no less accurate: on (1, 1 + 1/n²) a polynomial of degree n is at most 2.2 times as large as in (−1, 1).
+    fn beyond(self, s: f64) -> Option<f64> {
+        let y = self.y + 2.0 * LOG2_E * s;
+        (y <= 1.0 + SAME).then_some(y)
+    }
+
     /// The point at e^s times the distance.
     pub(super) fn farther(self, s: f64) -> Option<Self> {
         let y = self.y + 2.0 * LOG2_E * s;
@@ -129,6 +153,16 @@ fn value_of(powers: &[f64], y: f64) -> f64 {
         odd = odd * square + pair[1];
     }
     even + y * odd
+}
+
+/// (p(x) − p(y))/(x − y) of p = Σ a_k y^k: Horner's scheme for p(y), whose quotients are evaluated at x.
+fn divided_difference(powers: &[f64], x: f64, y: f64) -> f64 {
+    let (mut value, mut quotient) = (0.0, 0.0);
+    for a in powers.iter().rev() {
+        quotient = quotient * x + value;
+        value = value * y + a;
+    }
+    quotient
 }
 
 /// The coefficients of y^k of Σ c_k T_k(y), an even number of them.
@@ -261,6 +295,25 @@ impl SingularFunction<'_> {
         let [octaves, _] = self.octaves(arm)?;
         let found = octaves.get(spot.octave)?.get_or_init(|| self.octave(arm, spot.octave));
         found.as_ref().map(|found| value_of(found, spot.y))
+    }
+
+    /// (u(δ) − u(e^s δ))/s of a spot at distance δ by the polynomial of the octave, if both points belong to it and if
+    /// this has the smaller error.
+    pub(super) fn slope_at(&self, arm: &Arm, spot: Spot, s: f64) -> Option<Slope> {
+        let bound = |degree: f64| {
+            let inside = (1.0 - spot.y * spot.y).max(0.0).sqrt().recip();
+            2.0 * LOG2_E * degree * inside.min(degree)
+        };
+        if s * bound(COUNTS[0] as f64) >= 1.0 {
+            return None;
+        }
+        let y = spot.beyond(s)?;
+        let [octaves, _] = self.octaves(arm)?;
+        let found = octaves.get(spot.octave)?.get_or_init(|| self.octave(arm, spot.octave));
+        let powers = found.as_ref()?;
+        let steep = bound(powers.len().max(COUNTS[0]) as f64);
+        let value = -2.0 * LOG2_E * divided_difference(powers, y, spot.y);
+        Some(Slope { value, steep }).filter(|_| s * steep < 1.0)
     }
 
     /// The value at depth t by the polynomial of its octave, if there is one.

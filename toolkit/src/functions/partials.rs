@@ -1,11 +1,14 @@
 //! Partial integrals along a side, and estimates of the remainder from them.
 
-use super::two_rates::TwoRates;
+use super::two_rates::{Partial, TwoRates};
 use crate::quadrature::{Limit, extrapolate};
 
 /// Value of wT in t^p e^{-wt} from which the exponential is distinguished from corrections to the power, which
 /// are about p/T.
 const BEGUN: f64 = 1.0;
+
+/// Largest change of ln ℓ over half of a side that is rounding.
+const FLAT: f64 = 1e-9;
 
 /// The partial integrals ∫₀^{t_k} ℓ and the values ℓ(t_k).
 pub(super) struct Partials {
@@ -14,8 +17,8 @@ pub(super) struct Partials {
     pub(super) densities: Vec<f64>,
     /// 2ν
     pub(super) gap: f64,
-    /// rounding error of the sum, from the rounding of the function's values
-    pub(super) rounding: f64,
+    /// rounding errors of the partial integrals, from the rounding of the function's values
+    pub(super) roundings: Vec<f64>,
 }
 
 /// The increments of t, ln t and ln ℓ on a part of the side.
@@ -35,10 +38,16 @@ impl Partials {
         self.partial[self.partial.len() - 1]
     }
 
-    pub(super) fn push(&mut self, end: f64, sum: f64, density: f64) {
+    pub(super) fn push(&mut self, end: f64, sum: f64, density: f64, rounding: f64) {
         self.ends.push(end);
         self.partial.push(sum);
         self.densities.push(density);
+        self.roundings.push(rounding);
+    }
+
+    /// Rounding error of the sum.
+    fn rounding(&self) -> f64 {
+        self.roundings[self.roundings.len() - 1]
     }
 
     /// A rough estimate of the integral beyond the last t_k.
@@ -80,14 +89,25 @@ impl Partials {
         self.sum().is_finite() && self.final_rate().is_some_and(|rate| rate * self.end() > BEGUN)
     }
 
+    /// True if ℓ grows like a power of t, by more than rounding: t² e^{−wt}, as next to x^a ln x, grows until t = 2/w, and
+    /// does not show whether w > 0 before.
+    pub(super) fn grows_slowly(&self) -> bool {
+        !self.explodes() && self.growth().is_some_and(|[_, after]| after.of_density > FLAT)
+    }
+
     /// True if ℓ is not smaller at the end than in the middle.
     pub(super) fn still_grows(&self) -> bool {
-        self.growth().is_some_and(|[_, after]| after.of_density >= -1e-9)
+        self.growth().is_some_and(|[_, after]| after.of_density >= -FLAT)
     }
 
     /// The asymptotic law with two rates, if it holds.
     fn two_rates(&self) -> Option<TwoRates> {
-        TwoRates::of(&self.ends, &self.densities, self.gap, (self.rounding / self.sum()).abs())
+        let of = |k: usize| {
+            let (end, sum, rounding) = (self.ends[k], self.partial[k], self.roundings[k]);
+            Partial { end, sum, rounding }
+        };
+        let partials: Vec<Partial> = (0..self.ends.len()).map(of).collect();
+        TwoRates::of(&partials, self.gap)
     }
 
     /// True if the asymptotic law has two rates and grows: a power of the distance, not of its logarithm.
@@ -128,14 +148,14 @@ impl Partials {
         let is_constant = from < last && off < CONSTANT && rest.is_finite();
         is_constant.then(|| Limit {
             value: self.sum() + rest,
-            error: off * powers * rest.abs() + self.rounding,
+            error: off * powers * rest.abs() + self.rounding(),
         })
     }
 
     pub(super) fn limit(&self) -> Option<Limit> {
         // On the first cells the integrand still feels the whole interval.
         let from = self.ends.iter().position(|&t| t >= (0.5 * self.end()).min(25.0)).unwrap_or(0);
-        let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding);
+        let noise = (4.0 * f64::EPSILON * self.sum()).hypot(self.rounding());
         let general =
             extrapolate(&self.ends[from..], &self.partial[from..], &self.densities[from..], noise);
         let law = self.two_rates().and_then(|found| found.limit(self.sum()));

@@ -73,8 +73,8 @@ pub(super) fn refine(
         points += current.points;
         let work = Work { points, ..Work::default() };
         let beside_rules = current.tail + current.rounding;
-        if let Some(coarse) = previous {
-            let error = of_rules(&current, &coarse)
+        if let Some(coarse) = &previous {
+            let error = of_rules(&current, coarse)
                 + beside_rules
                 + 64.0 * f64::EPSILON * current.value.abs();
             let estimate = Estimate::new(current.value, error, work)?;
@@ -112,11 +112,13 @@ pub(super) fn refine(
     Err(Error::best_of("integral", asked.relative(), best, why))
 }
 
-/// The error of the rules of the finer level, estimated by the difference from the coarser level. If the error
-/// estimates of both levels explain that difference, it is reduced by the ratio of these estimates, by at most
+/// The error of the rules of the finer level, estimated by the difference from the coarser level: the sum of the differences
+/// of all sides, because errors of 1e-10 on two sides may cancel to 1e-12 in the coarser sum, from which the finer one may
+/// then differ by less than its own error. If the error estimates of both levels explain that difference, it is reduced by the ratio of these estimates, by at most
 /// the factor [`GAINED`].
 fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
-    let apart = (fine.value - coarse.value).abs();
+    let pairs = fine.sides.iter().zip(&coarse.sides);
+    let apart = pairs.map(|(fine, coarse)| (fine - coarse).abs()).sum::<f64>();
     match (fine.of_rules, coarse.of_rules) {
         (Some(after), Some(before)) if apart <= EXPLAINED * before && after < before => {
             (EXPLAINED * after + apart * (after / before)).max(GAINED * apart)

@@ -2,7 +2,7 @@
 //! forms, and other computations.
 
 use crate::common::SplitMix;
-use crate::hard::{Case, Family, cases, decades, judge, references, seeded};
+use crate::hard::{Case, Family, cases, decades, judge, median, references, seeded};
 use fractional_sobolev::{
     DualOf, Error, Estimate, Function, Mesh, Order, Position, Rule, Tolerance, Work, closed_forms,
     gauss_legendre,
@@ -14,6 +14,8 @@ use std::sync::LazyLock;
 const ROUNDING: f64 = 1e-14;
 /// Of trapezoidal sums in two variables.
 const REFERENCE: f64 = 1e-10;
+/// Largest median of the ratio of stated to true errors.
+const CAREFUL: f64 = 50.0;
 /// Of cos kπx where kπx is rounded.
 const ARGUMENT: f64 = 1e-11;
 
@@ -152,12 +154,66 @@ fn constants(random: &mut SplitMix) -> Case {
 fn power(random: &mut SplitMix) -> Case {
     let order = order(random);
     let (a, asked) = (exponent(random, order), tolerance(random, -11.0, -2.0));
-    let u = Function::from_positions(&[0.0, 1.0], |at| match at.anchor() {
-        0 => at.offset().powf(a),
-        _ => (a * at.offset().ln_1p()).exp(),
-    });
+    let u = power_of_position(a);
     let exact = (references::power(a, order).sqrt(), ROUNDING);
-    Case::new(format!("x^{a:e}, {order:?}"), asked, exact, |asked| u?.seminorm(order, asked))
+    Case::new(format!("x^{a:e}, {order:?}"), asked, exact, |asked| u.seminorm(order, asked))
+}
+
+/// Orders next to 0, 1/2 and 1, and exponents next to those of infinite norms.
+fn extreme_order(random: &mut SplitMix) -> Order {
+    let near = decades(random, -12.0, -1.0);
+    match random.below(4) {
+        0 => Order::new(near),
+        1 => Order::half_plus(if random.below(2) == 0 { near } else { -near }),
+        _ => Order::new(1.0 - near),
+    }
+    .unwrap()
+}
+
+/// Singular at either end or in the middle, even or odd there, with a logarithm or without, on intervals of any length.
+fn power_at_a_limit(random: &mut SplitMix) -> Case {
+    let (order, length) = (extreme_order(random), decades(random, -200.0, 200.0));
+    let length = if random.below(2) == 0 { 1.0 } else { length };
+    let a = loop {
+        let a = order.offset() + decades(random, -4.0, 0.0) * (2.0 - order.offset());
+        if a > order.offset() {
+            break a;
+        }
+    };
+    let asked = tolerance(random, -13.0, -4.0);
+    let place = random.below(4);
+    let (breaks, at): (&[f64], usize) = match place {
+        0 => (&[0.0, 1.0], 0),
+        1 => (&[-1.0, 0.0], 1),
+        _ => (&[-1.0, 0.0, 1.0], 1),
+    };
+    let breaks: Vec<f64> = breaks.iter().map(|c| c * length).collect();
+    let has_log = place < 2 && random.below(3) == 0;
+    let f = move |position: Position| {
+        let share = position.offset().abs() / length;
+        let (log, value) = if position.anchor() == at {
+            (share.ln(), share.powf(a))
+        } else {
+            ((-share).ln_1p(), (a * (-share).ln_1p()).exp())
+        };
+        let is_negative = place == 3 && position.x().is_sign_negative();
+        let value = if is_negative { -value } else { value };
+        if has_log { value * log } else { value }
+    };
+    let square = match (has_log, place) {
+        (true, _) => references::power_with_logarithm(a, order),
+        (false, 2) => 2.0 * references::power(a, order) + references::two_powers(a, order, -1.0),
+        (false, 3) => 2.0 * references::power(a, order) + references::two_powers(a, order, 1.0),
+        _ => references::power(a, order),
+    };
+    let exact = square.sqrt() * references::scale(length, order).sqrt();
+    let u = Function::from_positions(&breaks, f).unwrap();
+    let what = format!(
+        "x^{a:e}{} at place {place} of length {length:e}, {order:?}",
+        if has_log { " ln x" } else { "" }
+    );
+    let rounding = ROUNDING + length.ln().abs() * f64::EPSILON;
+    Case::new(what, asked, (exact, rounding), |asked| u.seminorm(order, asked))
 }
 
 /// x^a with small a at ν = 1/2, of size one down to e^(−1/a), by the logarithm of x, and less 1.
@@ -313,7 +369,7 @@ fn slow_behind_fast(random: &mut SplitMix) -> Case {
 }
 
 /// Cases, and the share of refusals that is allowed.
-const FAMILIES: [Family; 11] = [
+const FAMILIES: [Family; 12] = [
     ("closed forms of powers", 5000, 0.0, closed_power),
     ("closed forms of powers of the logarithm", 4500, 0.0, closed_log_power),
     ("piecewise linears on lengths of 300 decades", 4000, 0.01, linears),
@@ -325,11 +381,67 @@ const FAMILIES: [Family; 11] = [
     ("L^q of powers and logarithms", 40, 0.33, lebesgue),
     ("waves as loads", 20, 0.6, wave_load),
     ("slow powers behind fast ones", 4000, 0.01, slow_behind_fast),
+    ("exponents and orders at their limits", 150, 0.25, power_at_a_limit),
 ];
 
 #[test]
 fn every_answer_is_within_its_error_or_refused_with_a_value_that_is() {
-    judge(1, &FAMILIES);
+    let Some(median) = median(&judge(1, &FAMILIES)) else { return };
+    println!("half of the errors are within {median:.0} of the true ones");
+    assert!(median <= CAREFUL, "half of the errors are {median:.0} times the true ones");
+}
+
+fn power_of_position(a: f64) -> Function<'static> {
+    Function::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+        0 => at.offset().powf(a),
+        _ => (a * at.offset().ln_1p()).exp(),
+    })
+    .unwrap()
+}
+
+/// Errors of 6e-11 on one side of the interval and -6e-11 on the other: their sum, 1e-12, was the difference from the next
+/// level, which is off by 1.6e-12. Found among 183 600 random cases.
+#[test]
+fn errors_of_opposite_signs_are_no_small_error() {
+    let (a, offset) = (0.5729046192378049, 0.4989790821329767);
+    let order = Order::half_plus(offset).unwrap();
+    // By 40 digits.
+    let exact = 46.665_010_302_441_69;
+    let found = power_of_position(a).seminorm(order, 4.1247276462776796e-11).unwrap();
+    assert!((found.value - exact).abs() <= found.error, "{found} {exact}");
+}
+
+/// t² e^{−wt} grows until t = 2/w, beyond the smallest distance of binary64 at t = 690: whether the norm is finite is not
+/// seen there, and it was called infinite.
+#[test]
+fn growth_up_to_the_smallest_distance_is_not_infinite() {
+    for (a, offset) in
+        [(0.49700103327762270, 0.49643593882756354), (0.5004537924791496, 0.4999950471762048)]
+    {
+        let u = Function::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+            0 => at.offset().powf(a) * at.log_distance(),
+            _ => (a * at.offset().ln_1p()).exp() * at.offset().ln_1p(),
+        });
+        let found = u.unwrap().seminorm(Order::half_plus(offset).unwrap(), 1e-4);
+        assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "{a} {offset}: {found:?}");
+    }
+    // Growth like a power of the distance is.
+    let infinite = power_of_position(-0.3).seminorm(0.4, 1e-4);
+    assert!(matches!(infinite, Err(Error::InfiniteNorm { .. })), "{infinite:?}");
+}
+
+/// The power of the length is rounded; with its error the tolerance is met or the answer refused.
+#[test]
+fn the_rounding_of_a_long_or_short_interval_counts_for_the_tolerance() {
+    let (a, length, asked) = (0.8288566552413861, 2.2723117595887165e-180, 4.265142569398116e-13);
+    let u = Function::from_positions(&[-length, 0.0], move |at| match at.anchor() {
+        0 => (a * (-at.offset() / length).ln_1p()).exp(),
+        _ => (-at.offset() / length).powf(a),
+    });
+    match u.unwrap().seminorm(0.9999987573018334, asked) {
+        Ok(found) => assert!(found.relative_error() <= asked, "{found}"),
+        Err(refused) => assert!(refused.best().is_some(), "{refused}"),
+    }
 }
 
 #[test]

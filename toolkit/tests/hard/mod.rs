@@ -101,31 +101,53 @@ impl Case {
 /// How a case is drawn, how many are, and the share of them that may be refused.
 pub type Family = (&'static str, usize, f64, fn(&mut SplitMix) -> Case);
 
-/// Draws and judges the cases of all families; `SIGNORINI_FAMILY=log` only of those with such a name. How many times
-/// the true error, or rounding, every stated error is.
+/// Draws and judges the cases of all families; `SIGNORINI_FAMILY=log` only of those with such a name, and
+/// `SIGNORINI_REFUSED=1` prints what is refused. How many times the true error, or rounding, every stated error is.
 pub fn judge(first: u64, families: &[Family]) -> Vec<f64> {
     let only = std::env::var("SIGNORINI_FAMILY").unwrap_or_default();
-    let (mut faults, mut careful) = (Vec::new(), Vec::new());
+    let shows = std::env::var("SIGNORINI_REFUSED").is_ok();
+    let (mut faults, mut all) = (Vec::new(), Vec::new());
     for (seed, (family, count, refusals, draw)) in (first..).zip(families) {
+        if !family.contains(&only) {
+            continue;
+        }
         let (mut random, mut refused, count) = (seeded(seed), 0, cases(*count));
-        for _ in (0..count).filter(|_| family.contains(&only)) {
+        let mut careful = Vec::new();
+        for _ in 0..count {
             let case = draw(&mut random);
             match &case.found {
                 Ok(found) => {
                     let off = (found.value - case.exact.value).abs();
-                    careful
-                        .push(found.error / off.max(4.0 * f64::EPSILON * case.exact.value.abs()));
+                    let ratio = found.error / off.max(4.0 * f64::EPSILON * case.exact.value.abs());
+                    // 0 ± 0 for a function that is 0
+                    careful.push(if ratio.is_nan() { 1.0 } else { ratio });
                 }
-                Err(_) => refused += 1,
+                Err(error) => {
+                    refused += 1;
+                    if shows {
+                        println!("{family}: {}, exact {}: {error:?}", case.what, case.exact);
+                    }
+                }
             }
             faults.extend(case.fault().map(|fault| format!("{family}: {fault}")));
         }
-        println!("{family}: {count} tried, {refused} refused");
+        let within = match median(&careful) {
+            Some(median) => format!(", half of the errors are within {median:.0} of the true ones"),
+            None => String::new(),
+        };
+        println!("{family}: {count} tried, {refused} refused{within}");
+        all.extend(careful);
         if f64::from(refused) > refusals * count as f64 {
             faults.push(format!("{family}: {refused} of {count} refused"));
         }
     }
     assert!(faults.is_empty(), "{}: {:#?}", faults.len(), &faults[..faults.len().min(12)]);
-    careful.sort_by(f64::total_cmp);
-    careful
+    all
+}
+
+/// The value in the middle, if there is one.
+pub fn median(values: &[f64]) -> Option<f64> {
+    let mut sorted = values.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied()
 }

@@ -19,8 +19,13 @@ fn half_line(c: f64, f: impl Fn(f64) -> f64) -> f64 {
     unreachable!("y grows")
 }
 
+/// 2 − 2ν, exact near ν = 1.
+fn two_minus(order: Order) -> f64 {
+    if order.offset() > 0.0 { 1.0 - 2.0 * order.offset() } else { 2.0 * (1.0 - order.value()) }
+}
+
 /// R^{1−2ν}, the exponent as exact as it is known.
-fn scale(r: f64, order: Order) -> f64 {
+pub fn scale(r: f64, order: Order) -> f64 {
     if order.value() < 0.25 {
         let root = r.powf(-order.value());
         r * root * root
@@ -32,7 +37,7 @@ fn scale(r: f64, order: Order) -> f64 {
 /// |x^a|²_ν on (0, 1) = (a − ν + 1/2)^{-1} ∫₀¹ (1−t^a)² (1−t)^{-1-2ν} dt. Above t = 1/2 in w = 1 − t, where
 /// (1−t^a)² = a²w² + ..., the first term is integrated by hand; below in s = −ln t.
 pub fn power(a: f64, order: Order) -> f64 {
-    let (nu, p) = (order.value(), 2.0 * (1.0 - order.value()));
+    let (nu, p) = (order.value(), two_minus(order));
     let near = half_line(p + 1.0, |y| {
         let w = 0.5 * (-y).exp();
         let h = -(a * (-w).ln_1p()).exp_m1() / w;
@@ -46,6 +51,42 @@ pub fn power(a: f64, order: Order) -> f64 {
         rise * rise * (-fall * s).exp() * (-(-s).exp_m1()).powf(-1.0 - 2.0 * nu)
     });
     (near + taken_out + far) / (a - order.offset())
+}
+
+/// |x^a ln x|²_ν on (0, 1) = 2 ∫₀¹ ((B + A/p)² + (A/p)²)/p (1−t)^{-1-2ν} dt, A = 1 − t^a, B = t^a ln t, p = 2(a − ν + 1/2):
+/// the integral over y of (u(y) − u(ty))² y^{-2ν} = y^{p−1} (A ln y − B)². As [`power`], A and B are O(1 − t).
+pub fn power_with_logarithm(a: f64, order: Order) -> f64 {
+    let (nu, two_minus, p) = (order.value(), two_minus(order), 2.0 * (a - order.offset()));
+    // Over (1 − t)².
+    let square =
+        |a_over: f64, b_over: f64| ((b_over + a_over / p).powi(2) + (a_over / p).powi(2)) / p;
+    let at_one = square(a, -1.0);
+    let near = half_line(two_minus + 1.0, |y| {
+        let w = 0.5 * (-y).exp();
+        let log = (-w).ln_1p();
+        let off = square(-(a * log).exp_m1() / w, (a * log).exp() * log / w) - at_one;
+        if w < 1e-290 { 0.0 } else { off * w.powf(two_minus) }
+    });
+    let fall = if a < 0.0 { 2.0 * (0.5 + a) } else { 1.0 };
+    let far = half_line(fall, |y| {
+        let s = LN_2 + y;
+        // For a < 0 over t^a, the square of which is in `fall`.
+        let (rise, power) =
+            if a < 0.0 { ((a * s).exp_m1(), 1.0) } else { (-(-a * s).exp_m1(), (-a * s).exp()) };
+        square(rise, -power * s) * (-fall * s).exp() * (-(-s).exp_m1()).powf(-1.0 - 2.0 * nu)
+    });
+    2.0 * (near + at_one * 0.5f64.powf(two_minus) / two_minus + far)
+}
+
+/// 2 ∫₀¹∫₀¹ (x^a ± y^a)² (x+y)^{-1-2ν} dy dx = 2/(a − ν + 1/2) ∫₀¹ (1 ± t^a)² (1+t)^{-1-2ν} dt.
+pub fn two_powers(a: f64, order: Order, sign: f64) -> f64 {
+    let fall = if a < 0.0 { 2.0 * (0.5 + a) } else { 1.0 };
+    let integral = half_line(fall, |s| {
+        let power = (-a.abs() * s).exp();
+        let sum = if sign < 0.0 { -(-a.abs() * s).exp_m1() } else { 1.0 + power };
+        sum * sum * (-fall * s).exp() * (1.0 + (-s).exp()).powf(-1.0 - 2.0 * order.value())
+    });
+    2.0 * integral / (a - order.offset())
 }
 
 /// ||ln x|^α|²_{1/2} = 2 ∫₀^∞ r^{2α+1} / (4 sinh²(r/2)) dr ∫₀^∞ ((1+t)^α − t^α)² dt, both cut at 1.
