@@ -416,6 +416,34 @@ mod tests {
         }
     }
 
+    /// Of x^a: −δ^a (e^{as} − 1)/s, where the difference of two values would have no digits.
+    #[test]
+    fn slopes_of_octaves_keep_their_digits() {
+        for a in [-0.4, 0.003, 0.5, 2.0] {
+            let u = SingularFunction::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+                0 => at.offset().powf(a),
+                _ => 1.0,
+            });
+            let u = u.unwrap();
+            let normal = u.normalized(crate::Tolerance::balanced()).unwrap();
+            let (arm, size) = (normal.u.arms()[0], normal.units.size);
+            let mut worst = 0.0_f64;
+            for k in 0..2000 {
+                let t = 0.0173 + 0.0371 * f64::from(k);
+                let spot = normal.u.spot_at(t).unwrap();
+                for s in [1e-15, 1e-9, 1e-4, 0.01] {
+                    let Some(slope) = normal.u.slope_at(&arm, spot, s) else { continue };
+                    let value = arm.delta(t).powf(a) / size;
+                    let exact = -value * ((a * s).exp_m1() / s);
+                    let off = (slope.value - exact).abs() / (f64::EPSILON * value);
+                    assert!(off <= slope.steep + 4.0 * a.abs(), "{a} {t} {s}: {off}");
+                    worst = worst.max(off / slope.steep);
+                }
+            }
+            assert!(worst > 0.01, "{a}: {worst}");
+        }
+    }
+
     #[test]
     fn kinks_layers_and_noise_are_evaluated() {
         let refused = |f: fn(f64) -> f64| polynomial(|x| Ok(f(x)), 0.0, &[], 1).is_none();
