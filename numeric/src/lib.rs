@@ -1,6 +1,6 @@
 //! What the crates `fractional-sobolev` and `signorini` both compute with: sums with small rounding errors, searches in
-//! one variable, units that are powers of two, preconditioned conjugate gradients, Fourier transforms, the size of the
-//! memory.
+//! one variable, units that are powers of two, preconditioned conjugate gradients, Fourier transforms, parallel maps, the
+//! size of the memory.
 //!
 //! This crate is internal to those two, which depend on exactly this version: its interface may change in any release.
 
@@ -9,6 +9,7 @@
 
 pub mod conjugate_gradients;
 pub mod memory;
+pub mod parallel;
 pub mod scale;
 pub mod search;
 pub mod sum;
