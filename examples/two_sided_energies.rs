@@ -101,6 +101,12 @@ fn block(mesh: Triangulation) -> signorini::Result<Body<'static>> {
     Ok(body.load(|[x, _]: [f64; 2]| [0.0, -(PI * x).cos()]))
 }
 
+/// An adaptive mesh: the number of unknowns N, and the bound of the error.
+struct OnMesh {
+    unknowns: f64,
+    bound: f64,
+}
+
 fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("unknowns", "unknowns", "of u^h; the stress has about four times as many");
     out.column("lower", "J*(q)", "energy from below");
@@ -143,12 +149,13 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
     }
     // Solve, estimate, mark, refine.
-    let mut adaptive: Vec<(f64, f64)> = Vec::new();
+    let mut adaptive: Vec<OnMesh> = Vec::new();
     let mut meshes = Hierarchy::new(unit_square(4, SideParts::HANGING)?);
     loop {
         let body = block(meshes.finest().clone())?;
         let found = body.enclose_with(options.cone, Traction::Reduced)?;
-        adaptive.push((found.problem.free_unknowns() as f64, found.error));
+        let unknowns = found.problem.free_unknowns() as f64;
+        adaptive.push(OnMesh { unknowns, bound: found.error });
         if found.problem.free_unknowns() >= options.unknowns {
             break;
         }
@@ -164,9 +171,10 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         }
         meshes.refine_where(|_, t| marked[t])?;
     }
-    let first = adaptive.partition_point(|point| point.0 < 0.02 * options.unknowns as f64);
-    if let [first, .., last] = adaptive[first..] {
-        let order = (last.1 / first.1).ln() / (last.0 / first.0).ln();
+    let least = 0.02 * options.unknowns as f64;
+    let first = adaptive.partition_point(|mesh| mesh.unknowns < least);
+    if let [first, .., last] = &adaptive[first..] {
+        let order = (last.bound / first.bound).ln() / (last.unknowns / first.unknowns).ln();
         out.note("adaptive-order", order);
         let claim = out.check("adaptive meshes: order of the bound in N");
         claim.differ_by_at_most(order, -0.5, 0.03, "N^(−1/2)");
@@ -191,6 +199,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         Axes::LogLog("unknowns", "bound of |||u − u^h|||"),
     );
     plot.line("uniform meshes", uniform.iter().map(|found| (counts(found), found.error)).collect());
-    plot.line("adaptive meshes", adaptive);
+    let points = adaptive.iter().map(|mesh| (mesh.unknowns, mesh.bound)).collect();
+    plot.line("adaptive meshes", points);
     Ok(())
 }

@@ -68,6 +68,20 @@ pub enum Error {
         /// Coordinates of that node.
         place: [f64; 2],
     },
+    /// A clamp whose prescribed displacement is beyond the floor, so that no displacement is admissible.
+    #[error(
+        "the clamp at ({}, {}) is beyond the floor: u_N = {displacement:e} is prescribed and the gap is {gap:e}, \
+         expected u_N <= gap where a clamp ends on a contact edge",
+        place[0], place[1]
+    )]
+    BeyondFloor {
+        /// Coordinates of the clamped node of the contact edge.
+        place: [f64; 2],
+        /// The prescribed normal displacement u_N of that node.
+        displacement: f64,
+        /// The gap at that node.
+        gap: f64,
+    },
     /// Contact data without a node in contact.
     #[error(
         "the contact set is empty: u_N < 0 at all {nodes} nodes, expected u_N = 0 at one or more nodes"

@@ -455,8 +455,17 @@ impl Setting<'_, '_> {
                 Ok((1.0 - s) * values[0] + s * values[1] - gap)
             };
             let is_free = nodes.map(|node| !clamped[node]);
-            let end = |k: usize, s: f64| {
-                Ok::<f64, Error>(if is_free[k] { off(s)?.max(0.0) } else { 0.0 })
+            let end = |k: usize, s: f64| -> Result<f64> {
+                let excess = off(s)?;
+                match (is_free[k], excess > ROUNDED * largest) {
+                    (true, _) => Ok(excess.max(0.0)),
+                    (false, false) => Ok(0.0),
+                    (false, true) => Err(Error::BeyondFloor {
+                        place: self.mesh.nodes()[nodes[k]],
+                        displacement: values[k],
+                        gap: values[k] - excess,
+                    }),
+                }
             };
             let ends = [end(0, 0.0)?, end(1, 1.0)?];
             let mut inside = 0.0_f64;

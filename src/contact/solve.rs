@@ -2,11 +2,12 @@
 
 use super::problem::ContactProblem;
 use super::settings::{Settings, Start};
-use super::solution::ContactSolution;
+use super::solution::{ContactSolution, gap_of};
 use super::solver::Solver;
 use super::{condensed, interior_point};
 use crate::cone::{Cone, ContactSet};
 use crate::error::{Error, Result, ToolkitError};
+use crate::numeric::scale::largest;
 
 impl ContactProblem {
     /// The discrete solution in the given cone, with its KKT residuals; an error if the solver does not converge.
@@ -38,13 +39,35 @@ impl ContactProblem {
     ///
     /// # Errors
     /// [`Error::NotConverged`], with the best solution, unless the status is
-    /// [`Status::Converged`](crate::cone::Status::Converged); and those of [`ContactProblem::attempt`].
+    /// [`Status::Converged`](crate::cone::Status::Converged); [`Error::BeyondFloor`] if it is not because no
+    /// displacement is admissible; and those of [`ContactProblem::attempt`].
     pub fn solve<'a>(&self, cone: Cone, how: impl Into<Settings<'a>>) -> Result<ContactSolution> {
         let found = self.attempt(cone, how)?;
         match found.status.is_converged() {
             true => Ok(found),
-            false => Err(Error::not_converged(found.status, found.energy, found)),
+            false => Err(self
+                .clamp_beyond_floor(cone)
+                .unwrap_or_else(|| Error::not_converged(found.status, found.energy, found))),
         }
+    }
+
+    /// The error of a constraint whose nodes are all clamped, if the prescribed displacement violates it beyond
+    /// rounding: then no displacement of the body is admissible.
+    ///
+    /// The constraint i with the largest (B u − g)_i > 8 ε max (|u|, |g|), over all nodes of the contact edge.
+    fn clamp_beyond_floor(&self, cone: Cone) -> Option<Error> {
+        let (cone, normals) = (self.edge_cone(cone), self.normal_unknowns());
+        let values: Vec<f64> = normals.iter().map(|&unknown| self.values[unknown]).collect();
+        let size = largest(&values).max(largest(&self.gap));
+        let off = gap_of(self, cone, &values);
+        let is_clamped = |i: usize| cone.support(i).all(|node| self.prescribed[normals[node]]);
+        let clamped = (0..off.len()).filter(|&i| is_clamped(i));
+        let worst = clamped.max_by(|&i, &j| off[i].total_cmp(&off[j]))?;
+        (off[worst] > 8.0 * f64::EPSILON * size).then(|| Error::BeyondFloor {
+            place: self.edge.points()[worst],
+            displacement: values[worst],
+            gap: self.gap[worst],
+        })
     }
 
     /// What the solver found, converged or not: the termination of the iteration is in

@@ -542,11 +542,10 @@ fn no_bound_is_below_the_error() {
     report(&mut all, &refused, made);
     assert!(wrong.is_empty(), "{} wrong: {:#?}", wrong.len(), &wrong[..wrong.len().min(200)]);
     // A body is refused without a Dirichlet edge on one of its parts, if only floors hold it and the load does not press
-    // it onto them, or if one of several contact edges is closed; a solver may give up on one in two hundred.
-    let known = ["has no edge", "not in equilibrium", "closed contact edge"];
+    // it onto them, if one of several contact edges is closed, or if a clamp is prescribed beyond the floor.
+    let known = ["has no edge", "not in equilibrium", "closed contact edge", "beyond the floor"];
     refused.retain(|text| !known.iter().any(|reason| text.contains(reason)));
-    assert!(refused.iter().all(|text| text.contains("not converged")), "{refused:#?}");
-    assert!(200 * refused.len() <= made.max(200), "{refused:#?}");
+    assert!(refused.is_empty(), "{refused:#?}");
 }
 
 fn report(all: &mut [Found], refused: &[String], made: usize) {

@@ -4,7 +4,7 @@ use signorini::bounds::{Enclosure, Ended, Refinement, Traction};
 use signorini::cone::Cone;
 use signorini::contact::{Body, Solver};
 use signorini::fem::{Form, Lame};
-use signorini::mesh::{Hierarchy, Part, Triangulation};
+use signorini::mesh::{Hierarchy, Part, SideParts, Triangulation, unit_square};
 use signorini::{Error, ToolkitError};
 
 /// A bridge: (0, 4) × (0, 2) without (1, 3) × (0, 1), in squares of side 1/2 cut in two. Its feet are `contact a` and
@@ -215,4 +215,41 @@ fn names_and_everywhere_are_the_same_on_one_group() {
     });
     assert!((a.0 - b.0).abs() < 1e-14 * a.0.abs());
     assert!(a.1.iter().zip(&b.1).all(|(u, v)| (u - v).abs() < 1e-14));
+}
+
+/// A clamp that ends on the floor and is prescribed beyond it leaves no admissible displacement: said, with the place.
+#[test]
+fn a_clamp_beyond_the_floor_is_said() {
+    let sides = SideParts { left: Part::Dirichlet, ..SideParts::HANGING };
+    let mesh = unit_square(4, sides).unwrap();
+    let ends: Vec<[f64; 2]> = {
+        let held = mesh.nodes_on(Part::Dirichlet);
+        let on_floor = |i: &usize| held[*i] && mesh.nodes()[*i][1] == 0.0;
+        (0..held.len()).filter(on_floor).map(|i| mesh.nodes()[i]).collect()
+    };
+    assert!(!ends.is_empty());
+    let form = Form::elastic(Lame::new(1.0, 1.0).unwrap());
+    let body = |down: f64| {
+        Body::new(mesh.clone(), form.clone())
+            .load(|_: [f64; 2]| [0.0, -1.0])
+            .gap(|_: [f64; 2]| 0.25)
+            .displacement(move |_: [f64; 2]| [0.0, -down])
+    };
+    for solver in [Solver::ActiveSet, Solver::InteriorPoint, Solver::Multigrid] {
+        let solve = |down| body(down).problem_on(&mesh).unwrap().solve(Cone::Nodal, solver);
+        assert!(solve(0.25).is_ok(), "{solver}");
+        match solve(0.5) {
+            Err(Error::BeyondFloor { place, displacement, gap }) => {
+                assert!(ends.contains(&place), "{place:?}");
+                assert_eq!((displacement, gap), (0.5, 0.25));
+            }
+            other => panic!("{solver}: {other:?}"),
+        }
+    }
+    // The midpoint cone has no constraint at the clamp: its solution exists, the exact one does not.
+    let far = body(0.5);
+    assert!(far.problem_on(&mesh).unwrap().solve(Cone::Midpoint, Solver::ActiveSet).is_ok());
+    let enclosed = far.enclose(Cone::Midpoint);
+    assert!(matches!(enclosed, Err(Error::BeyondFloor { .. })), "{enclosed:?}");
+    assert!(body(0.25).enclose(Cone::Midpoint).is_ok());
 }

@@ -2,7 +2,7 @@
 
 use super::boundary::{BoundaryFunction, Curve, CurveFormula};
 use super::dual::DualOf;
-use super::functions::{Position, SingularFunction, whole};
+use super::functions::{Position, SingularFunction};
 use super::mesh::Mesh;
 use super::nearly_one::NearlyOne;
 use super::order::{Order, SobolevOrder};
@@ -701,7 +701,7 @@ impl<'a> Function<'a> {
                 let slope = self.slope(1.0 + order.value(), tolerance)?;
                 let parts =
                     [self.lp(2.0, tolerance), slope.norm(order, tolerance).map_err(one_more)];
-                whole(parts, tolerance)
+                root::whole(parts, tolerance, OF_PARTS)
             }
             _ => Err(self.refused("norm of order above 1")),
         }

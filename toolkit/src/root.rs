@@ -1,7 +1,7 @@
 //! Square roots of estimates with their errors, and the comparison of estimates with a tolerance.
 
 use crate::error::{Error, Result};
-use crate::estimate::{Estimate, Tolerance, Work};
+use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 
 /// Relative rounding error of one entry of a Gram matrix or of one pair of elements: a few dozen operations on
 /// terms of one sign.
@@ -29,7 +29,7 @@ pub(super) fn accept(
 }
 
 /// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance; otherwise with the
-/// reason for which the first part was refused, or `why`.
+/// reason for which a part was refused, the work limit before others, or `why`.
 pub(super) fn whole(
     parts: [Result<Estimate>; 2],
     tolerance: Tolerance,
@@ -39,7 +39,8 @@ pub(super) fn whole(
         Err(Error::ToleranceNotMet { why, .. }) => Some(*why),
         _ => None,
     };
-    let why = parts.iter().find_map(reason).unwrap_or(why);
+    let reasons = parts.iter().rev().filter_map(reason);
+    let why = reasons.max_by_key(|why| *why == SPENT).unwrap_or(why);
     let [a, b] = parts.map(Estimate::or_best);
     accept("norm", root_of_squares(&[a?, b?])?, tolerance, why)
 }

@@ -135,7 +135,8 @@ pub mod prelude {
 #[macro_export]
 macro_rules! example {
     ($cost:ident $label:literal, $statement:literal;
-        $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
+        $($(#[doc = $help:literal])+ $field:ident: $kind:ty = $default:literal
+            $(in $range:literal)? $(slider $slider:literal)?),* $(,)?
     ) => {
         /// The options of this example.
         #[derive(Debug, Clone)]
@@ -150,7 +151,11 @@ macro_rules! example {
 
             fn declared() -> Vec<$crate::Declared> {
                 vec![$($crate::Declared::of::<$kind>([
-                    stringify!($field), concat!($($help),+), $default, concat!($($range)?), concat!($($slider)?)
+                    stringify!($field),
+                    concat!($($help),+),
+                    $default,
+                    concat!($($range)?),
+                    concat!($($slider)?)
                 ])),*]
             }
 
@@ -158,14 +163,16 @@ macro_rules! example {
                 let _ = given;
                 Ok(Self { $($field: {
                     let name = stringify!($field);
-                    $crate::read_option(name, &given(name, $default), $default, concat!($($range)?))?
+                    let value = given(name, $default);
+                    $crate::read_option(name, &value, $default, concat!($($range)?))?
                 },)* })
             }
         }
 
         impl Default for Options {
             fn default() -> Self {
-                $crate::Declarations::read(&|_, default| default.to_owned()).expect("a default is admissible")
+                $crate::Declarations::read(&|_, default| default.to_owned())
+                    .expect("a default is admissible")
             }
         }
 

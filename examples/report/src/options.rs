@@ -167,7 +167,8 @@ pub(crate) fn command(about: &About) -> Command {
         )
         .arg(arg!(--describe "print the options as JSON, without a computation").hide(true))
         .arg(
-            arg!(--fault <CHECK> "move the value of a check across its bound; `every`: each in turn")
+            arg!(--fault <CHECK>)
+                .help("move the value of a check across its bound; `every`: each in turn")
                 .hide(true),
         )
 }

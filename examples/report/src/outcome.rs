@@ -304,7 +304,10 @@ impl Outcome {
         let values: Map<String, Value> =
             self.values().into_iter().map(|(key, value)| (key, json!(value))).collect();
         let (titles, rows) = self.table();
-        let column = |[title, meaning, key]: &[String; 3]| json!({"key": key, "title": title, "meaning": meaning});
+        let column = |words: &[String; 3]| {
+            let [title, meaning, key] = words;
+            json!({"key": key, "title": title, "meaning": meaning})
+        };
         let is_told = |check: &&Checked| {
             check.decision() != Decision::ByProof && check.role != Role::Observed
         };

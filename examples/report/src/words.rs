@@ -2,8 +2,8 @@
 
 /// Greek letters with their names.
 pub(crate) fn greek() -> impl Iterator<Item = (&'static str, &'static str)> {
-    let letters = "α alpha, β beta, γ gamma, δ delta, ε epsilon, θ theta, κ kappa, λ lambda, μ mu, ν nu, π pi, σ sigma, \
-        τ tau, φ phi, ω omega";
+    let letters = "α alpha, β beta, γ gamma, δ delta, ε epsilon, θ theta, κ kappa, λ lambda, \
+        μ mu, ν nu, π pi, σ sigma, τ tau, φ phi, ω omega";
     letters.split(", ").filter_map(|pair| pair.split_once(' '))
 }
 

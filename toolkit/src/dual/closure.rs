@@ -12,7 +12,7 @@
 use super::functional::DualOf;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance};
-use crate::functions::{Arm, Look, Normalized, SingularFunction};
+use crate::functions::{Arm, Look, Normalized, SingularFunction, Units};
 use crate::mesh::Mesh;
 use crate::numeric::legendre;
 use crate::order::Order;
@@ -52,7 +52,8 @@ impl SingularFunction<'_> {
         order: Order,
         tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let Normalized { size: scale, length, u: unit } = self.normalized(tolerance)?;
+        let Normalized { units: Units { length, size: scale }, u: unit } =
+            self.normalized(tolerance)?;
         let size =
             Estimate::or_best(unit.l2_norm(Tolerance::fast().with_work(tolerance.work())))?.value;
         let inner =

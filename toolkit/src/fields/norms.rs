@@ -6,7 +6,7 @@ use super::patch::{by_polynomials, patch};
 use crate::energy::energy;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::functions::{Normalized, SingularFunction};
+use crate::functions::{Normalized, SingularFunction, Units};
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::piecewise::{Cell, Piece, PiecewisePolynomial};
@@ -74,12 +74,10 @@ impl FieldError<'_> {
     /// # Errors
     /// As [`FieldError::seminorm`], except for infinite seminorms.
     pub(crate) fn l2_norm(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let (unit, field) = self.normalized(tolerance)?;
-        let cells = FieldCells::new(
-            &Difference { function: &unit.u, field: &field },
-            tolerance.relative(),
-        )?;
-        accept("L^2 norm", of_lq(&unit, 2.0, l2(&cells)?)?, tolerance, LIMIT)
+        let (Normalized { units, u }, field) = self.normalized(tolerance)?;
+        let cells =
+            FieldCells::new(&Difference { function: &u, field: &field }, tolerance.relative())?;
+        accept("L^2 norm", units.in_lq(2.0, l2(&cells)?)?, tolerance, LIMIT)
     }
 
     /// Both functions divided by the size of u, on the unit interval.
@@ -87,32 +85,27 @@ impl FieldError<'_> {
         &self,
         tolerance: Tolerance,
     ) -> Result<(Normalized<'_>, PiecewisePolynomial)> {
-        let unit = self.function.normalized(tolerance)?;
-        let field =
-            self.field.scaled_by(1.0 / unit.size).on(self.field.mesh().over(unit.length)?);
-        Ok((unit, field))
+        let normalized = self.function.normalized(tolerance)?;
+        let Units { length, size } = normalized.units;
+        let field = self.field.scaled_by(1.0 / size).on(self.field.mesh().over(length)?);
+        Ok((normalized, field))
     }
 
     /// The seminorm and the L² norm.
     fn parts(&self, order: Order, tolerance: Tolerance) -> Result<[Estimate; 2]> {
-        let (unit, field) = self.normalized(tolerance)?;
-        let difference = Difference { function: &unit.u, field: &field };
+        let (Normalized { units, u }, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &u, field: &field };
         let cells = FieldCells::new(&difference, tolerance.relative())?;
         if !order.is_below_half() && cells.jumps_apart() {
             let why = "a piecewise polynomial with a jump is not in H^nu for nu >= 1/2";
             return Err(Error::InfiniteNorm { order: order.value(), why });
         }
-        let back = |squared: Estimate| unit.seminorm(order, squared.sqrt()?);
+        let back = |squared: Estimate| units.seminorm(order, squared.sqrt()?);
         let seminorm = squared(&difference, &cells, order, tolerance)
             .map_err(|error| error.carry("seminorm", back))
             .and_then(back)?;
-        Ok([seminorm, of_lq(&unit, 2.0, l2(&cells)?)?])
+        Ok([seminorm, units.in_lq(2.0, l2(&cells)?)?])
     }
-}
-
-/// The L^q norm of u − u_h from that of the normalized difference.
-pub(super) fn of_lq(unit: &Normalized, q: f64, found: Estimate) -> Result<Estimate> {
-    found.times(unit.length.powf(1.0 / q))?.times(unit.size)
 }
 
 /// The square |u − u_h|²_ν.

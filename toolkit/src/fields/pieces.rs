@@ -3,13 +3,13 @@
 
 use super::cells::{Content, FieldCells};
 use super::fit::Difference;
-use super::norms::{FieldError, LIMIT, l2, of_lq};
+use super::norms::{FieldError, LIMIT, l2};
 use super::patch::patch;
 use crate::dual::DualOf;
 use crate::dual::closure::Interpolant;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::functions::{Look, SingularFunction};
+use crate::functions::{Look, Normalized, SingularFunction};
 use crate::mesh::Mesh;
 use crate::order::Order;
 use crate::piecewise::PiecewisePolynomial;
@@ -38,8 +38,8 @@ impl FieldError<'_> {
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`FieldError::l2_norm`].
     pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let (unit, field) = self.normalized(tolerance)?;
-        let difference = Difference { function: &unit.u, field: &field };
+        let (Normalized { units, u }, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &u, field: &field };
         let cells = FieldCells::new(&difference, 0.1 * tolerance.relative())?;
         let (mut lengths, mut ends, mut bubbles) = (Vec::new(), Vec::new(), Vec::new());
         let (mut found, mut left) = (Vec::new(), Vec::new());
@@ -76,7 +76,7 @@ impl FieldError<'_> {
         let error =
             found.iter().map(|e| e.error).sum::<f64>() + beyond + 16.0 * f64::EPSILON * value;
         let work = found.iter().fold(Work::default(), |sum, e| sum + e.work);
-        accept("L^q norm", of_lq(&unit, q, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
+        accept("L^q norm", units.in_lq(q, Estimate::new(value, error, work)?)?, tolerance, LIMIT)
     }
 
     /// The dual norm sup ∫ (u − u_h) v / ||v||_ν with respect to the norm of [`FieldError::norm`], as
@@ -91,8 +91,8 @@ impl FieldError<'_> {
         order: Order,
         tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let (unit, field) = self.normalized(tolerance)?;
-        let difference = Difference { function: &unit.u, field: &field };
+        let (Normalized { units, u: function }, field) = self.normalized(tolerance)?;
+        let difference = Difference { function: &function, field: &field };
         let asked = (OF_CELLS * tolerance.relative()).max(LEAST);
         let cells = FieldCells::new(&difference, asked)?;
         let goal = asked * l2(&cells)?.value;
@@ -110,12 +110,12 @@ impl FieldError<'_> {
                 }
             }
         }
-        let (u, left) = pieces.finish(unit.length)?;
+        let (u, left) = pieces.finish(units.length)?;
         let inner =
             Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let found = Estimate::or_best(u.dual_norm(of, order, inner))?;
         let found = Estimate::new(found.value, found.error + left, found.work)?;
-        accept("dual norm", found.times(unit.size)?, tolerance, LIMIT)
+        accept("dual norm", found.times(units.size)?, tolerance, LIMIT)
     }
 }
 

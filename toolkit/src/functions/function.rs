@@ -128,11 +128,16 @@ pub(crate) struct SingularFunction<'a> {
     samples: Vec<Vec<f64>>,
 }
 
-/// A function divided by its unit, on an interval divided by a unit of length: both units are powers of two
-/// near its size and length.
-pub(crate) struct Normalized<'a> {
-    pub(crate) size: f64,
+/// Units of length and value: powers of two near the length and the size of a function.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Units {
     pub(crate) length: f64,
+    pub(crate) size: f64,
+}
+
+/// A function divided by its unit, on an interval divided by a unit of length.
+pub(crate) struct Normalized<'a> {
+    pub(crate) units: Units,
     pub(crate) u: SingularFunction<'a>,
 }
 
@@ -304,7 +309,7 @@ impl<'a> SingularFunction<'a> {
             unit: self.unit * length,
             samples,
         };
-        Ok(Normalized { size, length, u })
+        Ok(Normalized { units: Units { length, size }, u })
     }
 
     /// The sides, from left to right.

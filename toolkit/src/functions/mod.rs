@@ -28,7 +28,6 @@ mod waves;
 pub(crate) use arm::Arm;
 pub(crate) use combined::break_of;
 pub use function::Position;
-pub(crate) use function::{Normalized, SingularFunction};
+pub(crate) use function::{Normalized, SingularFunction, Units};
 pub(crate) use look::Look;
-pub(crate) use norms::whole;
 pub(crate) use resolution::of_residual;

@@ -2,7 +2,7 @@
 
 use super::arm::Arm;
 use super::arm_integral::ArmIntegral;
-use super::function::{Normalized, SingularFunction};
+use super::function::{Normalized, SingularFunction, Units};
 use super::level::{Density, LevelValue};
 use super::log_energy::LogEnergy;
 use super::look::Look;
@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::kernel::power::PowerKernel;
 use crate::order::Order;
-use crate::root::{accept, root_of_squares};
+use crate::root::whole;
 
 /// Message: the function is not smooth between its breakpoints.
 const UNDECLARED: &str =
@@ -23,9 +23,14 @@ const UNDECLARED: &str =
 const SCALES: &str =
     "the function has structure on many scales or is not smooth between its breakpoints";
 
-impl Normalized<'_> {
+impl Units {
+    /// ‖u‖ in L^q from that of the normalized function.
+    pub(crate) fn in_lq(self, q: f64, found: Estimate) -> Result<Estimate> {
+        found.times(self.length.powf(1.0 / q))?.times(self.size)
+    }
+
     /// |u|_ν from the seminorm of the normalized function: |u|_ν ~ L^{1/2−ν}.
-    pub(crate) fn seminorm(&self, order: Order, found: Estimate) -> Result<Estimate> {
+    pub(crate) fn seminorm(self, order: Order, found: Estimate) -> Result<Estimate> {
         // ν − 1/2 is rounded for small ν, and the logarithm of the unit may be 700.
         let factor = if order.value() < 0.25 {
             self.length.sqrt() * self.length.powf(-order.value())
@@ -65,7 +70,7 @@ impl SingularFunction<'_> {
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let normalized = self.normalized(tolerance)?;
         let found = normalized.u.seminorm_of_normalized(order, tolerance);
-        let back = |found: Estimate| normalized.seminorm(order, found);
+        let back = |found: Estimate| normalized.units.seminorm(order, found);
         found.map_err(|error| error.carry("seminorm", back)).and_then(back)
     }
 
@@ -105,7 +110,7 @@ impl SingularFunction<'_> {
     /// As [`SingularFunction::seminorm`].
     pub(crate) fn norm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let parts = [self.seminorm(order, tolerance), self.l2_norm(tolerance)];
-        whole(parts, tolerance)
+        whole(parts, tolerance, LIMIT)
     }
 
     /// The norm ||u||_{1+ν} of a function and its derivative.
@@ -126,7 +131,7 @@ impl SingularFunction<'_> {
             "{length of the function's interval}",
             same,
         )?;
-        whole([self.l2_norm(tolerance), derivative.norm(order, tolerance)], tolerance)
+        whole([self.l2_norm(tolerance), derivative.norm(order, tolerance)], tolerance, LIMIT)
     }
 
     /// The L² norm.
@@ -144,15 +149,15 @@ impl SingularFunction<'_> {
     /// [`Error::OutOfRange`] for q < 1 or NaN, else as [`SingularFunction::seminorm`].
     pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
-        let Normalized { size, length, u } = self.normalized(tolerance)?;
+        let Normalized { units, u } = self.normalized(tolerance)?;
         if q == f64::INFINITY {
-            let back = |found: Estimate| found.times(size);
+            let back = |found: Estimate| found.times(units.size);
             return u
                 .largest(tolerance)
                 .map_err(|error| error.carry("L^inf norm", back))
                 .and_then(back);
         }
-        let back = |found: Estimate| found.times(length.powf(1.0 / q))?.times(size);
+        let back = |found: Estimate| units.in_lq(q, found);
         let (waves, look) = u.l2_norm_of_waves(tolerance)?;
         if let Some(found) = waves
             && q == 2.0
@@ -183,7 +188,7 @@ impl SingularFunction<'_> {
     /// # Errors
     /// As [`SingularFunction::lq_norm`].
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
-        let Normalized { size: scale, u, .. } = self.normalized(tolerance)?;
+        let Normalized { units: Units { size: scale, .. }, u } = self.normalized(tolerance)?;
         let profile = Profile::of(&u);
         let (_, look) = u.l2_norm_of_waves(tolerance)?;
         let crude = Tolerance::fast().with_work(tolerance.work());
@@ -277,10 +282,4 @@ impl SingularFunction<'_> {
             Ok(LevelValue { value, tail, rounding, missed, of_rules, points })
         })
     }
-}
-
-/// √(Σ parts²) from the best estimates of the parts, if it meets the tolerance.
-pub(crate) fn whole(parts: [Result<Estimate>; 2], tolerance: Tolerance) -> Result<Estimate> {
-    let [a, b] = parts.map(Estimate::or_best);
-    accept("norm", root_of_squares(&[a?, b?])?, tolerance, LIMIT)
 }

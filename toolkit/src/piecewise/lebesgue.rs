@@ -10,6 +10,10 @@ use crate::root::accept;
 
 /// Largest number of bisections of one element.
 const MAX_DEPTH: usize = 60;
+/// Ratio of the values at the ends of a part to its bubbles above which |u|^q is smooth there.
+const APART: f64 = 2.0;
+/// Number of halvings after which a polynomial is expanded on the part.
+const EXPANDED: usize = 12;
 /// Number of points per degree between which extrema are sought.
 const SAMPLES: usize = 12;
 /// Rounding error of a compensated mean, relative to the mean of the sizes of the pieces.
@@ -37,7 +41,8 @@ impl PiecewisePolynomial {
     ///
     /// On an element of length h where u is linear from a to b, ∫ |u|^q = h (b|b|^q − a|a|^q) / ((q+1)(b−a)),
     /// evaluated with expm1 in terms of 1 − a/b if a and b have the same sign. Elements of higher degree are
-    /// bisected until a Gauss rule and its two halves agree. At q = ∞ the largest |u| is located, also in the
+    /// bisected between the zeros of u until a Gauss rule and its two halves agree; the zeros are enclosed by bisection
+    /// until u is linear there. At q = ∞ the largest |u| is located, also in the
     /// interior of elements. Cost O(N).
     ///
     /// # Errors
@@ -53,8 +58,7 @@ impl PiecewisePolynomial {
                 "rounding of the values limits the accuracy",
             );
         }
-        let scale = peak.value;
-        let total = self.mesh().total();
+        let (scale, total) = (peak.value, self.mesh().total());
         let rule = Rule::gauss_legendre(12)?;
         let (mut sum, mut error, mut points) = (RunningSum::default(), 0.0, 0);
         for (piece, &h) in self.pieces().iter().zip(self.mesh().lengths()) {
@@ -62,17 +66,22 @@ impl PiecewisePolynomial {
             if piece.bubbles.is_empty() {
                 sum.add(weight * linear_power(piece.left / scale, piece.right / scale, q));
             } else {
+                // In its own unit: a long low element may contribute more than a short high one.
+                let own = piece.size();
+                if own == 0.0 {
+                    continue;
+                }
+                let weight = weight * (own / scale).powf(q);
                 let mut integral = PowerIntegral {
                     piece,
-                    scale,
+                    scale: own,
                     q,
                     rule: &rule,
                     tolerance,
                     error: 0.0,
                     points: 0,
                 };
-                let whole = integral.gauss(0.0, 1.0);
-                sum.add(weight * integral.bisect(0.0, 1.0, whole, MAX_DEPTH));
+                sum.add(weight * integral.whole()?);
                 error += weight * integral.error;
                 points += integral.points;
             }
@@ -127,7 +136,11 @@ fn linear_power(a: f64, b: f64, q: f64) -> f64 {
     large.powf(q) * -((q + 1.0) * (-gap).ln_1p()).exp_m1() / ((q + 1.0) * gap)
 }
 
-/// The adaptive integral ∫ |u/scale|^q over an element.
+/// The adaptive integral ∫₀¹ |u/scale|^q of the local coordinate.
+///
+/// Where u vanishes |u|^q has a kink, and a Gauss rule and its two halves may agree by accident. They are compared only
+/// between the zeros, which are enclosed first ([`around_zeros`]). Next to a zero u is linear up to its bubbles, whose
+/// bound is that of the error of the closed form for linear u: ||a|^q − |b|^q| ≤ q max(|a|, |b|)^{q−1} |a − b|.
 struct PowerIntegral<'a> {
     piece: &'a Piece,
     scale: f64,
@@ -139,6 +152,30 @@ struct PowerIntegral<'a> {
 }
 
 impl PowerIntegral<'_> {
+    fn whole(&mut self) -> Result<f64> {
+        let mut enclosures = Vec::new();
+        // Even powers are polynomials.
+        if self.q % 2.0 != 0.0 {
+            around_zeros(self.piece, self.scale, self.q, [0.0, 1.0], &mut enclosures)?;
+        }
+        let (mut sum, mut from) = (0.0, 0.0);
+        for &Enclosure { start, end, value, error } in &enclosures {
+            sum += self.between(from, start) + value;
+            self.error += error;
+            from = end;
+        }
+        Ok(sum + self.between(from, 1.0))
+    }
+
+    /// The integral over a part in which u has one sign.
+    fn between(&mut self, from: f64, to: f64) -> f64 {
+        if to <= from {
+            return 0.0;
+        }
+        let whole = self.gauss(from, to - from);
+        self.bisect(from, to - from, whole, MAX_DEPTH)
+    }
+
     fn gauss(&mut self, start: f64, width: f64) -> f64 {
         self.points += self.rule.points().len() as u64;
         let value = |t: f64| (self.piece.value(start + width * t) / self.scale).abs().powf(self.q);
@@ -158,6 +195,58 @@ impl PowerIntegral<'_> {
         self.bisect(start, half, left, depth - 1)
             + self.bisect(start + half, half, right, depth - 1)
     }
+}
+
+/// A part of an element in which u may vanish, and the integral of |u/scale|^q over it.
+struct Enclosure {
+    start: f64,
+    end: f64,
+    value: f64,
+    error: f64,
+}
+
+/// Encloses the zeros of a polynomial on the part (from, to) of an element, from left to right: parts are bisected until u
+/// has one sign or the error of the closed form for linear u is rounding.
+///
+/// By Legendre's equation |(t (1 − t) P_k(2t − 1))″| ≤ 2 + 2k(k+1). On a part of width w therefore u is linear up to
+/// w²/8 Σ |c_k| (2 + 2k(k+1)), and on every part up to Σ |c_k|/4. After [`EXPANDED`] halvings the polynomial is expanded
+/// on the part itself: where u is flat these coefficients are much smaller.
+fn around_zeros(
+    piece: &Piece,
+    scale: f64,
+    q: f64,
+    [from, to]: [f64; 2],
+    found: &mut Vec<Enclosure>,
+) -> Result<()> {
+    let weighted = |of: &dyn Fn(f64) -> f64| {
+        let terms = piece.bubbles.iter().enumerate();
+        terms.map(|(k, c)| c.abs() * of(k as f64)).sum::<f64>() / scale
+    };
+    let (most, bend) = (weighted(&|_| 0.25), weighted(&|k| 0.25 * (1.0 + k * (k + 1.0))));
+    let mut stack = vec![([0.0, 1.0], [piece.left / scale, piece.right / scale], 0)];
+    while let Some(([start, end], [a, b], halvings)) = stack.pop() {
+        let width = end - start;
+        let bubbles = most.min(bend * width * width);
+        if a * b > 0.0 && a.abs().min(b.abs()) > APART * bubbles {
+            continue;
+        }
+        let on_element = (to - from) * width;
+        let largest = a.abs().max(b.abs()) + bubbles;
+        let error = on_element * q * largest.powf(q - 1.0) * bubbles;
+        let [first, last] = [start, end].map(|t| from + (to - from) * t);
+        if error * (q + 1.0) <= f64::EPSILON {
+            let value = on_element * linear_power(a, b, q);
+            found.push(Enclosure { start: first, end: last, value, error });
+        } else if halvings == EXPANDED {
+            around_zeros(&piece.part(start, end)?, scale, q, [first, last], found)?;
+        } else {
+            let middle = start + 0.5 * width;
+            let m = piece.value(middle) / scale;
+            stack.push(([middle, end], [m, b], halvings + 1));
+            stack.push(([start, middle], [a, m], halvings + 1));
+        }
+    }
+    Ok(())
 }
 
 /// The maximum of |u| in the interior if it exceeds `known`, otherwise a smaller value, and its uncertainty: the zeros of

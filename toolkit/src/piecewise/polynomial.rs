@@ -301,6 +301,22 @@ impl Piece {
         }
     }
 
+    /// The part between two local coordinates, in its own one.
+    pub(crate) fn part(&self, from: f64, to: f64) -> Result<Self> {
+        if from == 0.0 && to == 1.0 {
+            return Ok(self.clone());
+        }
+        let end = |t: f64| match t {
+            0.0 => self.left,
+            1.0 => self.right,
+            _ => self.value(t),
+        };
+        let ends = [end(from), end(to)];
+        let degree = self.bubbles.len() + usize::from(!self.bubbles.is_empty());
+        let bubbles = bubbles_of(degree, ends, |t| self.value(from + (to - from) * t))?;
+        Ok(Self { left: ends[0], right: ends[1], bubbles })
+    }
+
     pub(crate) fn value(&self, t: f64) -> f64 {
         self.value_above(0.0, t)
     }

@@ -5,7 +5,7 @@ use super::edges::{Edge, edge};
 use super::fit::{DEGREE, Fit, Fitted};
 use crate::error::{Error, Result};
 use crate::estimate::Tolerance;
-use crate::functions::{Arm, Normalized, SingularFunction};
+use crate::functions::{Arm, Normalized, SingularFunction, Units};
 use crate::piecewise::Piece;
 use std::cell::OnceCell;
 
@@ -74,7 +74,8 @@ impl Resolved {
     /// # Errors
     /// As [`Resolved::of`]; [`Error::ToleranceNotMet`] if more halvings are needed.
     pub(crate) fn within(u: &SingularFunction, most: usize) -> Result<Self> {
-        let Normalized { size, length: unit, u: normal } = u.normalized(Tolerance::balanced())?;
+        let Normalized { units: Units { length: unit, size }, u: normal } =
+            u.normalized(Tolerance::balanced())?;
         let builder = Builder { u: &normal, fit: Fit::new()?, halvings: most };
         let (mut cells, mut open): (Vec<Cell>, Vec<f64>) = (Vec::new(), Vec::new());
         let mut before = 0.0;

@@ -3,7 +3,7 @@
 use crate::error::{Error, Result};
 use crate::mesh::Mesh;
 use crate::numeric::sum::RunningSum;
-use crate::piecewise::{Piece, PiecewisePolynomial, bubbles_of};
+use crate::piecewise::{Piece, PiecewisePolynomial};
 use std::cmp::Ordering;
 
 /// Coordinates that differ by this multiple of the larger one are equal.
@@ -242,22 +242,6 @@ pub(super) fn polynomials_of(cells: &[Cell]) -> Result<PiecewisePolynomial> {
         cells.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
     let bubbles = cells.iter().map(|cell| cell.piece.bubbles.clone()).collect();
     PiecewisePolynomial::with_bubbles(Mesh::from_lengths(&lengths)?, &ends, bubbles)
-}
-
-/// The part of a polynomial between two local coordinates.
-pub(super) fn part_of(piece: &Piece, from: f64, to: f64) -> Result<Piece> {
-    if from == 0.0 && to == 1.0 {
-        return Ok(piece.clone());
-    }
-    let end = |t: f64| match t {
-        0.0 => piece.left,
-        1.0 => piece.right,
-        _ => piece.value(t),
-    };
-    let ends = [end(from), end(to)];
-    let degree = piece.bubbles.len() + usize::from(!piece.bubbles.is_empty());
-    let bubbles = bubbles_of(degree, ends, |t| piece.value(from + (to - from) * t))?;
-    Ok(Piece { left: ends[0], right: ends[1], bubbles })
 }
 
 /// The nodes of a mesh, known from its ends or from the node of the shortest element in their neighbourhood.

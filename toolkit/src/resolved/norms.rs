@@ -17,6 +17,9 @@
 //!
 //! d the length of the shorter cell next to it: next to the jump the contributions of its two sides cancel.
 //!
+//! All of them are computed in units of length and value, powers of two near the length of the interval and the largest
+//! value: squares of values of 1e-160 on cells of 1e-270 are no numbers.
+//!
 //! Towards a breakpoint cells are joined to one linear piece as far as Σ V² h^{1−2ν}, V the variation from the limit, is
 //! negligible: the norm costs as many cells as the order and the tolerance require.
 
@@ -24,11 +27,13 @@ use super::cells::{Cell, Place, Resolved, polynomials_of};
 use crate::dual::DualOf;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
-use crate::functions::of_residual;
+use crate::functions::{Units, of_residual};
 use crate::kernel::power::PowerKernel;
+use crate::numeric::scale::power_of_two;
 use crate::order::Order;
 use crate::piecewise::{Piece, PiecewisePolynomial};
 use crate::root::{accept, whole};
+use std::borrow::Cow;
 
 /// Message: what limits the accuracy.
 const LIMIT: &str = "the error of the polynomials that represent the function, or the rounding of its values, limits the accuracy";
@@ -54,6 +59,8 @@ const IN_L2: f64 = 1e-4;
 const COARSER: f64 = 10.0;
 /// Largest number of cells for which this comparison is made.
 const COMPARED: usize = 2000;
+/// Lengths and values between the reciprocal of this and this are not rescaled.
+const MODERATE: f64 = 1e20;
 
 impl Resolved {
     /// ‖u‖_ν.
@@ -79,6 +86,13 @@ impl Resolved {
     /// [`Error::OutOfRange`] for q < 1 or NaN, [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
     pub(crate) fn lq_norm(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         Error::require("q", q, "[1, inf]", q >= 1.0)?;
+        let units = self.units();
+        let back = |found: Estimate| units.in_lq(q, found);
+        let found = self.in_units(units).lq_norm_of_normalized(q, tolerance);
+        found.map_err(|error| error.carry("L^q norm", back)).and_then(back)
+    }
+
+    fn lq_norm_of_normalized(&self, q: f64, tolerance: Tolerance) -> Result<Estimate> {
         let u = self.polynomials()?;
         if q == f64::INFINITY {
             let found = Estimate::or_best(u.lq_norm(q, tolerance))?;
@@ -131,6 +145,13 @@ impl Resolved {
     /// # Errors
     /// [`Error::InfiniteNorm`], [`Error::ToleranceNotMet`].
     pub(crate) fn mean(&self, tolerance: Tolerance) -> Result<Estimate> {
+        let units = self.units();
+        let back = |found: Estimate| found.times(units.size);
+        let found = self.in_units(units).mean_of_normalized(tolerance);
+        found.map_err(|error| error.carry("mean", back)).and_then(back)
+    }
+
+    fn mean_of_normalized(&self, tolerance: Tolerance) -> Result<Estimate> {
         let u = self.polynomials()?;
         let rest = self.beyond(Some(0.0), tolerance, |cell| cell.length * cell.piece.size())?;
         let found = u.mean()?;
@@ -159,37 +180,52 @@ impl Resolved {
         order: Order,
         tolerance: Tolerance,
     ) -> Result<Estimate> {
-        let square = |cell: &Cell| cell.length * cell.piece.size().powi(2);
+        let units = Units { length: 1.0, ..self.units() };
+        let back = |found: Estimate| found.times(units.size);
+        let found = self.in_units(units).dual_norm_of_normalized(of, order, tolerance);
+        found.map_err(|error| error.carry("dual norm", back)).and_then(back)
+    }
+
+    /// The same of values of size 1. The dual norm is not homogeneous in the length: integrals are relative to that.
+    fn dual_norm_of_normalized(
+        &self,
+        of: DualOf,
+        order: Order,
+        tolerance: Tolerance,
+    ) -> Result<Estimate> {
+        let total = self.end.from(self.first());
+        let square = |cell: &Cell| cell.length / total * cell.piece.size().powi(2);
         let rest = self.beyond(Some(0.0), tolerance, square)?;
         let inner =
             Tolerance::new((0.5 * tolerance.relative()).max(1e-15))?.with_work(tolerance.work());
         let mut goal =
             (IN_L2 * tolerance.relative()).powi(2) * self.cells.iter().map(square).sum::<f64>();
         loop {
-            let (cells, joined) = self.joined(|h| 4.0 * h, goal);
+            let (cells, joined) = self.joined(|h| 4.0 * (h / total), goal);
             let found = Estimate::or_best(polynomials_of(&cells)?.dual_norm(of, order, inner))?;
             // A dual norm much smaller than the L² norm requires more of its digits.
-            let needed = (SHARE * tolerance.relative() * found.value).powi(2);
+            let needed = (SHARE * tolerance.relative() * (found.value / total.sqrt())).powi(2);
             if joined > needed && needed < 0.5 * goal {
                 goal = needed;
                 continue;
             }
             let (mut first, mut second, mut size) = (0.0, 0.0, 0.0_f64);
             for cell in &cells {
-                first += cell.length * cell.off;
-                second += cell.length * cell.off * cell.off;
+                first += cell.length / total * cell.off;
+                second += cell.length / total * cell.off * cell.off;
                 size = size.max(cell.piece.size());
             }
             for (by, [left, right]) in self.displacements() {
-                first += by * (left - right).abs();
-                second += by * (left - right).powi(2);
+                first += by / total * (left - right).abs();
+                second += by / total * (left - right).powi(2);
             }
             let together = if found.value > 0.0 {
-                (2.0 * size * first + second) / found.value
+                (2.0 * size * first + second) * (total / found.value)
             } else {
                 f64::INFINITY
             };
-            let error = found.error + second.sqrt().min(together) + rest.sqrt() + joined.sqrt();
+            let together = together.min(second.sqrt() * total.sqrt());
+            let error = found.error + together + (rest.sqrt() + joined.sqrt()) * total.sqrt();
             let found = Estimate::new(found.value, error, found.work)?;
             return accept("dual norm", found, tolerance, LIMIT);
         }
@@ -201,6 +237,45 @@ impl Resolved {
     /// [`Error::InfiniteNorm`] if u jumps and ν ≥ 1/2; [`Error::ToleranceNotMet`], without a value where it is not known
     /// whether the seminorm is finite.
     pub(crate) fn seminorm(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
+        let units = self.units();
+        let back = |found: Estimate| units.seminorm(order, found);
+        let found = self.in_units(units).seminorm_of_normalized(order, tolerance);
+        found.map_err(|error| error.carry("seminorm", back)).and_then(back)
+    }
+
+    /// Powers of two near the length of the interval and the largest value; 1 where both are moderate.
+    fn units(&self) -> Units {
+        let total = self.end.from(self.first());
+        let size = self.cells.iter().map(|cell| cell.piece.size()).fold(0.0, f64::max);
+        let is_moderate = |x: f64| x == 0.0 || (1.0 / MODERATE..MODERATE).contains(&x);
+        if is_moderate(total) && is_moderate(size) {
+            return Units { length: 1.0, size: 1.0 };
+        }
+        Units { length: power_of_two(total), size: power_of_two(size) }
+    }
+
+    /// The same function in these units.
+    fn in_units(&self, Units { length, size }: Units) -> Cow<'_, Self> {
+        if length == 1.0 && size == 1.0 {
+            return Cow::Borrowed(self);
+        }
+        let place = |at: Place| Place { base: at.base / length, offset: at.offset / length };
+        let cell = |cell: &Cell| Cell {
+            start: place(cell.start),
+            length: cell.length / length,
+            piece: cell.piece.scaled(1.0 / size),
+            off: cell.off / size,
+            is_rough: cell.is_rough,
+        };
+        Cow::Owned(Self {
+            cells: self.cells.iter().map(cell).collect(),
+            end: place(self.end),
+            breaks: self.breaks.iter().map(|c| c / length).collect(),
+            open: self.open.iter().map(|c| c / length).collect(),
+        })
+    }
+
+    fn seminorm_of_normalized(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let kernel = PowerKernel::new(order);
         let asked = tolerance.relative();
         let is_rough = self.cells.iter().any(|cell| cell.is_rough);

@@ -1,6 +1,6 @@
 //! Values, derivatives, restrictions, sums and products of resolved functions, cell by cell.
 
-use super::cells::{Cell, Common, Place, Resolved, part_of};
+use super::cells::{Cell, Common, Place, Resolved};
 use super::fit::Fit;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
@@ -118,7 +118,7 @@ impl Resolved {
             let local = |place: Place| (place.from(cell.start) / cell.length).clamp(0.0, 1.0);
             let [t, s] =
                 [if is_first { local(from) } else { 0.0 }, if is_last { local(to) } else { 1.0 }];
-            let piece = part_of(&cell.piece, t, s)?;
+            let piece = cell.piece.part(t, s)?;
             cells.push(Cell { start, length, piece, ..cell.clone() });
         }
         let inside = |c: &f64| *c > a && *c < b;
@@ -232,6 +232,6 @@ impl Resolved {
 }
 
 fn parts(common: &Common, cells: [&Cell; 2]) -> Result<[Piece; 2]> {
-    let part = |k: usize| part_of(&cells[k].piece, common.from[k], common.to[k]);
+    let part = |k: usize| cells[k].piece.part(common.from[k], common.to[k]);
     Ok([part(0)?, part(1)?])
 }

@@ -26,8 +26,8 @@ impl Canvas {
     /// An empty picture with letters of that size; `title` is its accessible name.
     pub(super) fn new([width, height]: [f64; 2], title: &str, font_size: f64) -> Self {
         Self(format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" width=\"{width}\" \
-             height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n{STYLE}\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" aria-label=\"{}\" \
+             width=\"{width}\" height=\"{height}\" viewBox=\"0 0 {width} {height}\">\n{STYLE}\n\
              <g font-family=\"sans-serif\" font-size=\"{font_size}\" fill=\"{INK}\">\n",
             escape(title)
         ))
@@ -144,7 +144,8 @@ mod tests {
 
     #[test]
     fn indices_are_lowered_exponents_raised_and_the_rest_returns() {
-        let lowered = "u<tspan dy=\"0.3em\" font-size=\"0.75em\">N</tspan><tspan dy=\"-0.2250em\">, shown</tspan>";
+        let lowered = "u<tspan dy=\"0.3em\" font-size=\"0.75em\">N</tspan>\
+                       <tspan dy=\"-0.2250em\">, shown</tspan>";
         assert_eq!(shifted("u_N, shown"), lowered);
         assert!(shifted("|u|_(3/2)").starts_with("|u|<tspan dy=\"0.3em\""));
         assert_eq!(shifted("x^0.6"), "x<tspan dy=\"-0.45em\" font-size=\"0.75em\">0.6</tspan>");
