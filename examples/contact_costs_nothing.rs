@@ -26,12 +26,14 @@
 //! |u − v|²_a = g·A_N g − 2 (A_N g)·P v + v·A_n v,     and ∫ σ_N I^h u_N = −λ·(P I^h g).
 //! ```
 //!
-//! I^h u is the discrete harmonic function with the edge values I^h g. The contact sets, where in a
-//! gap (a, b) g = −δ^(τ−1), δ = (x − a)(b − x)/(b − a), and in contact λ = r^(τ−2), r the distance
-//! to the nearest gap, the integral of λ over a cell half to each node:
+//! I^h u is the discrete harmonic function with the edge values I^h g. The ends of all gaps are
+//! rounded to the nodes of the N cells. In a gap (a, b) g = −δ^(τ−1), δ = (x − a)(b − x)/(b − a).
+//! A cell is in contact if g = 0 at both its ends, and so is a gap of one cell; there
+//! λ = r^(τ−2), r the distance to the nearest gap, and the integral of λ over the cell goes half to
+//! each node. The contact sets, with another g and λ where they are written:
 //!
 //! ```text
-//! transitions:3   gaps ((i + 1/4)/3, (i + 3/4)/3), i = 0, 1, 2, ends rounded to nodes
+//! transitions:3   gaps ((i + 1/4)/3, (i + 3/4)/3), i = 0, 1, 2
 //! cantor:0.3      20 times the middle 0.4 is taken out of each interval: g = −δ^(τ−1+d/2), λ = 1,
 //!                 d = ln 2/ln(1/0.3)
 //! fat-cantor      15 times, gaps of length c 2^(−k/d) in the middle of the 2^(k−1) intervals that
@@ -46,8 +48,8 @@
 //! **On the unit square with known u.** For u in H², not affine, more is true: even the error of
 //! the best approximation G without constraint is reached, |u − u^h|_a/|u − G|_a → 1 in both cones,
 //! on any quasi-uniform mesh, where G = u^h = I^h u on Γ_D. At natural ends of contact the quotient
-//! less one is O(h^(2/3) |ln h|) in the nodal cone (proof on the page `contact_costs_nothing`).
-//! With z = x + iy and λ = μ = 1
+//! less one is O(h^(2/3) |ln h|) in the nodal cone (proof on the page `contact_costs_nothing`). The
+//! meshes are n × n squares, n = 22, 42, 82. With z = x + iy and λ = μ = 1
 //!
 //! ```text
 //! elastic    2 u_x = −½ Im F − y Re F',   2 u_y = (3/2) Re F + y Im F',
@@ -60,9 +62,10 @@
 //! u^h|²_a is above the right side of Falk's lemma by more than 2e-6 of it (the conjugate gradients
 //! of u^h stop at 1e-13, and the squares cancel); if for τ = 5/2 the quotient |u − u^h|_a/|u − I^h
 //! u|_a on the finest mesh, with its change over two halvings as ±, is above 1.001; if |u −
-//! u^h|_a/|u − G|_a at n = 64, with its change over two halvings as ±, is above 1.01, or its excess
-//! over 1 falls slower than h^(2/3) from n = 32 to 64, a number without ±; or if (|u − u^h|² − |G −
-//! u^h|²)/|u − G|², which is 1 by Pythagoras, differs from 1 by more than 0.2 %, the error of the
+//! u^h|_a/|u − G|_a at n = 82, with its change since n = 22 as ±, is above 1.01, or on the unshaken
+//! meshes its excess over 1 falls slower than h^(2/3) from n = 22 to 82, with the difference of the
+//! orders in both halves as ± (in the midpoint cone only h^(1/2) is proved); or if (|u − u^h|² − |G
+//! − u^h|²)/|u − G|², which is 1 by Pythagoras, differs from 1 by more than 0.2 %, the error of the
 //! cubature. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example contact_costs_nothing -- --finest 17`
@@ -89,7 +92,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         "|u − u^h|_a/|u − I^h u|_a on the finest mesh, ±: its change over two halvings",
     );
     out.column("over_best", "/best", "|u − u^h|_a/|u − G|_a");
-    out.column("order", "order", "of /best less one, from n = 32 to 64");
+    out.column("order", "order", "of /best less one, from n = 22 to 82; ± by its two halves");
     let mut lines = Vec::new();
     for (name, tau) in [
         ("transitions:3", 1.55),
@@ -150,8 +153,9 @@ fn shaken(mesh: Triangulation, n: usize) -> signorini::Result<Triangulation> {
 
 /// The problems with known u, on n × n squares cut from bottom left to top right. G, the best
 /// approximation without constraint, solves a(G, φ) = l(φ) + ∫ σ_N φ for all φ, with the exact σ_N
-/// (five Gauss points on a segment). Norms of u − v are integrals over each triangle by 4 × 4
-/// points that gather at the ends of contact: good to 1e-3.
+/// (five Gauss points on a segment, also on one with an end of contact: that adds O(h) to the
+/// excess). Norms of u − v are integrals over each triangle by 4 × 4 points that gather at the ends
+/// of contact: good to 1e-3.
 fn on_triangles(out: &mut Report) -> Result<()> {
     let lame = Lame::new(1.0, 1.0)?;
     for (name, known, shake) in [
@@ -162,7 +166,9 @@ fn on_triangles(out: &mut Report) -> Result<()> {
     ] {
         for cone in [Cone::Nodal, Cone::Midpoint] {
             let (mut interpolated, mut best, mut excess) = (Vec::new(), Vec::new(), Vec::new());
-            for n in [8, 16, 32, 64] {
+            // On all of them an end of contact lies at the same place of its segment (3n/10, 2n/5
+            // and 7n/10 have the same fractional part): the excess depends on that place.
+            for n in [22, 42, 82] {
                 let make = || match shake {
                     true => {
                         TestProblem::Manufactured.on(shaken(TestProblem::Manufactured.mesh(n)?, n)?)
@@ -192,18 +198,20 @@ fn on_triangles(out: &mut Report) -> Result<()> {
                 claim.differ_by_at_most(pythagoras, 1.0, 2e-3, "Pythagoras");
                 interpolated.push(error / interpolant);
                 best.push(error / least);
-                excess.push(0.5 * superclose.powi(2)); // of error/best over one
+                excess.push((1.0 / n as f64, 0.5 * superclose.powi(2))); // of error/best over one
             }
-            let order = exponent_between((1.0 / 32.0, excess[2]), (1.0 / 64.0, excess[3]));
+            let order = exponent_of(&excess);
             let problem =
                 if cone == Cone::Nodal { name.to_owned() } else { format!("{name}, midpoint") };
             let quotient = limit(best);
             let over_interpolation = limit(interpolated);
             out.row(cells! { problem, tau: 2.5 => over_interpolation, over_best: quotient, order });
-            out.check("n = 64: error/best possible error")
+            out.check("n = 82: error/best possible error")
                 .whole_error_bars_at_most(quotient, 1.01, "limit 1");
-            let claim = out.check("order in h of (error/best possible error − 1)");
-            claim.whole_error_bars_at_least(order, 2.0 / 3.0, "h^(2/3)");
+            if !shake {
+                let claim = out.check("order in h of (error/best possible error − 1)");
+                claim.whole_error_bars_at_least(order, 2.0 / 3.0, "h^(2/3)");
+            }
         }
     }
     Ok(())

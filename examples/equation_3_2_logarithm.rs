@@ -26,8 +26,9 @@
 //!
 //! Refuted if for an α > 1/2 the quotient e/(h |ln h|^(1/2)) keeps growing: its last increment has
 //! to be at most half of the one before, while those of a power of |ln h| fall by a factor near 1.
-//! The paper is loose if q, with its ±, is at most 0 for every α > 1/2: no logarithm.
-//! Undecided while a bound lies inside of an error bar.
+//! (For α = 0 it would be, too: there the quotient tends to a constant.) The paper is loose if q,
+//! with its ±, is at most 0 for every α > 1/2: no logarithm. Undecided while a bound lies inside of
+//! an error bar.
 //!
 //! **The problems.** On the edge y = 0 of the unit square a displacement g ≤ 0 and a pressure λ ≥ 0
 //! with g λ = 0 are chosen. u is harmonic inside, g on the edge, 0 at y = 1, and ∂u/∂n = 0 at the
@@ -46,8 +47,8 @@
 //! ```
 //!
 //! N = 16 · 2^finest cells carry these data. g is taken at the nodes. A cell in contact has the
-//! force λ at its middle times 1/N, half to each node; of the cell in which a lies, λ at its middle
-//! times the length in contact goes to the node left of a.
+//! force λ at its middle times 1/N, half to each node; of the cell in which a lies, λ at the middle
+//! of its part in contact times the length of that part goes to the node left of a.
 //!
 //! Another contact set, other powers of the logarithm:
 //!

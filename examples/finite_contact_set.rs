@@ -47,6 +47,8 @@
 //!               K = 3/2, F² = (9/4) (3/10 − x)
 //! ```
 //!
+//! The load vector is that of the interpolant of f at the nodes.
+//!
 //! Refuted if on the coarsest mesh with at least ten samples (64, for the membrane 128) the zero of
 //! P/Q is further than h/8 from the end of contact, which is 3/10 for the closed form, else the
 //! zero on the finest mesh; if K there differs by more than 3 % from 3/2, or from that of the

@@ -30,16 +30,17 @@
 //!
 //! Refuted if a quadratic function has a larger quotient than C; if C_h(α) < 2 C_h(60°) for an α ≥
 //! 135°; if the factor from 20° to 10° is less than half of the way, 2^(min(1/2, 1−s)/2), for s ≤
-//! 3/4, or more than 1.05 at s = 1 or if C at s = 1 exceeds 0.49291 at 90° (Babuška, Aziz 1976) or
+//! 3/4, or more than 1.05 at s = 1; or if C at s = 1 exceeds 0.49291 at 90° (Babuška, Aziz 1976) or
 //! Kobayashi's bound (2011),
 //!
 //! ```text
 //! C² ≤ a²b²c²/(16S²) − (a²+b²+c²)/30 − (S²/5)(1/a²+1/b²+1/c²),   sides a, b, c, area S.
 //! ```
 //!
-//! All these numbers have a ±. A comparison holds if it does on the whole error bar, is refuted if
-//! it fails on the whole of it, and undecided otherwise; also where the bar is so wide that √2 for
-//! the factor at s = 1, or 1 for the factor at s < 1 and for C_h(α)/C_h(60°), would pass as well.
+//! C, C_h and the factors have a ±; the quotients of quadratics and both published bounds have
+//! none. A comparison holds if it does on the whole error bar, is refuted if it fails on the whole
+//! of it, and undecided otherwise; also where the bar is so wide that √2 for the factor at s = 1,
+//! or 1 for the factor at s < 1 and for C_h(α)/C_h(60°), would pass as well.
 //!
 //! `cargo run --release --example lemma_6_1_on_triangles -- --s 0.9,0.3 --angle 15,90,150`
 

@@ -32,13 +32,15 @@
 //! ```
 //!
 //! u is chosen on the N segments, with its σ, and u inside is discrete harmonic; both give G, whose
-//! forces on n segments are those on N tested with the hat functions of n. With δ = (x − a)(b −
-//! x)/(b − a) in a gap (a, b), half of the integral of −σ over a segment in contact at each of its
-//! nodes, and ends of gaps at nodes,
+//! forces on n segments are those on N tested with the hat functions of n. The ends of a gap move
+//! to the nearest of the N + 1 nodes; a and b are the moved ends, u = 0 outside of all gaps, and δ
+//! = (x − a)(b − x)/(b − a) inside. A segment is in contact if u = 0 at both of its nodes, also if
+//! it is a gap of one segment; half of the integral of −σ over it acts at each of the two:
 //!
 //! ```text
 //! transition   u = −(x − a)^(τ−1) for x > a, −σ = r^(τ−2) for x < a, r the distance to the last
-//!              node before a; root of the mean square over eight a = 0.381966 + 0.0171 k
+//!              node before a (a not moved); root of the mean square over eight
+//!              a = 0.381966 + 0.0171 k
 //! cantor       20 times the middle 2/5 of each piece becomes a gap: u = −δ^(τ−1+d/2), −σ = 1,
 //!              d = ln 2/ln(10/3)
 //! fat-cantor   for k = 1, .. 15 a gap L s^k in the middle of each piece, s = 2^(−1/d), d = 4 − 2τ,

@@ -23,7 +23,7 @@
 //! ```
 //!
 //! u is harmonic, so that f = u. The boundary carries a load g, which Remark 1 does not have: the
-//! conditions are ∂u/∂n − g ≤ 0 and u (∂u/∂n − g) = 0. On the rest of ∂Ω, where u < 0, it is ∂u/∂n.
+//! conditions are ∂u/∂n − g ≤ 0 and u (∂u/∂n − g) = 0. On the rest of ∂Ω, where u < 0, g = ∂u/∂n.
 //! So u solves the problem with σ_N = ∂u/∂n − g. u is in H^s for s < τ only (at τ = 2 it is in H²),
 //! so that for τ < 2 the checks ask for more than the theorems say. Errors are root mean squares
 //! over a = 1/3 and 2/3, because halving h exchanges these two.

@@ -26,10 +26,11 @@
 //! H^(3/2), c_j = (1 + j)^(−0.6): the waves j ≥ k are aliased, the errors of the others have mean
 //! zero, so the dual norm is at least the sum of c_j 2^(−3j/2) over j ≥ k.
 //!
-//! Refuted if the order of either is off 3/2 by more than 0.02, if a quotient exceeds the bound of
-//! all functions (Lemma 6.2) or is less than half its limit, or if the dual norm is not between the
-//! two bounds above.
-//! Undecided while a bound lies inside of an error bar.
+//! Refuted if the order of the waves' quotient or of that lower bound of the one function is off
+//! 3/2 by more than 0.02, if a quotient exceeds the bound of all functions (Lemma 6.2) or is less
+//! than half its limit, or if the dual norm is not between the two bounds above. For comparison, u
+//! = −exp x is shown: a smooth function has the order 2, which is only observed. Undecided while a
+//! bound lies inside of an error bar.
 //!
 //! `cargo run --release --example remark_2_dual_norm_counterexample -- --elements 5`
 

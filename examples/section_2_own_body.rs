@@ -24,9 +24,10 @@
 //! condition of contact, or the equilibrium at the free nodes, scaled, is violated by more than
 //! 1e-10; or, by more than 1e-8 plus ten times the relative rounding of J, if the resultants of
 //! load, clamp and floors (forces in both directions, over the sums of the moduli of their terms)
-//! do not add up, if two solvers differ in J where the second converged, or if J less its ± rises
-//! on a finer mesh. Where this sum is 1e-3 or more, resultants and solvers decide nothing. (The
-//! cones are nested if there are no gaps and no prescribed displacements, which are interpolated.)
+//! do not add up, if two solvers differ in J where the second converged, or if J rises on a finer
+//! mesh by more than that beyond the ± of both meshes (undecided inside of it). Where 1e-8 plus ten
+//! times that rounding is 1e-3 or more, resultants and solvers decide nothing. (The cones are
+//! nested if there are no gaps and no prescribed displacements, which are interpolated.)
 //!
 //! Shown, and decided by nothing, is the order p of the error in the energy norm. It is computed
 //! from J, as J(u^h) − J(u) ≈ A h^(2p) + B h²:

@@ -426,6 +426,7 @@ fn table(cone: Cone, tau: f64, rows: &[Sums], out: &mut Report) {
     claim.whole_error_bars_differ_by_at_most(integral, 2.0 * tau - 2.0, 0.05, "2τ − 2");
     let claim = out.check("exponent of h in the bound, whole edge");
     claim.whole_error_bars_differ_by_at_most(whole, printed, 1e-8, "2τ² − 5τ + 4");
-    out.column("exponent", "exponent", "of h, on the finer half of the meshes");
+    let how = "of h, from the first to the last mesh of the finer half; ± by its two halves";
+    out.column("exponent", "exponent", how);
     out.column("loss", "loss", "what the step takes of it");
 }

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use fractional_sobolev::{
-    BestConstant, Constraint, Domain, Error, ErrorNorm, Estimate, Extremal, Zones, gamma, interpolation_constant,
+    BestConstant, Constraint, Domain, Error, ErrorNorm, Estimate, Extremal, Zones, gamma,
+    interpolation_constant,
 };
 use pyo3::prelude::*;
 
@@ -106,11 +107,7 @@ pub(crate) fn interpolation(
 }
 
 /// The constant with its bounds, if any, and its function.
-fn shown(
-    py: Python<'_>,
-    found: &BestConstant,
-    bounded: Option<&BestConstant>,
-) -> PyResult<Found> {
+fn shown(py: Python<'_>, found: &BestConstant, bounded: Option<&BestConstant>) -> PyResult<Found> {
     let bound = |of: Option<Estimate>| of.map(|bound| estimate(py, bound)).transpose();
     let lower = bound(bounded.map(|found| found.lower))?;
     let upper = bound(bounded.and_then(|found| found.upper))?;

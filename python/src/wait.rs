@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, Once, PoisonError};
 use std::time::Duration;
 
 use fractional_sobolev::{Error, Estimate};
@@ -68,6 +68,20 @@ pub(crate) fn estimate(py: Python<'_>, found: Estimate) -> PyResult<Py<PyAny>> {
         .unbind())
 }
 
+/// Attaches the threads that share the work to the interpreter, each once for its life: a thread state made for each
+/// callback would cost many times the callback.
+fn attach_workers(py: Python<'_>) {
+    static ONCE: Once = Once::new();
+    let run = |worker: rayon::ThreadBuilder| Python::attach(|py| py.detach(|| worker.run()));
+    let spawned = |worker| std::thread::Builder::new().spawn(move || run(worker)).map(drop);
+    // Released, as all of them attach before the pool is there. Without it Rayon makes its own, of slower callbacks.
+    py.detach(|| {
+        ONCE.call_once(|| {
+            rayon::ThreadPoolBuilder::new().spawn_handler(spawned).build_global().ok();
+        });
+    });
+}
+
 /// What the computation returns. It runs on a thread of its own without the interpreter; Ctrl-C is answered at once,
 /// and ends a computation that calls Python functions.
 pub(crate) fn wait<T: Send + 'static>(
@@ -75,6 +89,7 @@ pub(crate) fn wait<T: Send + 'static>(
     shared: &Arc<Shared>,
     job: impl FnOnce() -> Result<T, Failure> + Send + 'static,
 ) -> PyResult<T> {
+    attach_workers(py);
     let (send, receive) = channel();
     // Attached once for the whole computation: a thread state made for each callback would cost 20 times the callback.
     std::thread::spawn(move || Python::attach(|py| py.detach(|| send.send(job()).ok())));

@@ -188,3 +188,28 @@ def test_what_is_not_a_plane_body_is_refused(body):
         fs.contact.solve(meshio.Mesh(p + p[:, [2, 2, 0]], [("triangle", t)]))
     with pytest.raises(ValueError, match="no boundary group 'floor': it has clamped, contact, free"):
         fs.contact.solve(mesh, LOAD, groups={"contact": "floor"})
+
+
+@pytest.mark.parametrize("how", ["a cell set", "an edge listed twice"])
+def test_an_edge_in_two_groups_is_refused(how):
+    points = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    lines, triangles = [(0, 1), (1, 2), (2, 3), (3, 0)], [(0, 1, 2), (0, 2, 3)]
+    groups = {"contact": [0], "free": [0, 1, 3], "clamped": [2]}
+    if how == "a cell set":
+        sets = {name: [np.array(cells), None] for name, cells in groups.items()}
+        mesh = meshio.Mesh(points, [("line", lines), ("triangle", triangles)], cell_sets=sets)
+    else:
+        tags = [1, 2, 2, 2, 3]
+        names = {"contact": np.array([1, 1]), "free": np.array([2, 1]), "clamped": np.array([3, 1])}
+        rows = [lines[k] for k in (0, 0, 1, 3, 2)]
+        data = {"gmsh:physical": [np.array(tags), np.array([0, 0])]}
+        mesh = meshio.Mesh(points, [("line", rows), ("triangle", triangles)], cell_data=data, field_data=names)
+    with pytest.raises(ValueError, match="an edge is in the groups '.*' and '.*': it must be in one"):
+        fs.contact.solve(mesh, (0, -0.1))
+
+
+def test_a_triangle_that_is_listed_twice_is_refused():
+    points = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    mesh = meshio.Mesh(points, [("triangle", [(0, 1, 2), (0, 2, 3), (2, 0, 1)])])
+    with pytest.raises(ValueError, match="listed twice"):
+        fs.contact.solve(mesh, (0, -0.1), groups={"contact": [(0, 1)], "clamped": [(2, 3)]})

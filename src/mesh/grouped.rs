@@ -45,7 +45,7 @@ impl Triangulation {
     ///
     /// # Errors
     /// [`ToolkitError::UnknownName`](crate::ToolkitError::UnknownName) for a group on the boundary whose part is not
-    /// known, or whose name states another part than `parts`,
+    /// known, or whose name states another part than `parts`, or two parts of one group in `parts`,
     /// [`Error::NoGroup`](crate::Error::NoGroup) for a name in `parts` without an edge,
     /// [`ToolkitError::Edge`](crate::ToolkitError::Edge) for a contact or clamped edge inside the body, and those of
     /// [`Triangulation::new`].
@@ -122,6 +122,15 @@ impl Grouped<'_> {
                 return Err((Error::NoGroup { what: "boundary group", given, known }, None));
             }
         }
+        for (k, &(name, part)) in self.parts.iter().enumerate() {
+            let before = self.parts[..k].iter().find(|&&(one, of)| same(one, name) && of != part);
+            if let Some(&(_, before)) = before {
+                let both = format!("{} and {}", before.name(), part.name());
+                let expected =
+                    "one of them: a displacement clamps, a gap is a floor, a traction leaves free";
+                return Err((part_of_group(&both, name, expected), None));
+            }
+        }
         let key = |[a, b]: [usize; 2]| [a.min(b), a.max(b)];
         let mut sides: Vec<[usize; 2]> = self
             .triangles
@@ -169,15 +178,7 @@ impl Grouped<'_> {
         let given = self.parts.iter().find(|(group, _)| same(group, name)).map(|&(_, part)| part);
         match (given, Part::named(name)) {
             (Some(given), Some(named)) if given != named => {
-                Err(Error::Toolkit(ToolkitError::UnknownName {
-                    what: "boundary part",
-                    given: format!(
-                        "{} for the group {}",
-                        given.name(),
-                        name.chars().take(40).collect::<String>()
-                    ),
-                    expected: "the part that the name of the group states",
-                }))
+                Err(part_of_group(given.name(), name, "the part that the name of the group states"))
             }
             (Some(part), _) | (None, Some(part)) => Ok(part),
             (None, None) => Err(Error::Toolkit(ToolkitError::UnknownName {
@@ -189,6 +190,13 @@ impl Grouped<'_> {
             })),
         }
     }
+}
+
+/// The error for parts that a group cannot be.
+fn part_of_group(parts: &str, name: &str, expected: &'static str) -> Error {
+    let name: String = name.chars().take(40).collect();
+    let given = format!("{parts} for the group {name}");
+    Error::Toolkit(ToolkitError::UnknownName { what: "boundary part", given, expected })
 }
 
 /// Whether two names of groups are the same, up to capital letters.

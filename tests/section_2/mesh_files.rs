@@ -422,6 +422,25 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
         ("no Physical Surface", shared(include_bytes!("../data/msh/no_physical_surface.msh"))),
         ("a boundary curve without a group", changed(&two, &[("1 1 2 1 1 1 2", "1 1 2 0 1 1 2")])),
         ("a curve in two groups", changed(&four, &two_groups)),
+        // Format 2 lists the elements of a curve or a surface once for each of its groups.
+        (
+            "a curve in two groups, 2.2",
+            changed(&two, &[("\n14\n1 1 2 1 1 1 2 \n", "\n15\n15 1 2 3 1 1 2\n1 1 2 1 1 1 2 \n")]),
+        ),
+        (
+            "a surface in two groups, 2.2",
+            changed(
+                &two,
+                &[
+                    ("$PhysicalNames\n4\n", "$PhysicalNames\n5\n2 6 \"skin\"\n"),
+                    ("\n14\n1 1 2 1 1 1 2 \n", "\n15\n15 2 2 6 1 1 2 7\n1 1 2 1 1 1 2 \n"),
+                ],
+            ),
+        ),
+        (
+            "a triangle listed twice",
+            changed(&two, &[("\n14\n1 1 2 1 1 1 2 \n", "\n15\n15 2 2 5 1 1 2 7\n1 1 2 1 1 1 2 \n")]),
+        ),
         ("a curve with another name", changed(&two, &[("\"free\"", "\"top\"")])),
         (
             "a curve inside called contact",
@@ -573,6 +592,10 @@ fn parts_are_given_to_groups_with_other_names() {
     );
     let wrong = mesh(&[named[0], named[1], ("free", Part::Contact)]).unwrap_err().to_string();
     assert!(wrong.contains("boundary part 'contact for the group free'"), "{wrong}");
+    // One curve, two things that act: which of them was meant is not decided by their order.
+    let wrong = mesh(&[named[0], named[1], ("Floor", Part::Dirichlet)]).unwrap_err().to_string();
+    assert!(wrong.contains("boundary part 'contact and clamped for the group Floor'"), "{wrong}");
+    assert!(mesh(&[named[0], named[1], named[0]]).is_ok());
 }
 
 #[test]

@@ -40,7 +40,7 @@ const OF_PARTS: &str =
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
-/// | formula | (−1, 2) | polynomials on cells if few are enough; else rules graded towards the breakpoints in logarithmic coordinates | 10³ values for all norms; 10⁵ per pair of one-sided neighbourhoods at 1e-8 |
+/// | formula | (−1, 2) | polynomials on cells if few are enough; else rules graded towards the breakpoints in logarithmic coordinates | 10³ to 10⁴ values for all norms; 10⁵ of the kernel per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
 /// | formula minus values | (−1, 2) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |

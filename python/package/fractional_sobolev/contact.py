@@ -124,6 +124,12 @@ def _tags(mesh) -> list[NDArray] | None:
     return [np.asarray(block).ravel() for block in mesh.cell_data[found[0]]] if found else None
 
 
+def _require_one(one: str, two: str) -> None:
+    """Refuses an edge in two groups that say what happens there; of others the smallest set names it."""
+    if one != two and one and _native.states_a_part(one) and _native.states_a_part(two):
+        raise ValueError(f"an edge is in the groups {one!r} and {two!r}: it must be in one")
+
+
 def _names_of_blocks(mesh) -> list[list[str]]:
     """For every block of cells the names of the groups of its cells; empty for cells in none."""
     names = [[""] * len(block.data) for block in mesh.cells]
@@ -134,6 +140,7 @@ def _names_of_blocks(mesh) -> list[list[str]]:
         for name, parts in sorted(sets.items(), key=lambda item: -size(item[1])):
             for block, part in zip(names, parts):
                 for cell in () if part is None else np.asarray(part, dtype=np.intp).tolist():
+                    _require_one(block[cell], name)
                     block[cell] = name
         return names
     tags = _tags(mesh)
@@ -157,13 +164,18 @@ def _arrays(mesh) -> tuple[NDArray, NDArray, dict[tuple[int, int], str], list[st
             triangles.append(cells[:, :3])
             regions += [name or "body" for name in names]
         elif block.type.startswith("line"):
-            edges.update((tuple(sorted(cell)), name) for cell, name in zip(cells[:, :2].tolist(), names) if name)
+            for edge, name in zip(map(tuple, np.sort(cells[:, :2]).tolist()), names):
+                if name:
+                    _require_one(edges.get(edge, ""), name)
+                    edges[edge] = name
         elif block.type != "vertex":
             raise ValueError(f"the mesh has cells of type {block.type}: only triangles, lines and points are read")
     if not triangles:
         raise ValueError("the mesh has no triangles: Gmsh meshes a body by gmsh -2 and saves only what is in a physical group; "
             "add Physical Surface(\"body\") = {1};")
     corners = np.concatenate(triangles)
+    if len(np.unique(np.sort(corners), axis=0)) < len(corners):
+        raise ValueError("a triangle is listed twice: a surface must be in one group")
     used = points[np.unique(corners)]
     if points.shape[1] > 2 and np.ptp(used[:, 2]) > 1e-12 * np.abs(used).max():
         raise ValueError("the body must lie in a plane z = const")

@@ -107,6 +107,7 @@ impl Raw {
                 return Err(self.fault(*place, &format!("node {tag} is not in the file")));
             }
         }
+        self.refuse_doubles()?;
         let nodes = self.plane(&tags)?;
         let number = |tag: u64| tags.binary_search(&tag).ok();
         let corners =
@@ -213,17 +214,45 @@ impl Raw {
         match groups[..] {
             [] => Ok(None),
             [group] => Ok(Some(group)),
-            [one, two, ..] => {
-                let what = if dimension == 1 { "curve" } else { "surface" };
-                let [one, two] =
-                    [one, two].map(|group| crate::text::quoted(&self.name(dimension, group)));
-                let why = format!(
-                    "{what} {} is in the physical groups {one} and {two}: it must be in one",
-                    element.entity
-                );
-                Err(self.fault(element.place, &why))
+            [one, two, ..] => Err(self.in_two(dimension, element, [one, two])),
+        }
+    }
+
+    fn in_two(&self, dimension: i32, element: &Element, groups: [i64; 2]) -> Error {
+        let what = if dimension == 1 { "curve" } else { "surface" };
+        let [one, two] = groups.map(|group| crate::text::quoted(&self.name(dimension, group)));
+        let why = format!(
+            "{what} {} is in the physical groups {one} and {two}: it must be in one",
+            element.entity
+        );
+        self.fault(element.place, &why)
+    }
+
+    /// Refuses an entity in two groups where format 2 lists its elements once for each of them, and a triangle that is
+    /// listed twice. (An edge that is listed twice in one group is refused with all others.)
+    fn refuse_doubles(&self) -> Result<()> {
+        for (dimension, elements) in [(1, &self.lines), (2, &self.triangles)] {
+            let mut known: HashMap<[u64; 3], &Element> = HashMap::new();
+            for element in elements {
+                let mut nodes = element.nodes;
+                nodes.sort_unstable();
+                let Some(before) = known.insert(nodes, element) else { continue };
+                match (self.group(dimension, before)?, self.group(dimension, element)?) {
+                    (Some(one), Some(two)) if one != two => {
+                        return Err(self.in_two(dimension, element, [one, two]));
+                    }
+                    _ if dimension == 2 => {
+                        let why = format!(
+                            "triangle {} has the corners of triangle {}",
+                            element.tag, before.tag
+                        );
+                        return Err(self.fault(element.place, &why));
+                    }
+                    _ => {}
+                }
             }
         }
+        Ok(())
     }
 
     /// The region of every triangle, numbered from 0 in ascending order of the tags of the surface groups, and the

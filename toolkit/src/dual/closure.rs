@@ -122,7 +122,11 @@ impl Interpolant {
     ) -> Result<()> {
         let radius = |k: usize| arm.length * 0.5f64.powi(k as i32);
         let deepest = ((arm.depth / std::f64::consts::LN_2) as usize).max(2) - 1;
-        let middle = |k: usize| u.at(arm, 0.75 * radius(k));
+        let middles = u.middles(arm);
+        let middle = |k: usize| match middles.get(k) {
+            Some(value) => Ok(*value),
+            None => u.evaluated(arm, 0.75 * radius(k)),
+        };
         // Until no layer below varies by more than counts: all of them are looked at, down to the smallest distance.
         let mut layers = 1;
         let mut before = middle(1)?;

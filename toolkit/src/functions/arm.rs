@@ -19,4 +19,9 @@ impl Arm {
     pub(crate) fn delta(&self, t: f64) -> f64 {
         self.length * (-t).exp()
     }
+
+    /// Index of the side in the order from left to right.
+    pub(super) fn index(&self) -> usize {
+        if self.sign > 0.0 { 2 * self.anchor } else { 2 * self.anchor - 1 }
+    }
 }

@@ -78,9 +78,10 @@ impl SingularFunction<'_> {
         // By both rules, and by the finer one with what its polynomial is off at the ends: there kinks may hide.
         let mut all = |arm: &Arm, from: f64, width: f64| -> Result<Sums> {
             let mut value = |t: f64| -> Result<f64> {
-                let delta = arm.delta((from + width * t).min(arm.depth));
+                let t = (from + width * t).min(arm.depth);
+                let delta = arm.delta(t);
                 points += 1;
-                Ok(width * delta * f(self.at(arm, delta)?))
+                Ok(width * delta * f(self.along(arm, t, delta)?))
             };
             let mut sums = [0.0; 4];
             let mut known = [0.0; ORDERS[1]];

@@ -2,15 +2,19 @@
 
 use super::arm::Arm;
 use super::look::{LOOKS, distance};
+use super::octaves::{First, Seen, Spot};
 use crate::error::{Error, Result};
 use crate::estimate::{SPENT, Tolerance};
 use crate::numeric::budget::Budget;
 use crate::numeric::check::{require_entry, require_finite, require_finite_at};
 use crate::numeric::scale::power_of_two;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Number of points of a side at which the size of a function is estimated.
 const SAMPLES: usize = 16;
+/// Size of values that may overflow closer to a breakpoint, and the accuracy of the t at which they do.
+const HUGE: f64 = 1e150;
+const TO_LIMIT: f64 = 1e-3;
 
 /// A point of the interval, given by its signed distance from the nearest breakpoint.
 ///
@@ -124,8 +128,11 @@ pub(crate) struct SingularFunction<'a> {
     budget: Budget,
     /// the unit of length, a power of two, in which the breakpoints are given
     pub(super) unit: f64,
-    /// the values at equal distances on every side, once the function is normalized
-    samples: Vec<Vec<f64>>,
+    /// what all norms of the function have seen of it
+    seen: Arc<Seen>,
+    is_normalized: bool,
+    /// for every side the largest t at which its values do not overflow, once the function is normalized
+    limits: Vec<f64>,
 }
 
 /// Units of length and value: powers of two near the length and the size of a function.
@@ -164,7 +171,9 @@ impl Clone for SingularFunction<'_> {
             sight: self.sight,
             budget: Budget::new(u64::MAX, 0.0),
             unit: self.unit,
-            samples: self.samples.clone(),
+            seen: Arc::clone(&self.seen),
+            is_normalized: self.is_normalized,
+            limits: self.limits.clone(),
         }
     }
 }
@@ -234,7 +243,9 @@ impl<'a> SingularFunction<'a> {
             sight,
             budget: Budget::new(u64::MAX, 0.0),
             unit: 1.0,
-            samples: Vec::new(),
+            seen: Arc::default(),
+            is_normalized: false,
+            limits: Vec::new(),
         })
     }
 
@@ -254,9 +265,54 @@ impl<'a> SingularFunction<'a> {
         self.arms().iter().map(of).collect()
     }
 
-    /// The samples of a side.
+    /// The samples of a side, once the function is normalized.
     pub(super) fn samples_of(&self, arm: usize) -> &[f64] {
-        self.samples.get(arm).map_or(&[], Vec::as_slice)
+        let first = self.seen.first.get().filter(|_| self.is_normalized);
+        first.and_then(|first| first.samples.get(arm)).map_or(&[], Vec::as_slice)
+    }
+
+    /// The values at t = 1/2, 3/2, ... on every side, until one is not a number; they are counted in the work limit.
+    pub(super) fn scales(&self) -> Vec<Vec<f64>> {
+        self.on_scales(&self.seen.scales, |arm| {
+            let count = arm.depth.floor() as usize;
+            (0..count).map(|k| arm.delta(k as f64 + 0.5)).collect()
+        })
+    }
+
+    /// The values at δ = 3/4 R/2^k, k = 0, 1, ..., on a side, as far as they are numbers.
+    pub(crate) fn middles(&self, arm: &Arm) -> Vec<f64> {
+        let mut all = self.on_scales(&self.seen.middles, |arm| {
+            let count = (arm.depth / std::f64::consts::LN_2) as usize + 1;
+            (0..count).map(|k| 0.75 * arm.length * 0.5f64.powi(k as i32)).collect()
+        });
+        all.swap_remove(arm.index())
+    }
+
+    fn on_scales(
+        &self,
+        kept: &OnceLock<Vec<Vec<f64>>>,
+        places: impl Fn(&Arm) -> Vec<f64>,
+    ) -> Vec<Vec<f64>> {
+        let of = |arm: &Arm| {
+            let values = places(arm).into_iter().map_while(|delta| self.direct(arm, delta).ok());
+            values.collect::<Vec<f64>>()
+        };
+        let take = || self.arms().iter().map(of).collect::<Vec<_>>();
+        if !self.is_normalized {
+            return take();
+        }
+        let found = kept.get_or_init(take);
+        // Later norms fail for the same limit.
+        let _ = self.spend(found.iter().map(|values| values.len() as u64).sum());
+        found.clone()
+    }
+
+    pub(super) fn seen(&self) -> &Seen {
+        &self.seen
+    }
+
+    pub(super) fn is_normalized(&self) -> bool {
+        self.is_normalized
     }
 
     /// A power of two near the largest of the samples and of values closer to the breakpoints, so that squares and powers of u
@@ -277,6 +333,29 @@ impl<'a> SingularFunction<'a> {
         Ok(power_of_two(largest))
     }
 
+    /// The largest t of a side at which the values, and their quotients by `size`, do not overflow: x^{−0.98} ln⁶ x is in L¹
+    /// and exceeds 1e308 at 1e-298. Infinite where they do not, and where they do not grow up to it: such a value is an error.
+    fn limit(&self, arm: &Arm, size: f64) -> f64 {
+        let at = |t: f64| self.at(arm, arm.delta(t)).map(|value| (value, value / size));
+        let is_number = |t: f64| at(t).is_ok_and(|(_, quotient)| quotient.abs() < HUGE * HUGE);
+        if is_number(arm.depth) {
+            return f64::INFINITY;
+        }
+        let (mut low, mut high) = (0.0, arm.depth);
+        while high - low > TO_LIMIT {
+            let middle = 0.5 * (low + high);
+            if is_number(middle) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        match at(low) {
+            Ok((value, quotient)) if value.abs().max(quotient.abs()) > HUGE => low,
+            _ => f64::INFINITY,
+        }
+    }
+
     /// u divided by its size, on the unit interval, so that all quantities compared with numbers are
     /// dimensionless. The function is called at the points of the original interval, with exact offsets; its
     /// evaluations are counted in the work limit of the tolerance, those of the samples at equal distances too.
@@ -288,9 +367,21 @@ impl<'a> SingularFunction<'a> {
         if !budget.spend((LOOKS * self.arms().len()) as u64) {
             return Err(budget.spent("norm", SPENT));
         }
-        let mut samples = self.look()?;
-        let size = self.size(&samples)?;
-        samples.iter_mut().flatten().for_each(|value| *value /= size);
+        if self.is_normalized {
+            let u = SingularFunction { budget, ..self.clone() };
+            return Ok(Normalized { units: Units { length: 1.0, size: 1.0 }, u });
+        }
+        let first = match self.seen.first.get() {
+            Some(first) => first,
+            None => {
+                let mut samples = self.look()?;
+                let size = self.size(&samples)?;
+                samples.iter_mut().flatten().for_each(|value| *value /= size);
+                let limits = self.arms().iter().map(|arm| self.limit(arm, size)).collect();
+                self.seen.first.get_or_init(|| First { size, samples, limits })
+            }
+        };
+        let (size, limits) = (first.size, first.limits.clone());
         let length = power_of_two(self.length());
         let breaks = self.breaks.iter().map(|at| at / length).collect();
         let shift = length.ln();
@@ -307,7 +398,9 @@ impl<'a> SingularFunction<'a> {
             sight: self.sight,
             budget,
             unit: self.unit * length,
-            samples,
+            seen: Arc::clone(&self.seen),
+            is_normalized: true,
+            limits,
         };
         Ok(Normalized { units: Units { length, size }, u })
     }
@@ -319,6 +412,9 @@ impl<'a> SingularFunction<'a> {
             let length = 0.5 * (pair[1] - pair[0]);
             arms.push(self.arm(i, 1.0, length));
             arms.push(self.arm(i + 1, -1.0, length));
+        }
+        for (arm, limit) in arms.iter_mut().zip(&self.limits) {
+            arm.depth = arm.depth.min(*limit);
         }
         arms
     }
@@ -336,17 +432,51 @@ impl<'a> SingularFunction<'a> {
         Arm { anchor, start, sign, length, depth, blur: 0.25 * blurred }
     }
 
-    /// The value at distance δ from the breakpoint of a side.
+    /// The value at distance δ from the breakpoint of a side, by the polynomial of its octave if there is one
+    /// ([`super::octaves`]).
     pub(crate) fn at(&self, arm: &Arm, delta: f64) -> Result<f64> {
-        let offset = arm.sign * delta;
-        self.value_at(arm.anchor, offset, None)
+        match self.spot(arm, delta).and_then(|spot| self.at_spot(arm, spot)) {
+            Some(value) => self.spend(1).map(|()| value),
+            None => self.evaluated(arm, delta),
+        }
+    }
+
+    /// The same at δ = R e^{−t}, both of which are given.
+    pub(super) fn along(&self, arm: &Arm, t: f64, delta: f64) -> Result<f64> {
+        match self.spot_at(t).and_then(|spot| self.at_spot(arm, spot)) {
+            Some(value) => self.spend(1).map(|()| value),
+            None => self.evaluated(arm, delta),
+        }
+    }
+
+    /// The value at distance e^s δ, where δ is that of a spot.
+    pub(super) fn farther(&self, arm: &Arm, spot: Option<Spot>, s: f64, delta: f64) -> Result<f64> {
+        match spot.and_then(|spot| spot.farther(s)).and_then(|spot| self.at_spot(arm, spot)) {
+            Some(value) => self.spend(1).map(|()| value),
+            None => self.evaluated(arm, delta),
+        }
+    }
+
+    /// The value at distance δ from the breakpoint of a side, of the function itself.
+    pub(crate) fn evaluated(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        self.value_at(arm.anchor, arm.sign * delta, None)
+    }
+
+    /// The same, not counted in the work limit.
+    pub(super) fn direct(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        self.uncounted(arm.anchor, arm.sign * delta, None)
     }
 
     /// The value at δ = R e^{-t} for any t.
     pub(crate) fn at_depth(&self, arm: &Arm, t: f64) -> Result<f64> {
+        self.spend(1)?;
+        self.at_deep(arm, t).map_or_else(|| self.deep(arm, t), Ok)
+    }
+
+    /// The same, of the function itself and not counted in the work limit.
+    pub(super) fn deep(&self, arm: &Arm, t: f64) -> Result<f64> {
         let offset = arm.sign * arm.delta(t);
-        let depth = Some(arm.length.ln() - t);
-        self.value_at(arm.anchor, offset, depth)
+        self.uncounted(arm.anchor, offset, Some(arm.length.ln() - t))
     }
 
     /// True if the function can be evaluated at any depth.
@@ -357,6 +487,10 @@ impl<'a> SingularFunction<'a> {
     /// The value at an offset from a breakpoint; `depth` is ln of the distance where the distance underflows.
     pub(crate) fn value_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         self.spend(1)?;
+        self.uncounted(anchor, offset, depth)
+    }
+
+    fn uncounted(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
         let at = Position {
             breaks: &self.breaks,
             x: self.breaks[anchor] + offset,

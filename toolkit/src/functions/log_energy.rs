@@ -127,7 +127,7 @@ impl<'a> LogEnergy<'a> {
     /// ℓ_a(t) in units of S.
     fn density(&mut self, arm: usize, t: f64) -> Result<Density> {
         let delta = self.arms[arm].delta(t);
-        let x = Outer { arm, t, delta, value: self.function.at(&self.arms[arm], delta)? };
+        let x = Outer { arm, t, delta, value: self.function.along(&self.arms[arm], t, delta)? };
         let h = self.level.width;
         let (mut sum, before) = (Density::default(), self.points);
         for other in 0..self.arms.len() {
@@ -166,8 +166,11 @@ impl<'a> LogEnergy<'a> {
         let geometry = &self.arms[arm];
         let t: Vec<f64> = self.rule.points().iter().map(|p| from + width * p).collect();
         let epsilon: Vec<f64> = t.iter().map(|&t| geometry.delta(t)).collect();
-        let value =
-            epsilon.iter().map(|&e| self.function.at(geometry, e)).collect::<Result<_>>()?;
+        let value = t
+            .iter()
+            .zip(&epsilon)
+            .map(|(&t, &e)| self.function.along(geometry, t, e))
+            .collect::<Result<_>>()?;
         let weight = epsilon.iter().zip(self.rule.weights()).map(|(e, w)| w * width * e).collect();
         Ok(CellSamples { t, weight, epsilon, value })
     }
@@ -271,12 +274,13 @@ impl<'a> LogEnergy<'a> {
     /// The same by the given rule.
     fn near_by(&self, x: Outer, reach: f64, rule: &Rule) -> Result<Density> {
         let arm = self.arms[x.arm];
+        let spot = self.function.spot_at(x.t);
         let (mut sum, mut rounding) = (0.0, 0.0);
         for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
             let y = x.delta * s.exp();
-            let value = self.function.at(&arm, y)?;
+            let value = self.function.farther(&arm, spot, s, y)?;
             let quotient = (x.value - value) / s;
             let stretch = s.exp_m1() / s;
             // δ ε (u−v)² (δ (e^s−1))^{-1-2ν} = δ^{1-2ν} s^{1-2ν} e^s q² ((e^s−1)/s)^{-1-2ν}

@@ -28,11 +28,6 @@ pub(super) fn distance(arm: &Arm, j: usize) -> f64 {
     arm.length * ((j as f64 + WITHIN) / LOOKS as f64)
 }
 
-/// Index of the side in the order of [`SingularFunction::arms`].
-fn index(arm: &Arm) -> usize {
-    if arm.sign > 0.0 { 2 * arm.anchor } else { 2 * arm.anchor - 1 }
-}
-
 /// The cells on which a function is a polynomial to the requested accuracy.
 #[derive(Debug, Default)]
 pub(crate) struct Look {
@@ -65,7 +60,7 @@ impl Look {
 
     /// The distances in (near, far) at which cells of a side meet.
     pub(crate) fn cuts(&self, arm: &Arm, near: f64, far: f64) -> &[f64] {
-        let all = self.cuts.get(index(arm)).map_or(&[][..], Vec::as_slice);
+        let all = self.cuts.get(arm.index()).map_or(&[][..], Vec::as_slice);
         let first = all.partition_point(|&cut| cut <= near);
         &all[first..all.partition_point(|&cut| cut < far).max(first)]
     }
@@ -85,7 +80,7 @@ impl SingularFunction<'_> {
         near: f64,
         far: f64,
     ) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let values = self.samples_of(index(arm));
+        let values = self.samples_of(arm.index());
         let place =
             |delta: f64| (delta / arm.length * LOOKS as f64 - WITHIN).clamp(0.0, LOOKS as f64);
         let first = (place(near).floor() as usize).min(values.len());

@@ -16,6 +16,7 @@ mod level;
 mod log_energy;
 mod look;
 mod norms;
+mod octaves;
 mod partials;
 mod refine;
 mod resolution;

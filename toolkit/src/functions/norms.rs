@@ -8,7 +8,7 @@ use super::log_energy::LogEnergy;
 use super::look::Look;
 use super::refine::{LIMIT, refine};
 use super::resolution::missed_of_integral;
-use super::scales::{Profile, hidden, is_deep, is_endless};
+use super::scales::{Profile, hidden, is_deep, is_endless, power};
 use super::waves::OfWaves;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
@@ -178,7 +178,7 @@ impl SingularFunction<'_> {
             let rounding = 32.0 * f64::EPSILON * value;
             back(Estimate::new(value, error + rounding, power.work)?.times(unit)?)
         };
-        u.integral_of(&profile, &look, tolerance, q, q, &|u| (u / unit).abs().powf(q))
+        u.integral_of(&profile, &look, tolerance, q, q, &|u| power(u / unit, q))
             .map_err(|error| error.carry("L^q norm", root))
             .and_then(root)
     }
@@ -269,7 +269,7 @@ impl SingularFunction<'_> {
                 let found = integral.integrate(arm.depth, value, None, samples, |t| {
                     points += 1;
                     let delta = arm.delta(t);
-                    let value = delta * f(self.at(arm, delta)?);
+                    let value = delta * f(self.along(arm, t, delta)?);
                     Ok(Density { value, rounding: 4.0 * f64::EPSILON * value.abs() })
                 })?;
                 value += found.limit.value;

@@ -65,7 +65,10 @@ pub(super) fn missed(
         let cells = (DEEPEST.min(0.5 * arm.depth) / level.width).ceil().max(1.0) as usize;
         for cell in 0..cells {
             let start = cell as f64 * level.width;
-            let value = |t: &f64| u.at(&arm, arm.delta(start + level.width * t));
+            let value = |t: &f64| {
+                let t = start + level.width * t;
+                u.along(&arm, t, arm.delta(t))
+            };
             let (mut coefficients, mut largest) = (vec![0.0; n], 0.0_f64);
             for ((t, w), row) in rule.iter().zip(&at_points) {
                 let value = value(&t)?;
@@ -116,8 +119,9 @@ pub(super) fn missed_of_integral(
             let mut sums = [0.0; 2];
             for (sum, rule) in sums.iter_mut().zip(&rules) {
                 for (t, w) in rule.iter() {
-                    let delta = arm.delta(level.width * (cell as f64 + t));
-                    *sum += w * delta * f(u.at(&arm, delta)?);
+                    let t = level.width * (cell as f64 + t);
+                    let delta = arm.delta(t);
+                    *sum += w * delta * f(u.along(&arm, t, delta)?);
                 }
             }
             missed += level.width * (sums[1] - sums[0]).abs();

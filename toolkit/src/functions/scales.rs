@@ -55,16 +55,9 @@ fn place(k: usize) -> f64 {
 }
 
 impl Profile {
-    /// Samples u until a value is not a number or the work limit is reached.
+    /// The samples of u until a value is not a number.
     pub(super) fn of(u: &SingularFunction) -> Self {
-        let arms = u.arms();
-        let values = arms
-            .iter()
-            .map(|arm| {
-                let count = arm.depth.floor() as usize;
-                (0..count).map_while(|k| u.at(arm, arm.delta(place(k))).ok()).collect()
-            })
-            .collect();
+        let (arms, values) = (u.arms(), u.scales());
         let evenly = (0..arms.len()).map(|k| u.samples_of(k).to_vec()).collect();
         Self { arms, values, evenly }
     }
@@ -156,16 +149,21 @@ impl Profile {
         };
         let logs: Vec<Vec<f64>> = self.arms.iter().zip(&self.values).map(of).collect();
         let sum = |(arm, values): (&Arm, &Vec<f64>)| {
-            // powf costs as much as all other work on a sample.
-            let power = |value: &f64| match q {
-                1.0 => value.abs(),
-                2.0 => value * value,
-                _ => value.abs().powf(q),
-            };
-            arm.length / LOOKS as f64 * values.iter().map(power).sum::<f64>()
+            arm.length / LOOKS as f64 * values.iter().map(|value| power(*value, q)).sum::<f64>()
         };
         let evenly: f64 = self.arms.iter().zip(&self.evenly).map(sum).sum();
         Logs { whole: log_sum(&logs).max(evenly.ln()), arms: logs }
+    }
+}
+
+/// |u|^q; for general q this costs as much as all other work on a value.
+pub(super) fn power(u: f64, q: f64) -> f64 {
+    match q {
+        1.0 => u.abs(),
+        2.0 => u * u,
+        3.0 => (u * u * u).abs(),
+        4.0 => (u * u) * (u * u),
+        _ => u.abs().powf(q),
     }
 }
 

@@ -12,6 +12,7 @@ use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
 use crate::numeric::search::golden_section;
 use crate::root::accept;
+use std::sync::OnceLock;
 
 /// Successive numbers of samples per unit of t, and per cell.
 const DENSITIES: [f64; 4] = [4.0, 8.0, 16.0, 32.0];
@@ -27,7 +28,7 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// The largest value on one or several sides, with its uncertainty.
 #[derive(Debug, Clone, Copy, Default)]
-struct Peak {
+pub(super) struct Peak {
     value: f64,
     error: f64,
     points: u64,
@@ -43,23 +44,12 @@ impl SingularFunction<'_> {
         let is_unresolved = is_rough && look.is_unresolved();
         let mut coarse: Option<f64> = None;
         for density in std::iter::once(None).chain(DENSITIES.map(Some)) {
-            let mut whole = Peak::default();
-            for arm in self.arms() {
-                let peak = match self.peak(&arm, density, &look) {
-                    Err(_) if self.work_left() == 0 => {
-                        return Err(Error::best_of(
-                            "L^inf norm",
-                            tolerance.relative(),
-                            best,
-                            SPENT,
-                        ));
-                    }
-                    other => other?,
-                };
-                whole.value = whole.value.max(peak.value);
-                whole.error = whole.error.max(peak.error);
-                whole.points += peak.points;
-            }
+            let whole = match self.highest(density, &look, tolerance) {
+                Err(_) if self.work_left() == 0 => {
+                    return Err(Error::best_of("L^inf norm", tolerance.relative(), best, SPENT));
+                }
+                other => other?,
+            };
             work.points += whole.points;
             if let Some(coarse) = coarse {
                 let error = (whole.value - coarse).abs() + whole.error + ROUNDING * whole.value;
@@ -84,10 +74,37 @@ impl SingularFunction<'_> {
         )
     }
 
+    /// The largest value on all sides by samples of one density. Those of the coarsest ones are kept: a later call to at most
+    /// the same accuracy takes no values, but counts them in the work limit.
+    fn highest(&self, density: Option<f64>, look: &Look, tolerance: Tolerance) -> Result<Peak> {
+        let kept = match density {
+            _ if !self.is_normalized() => None,
+            None => Some(&self.seen().peaks[0]),
+            Some(density) => (density == DENSITIES[0]).then(|| &self.seen().peaks[1]),
+        };
+        if let Some((accuracy, peak, work)) = kept.and_then(OnceLock::get)
+            && *accuracy <= tolerance.relative()
+        {
+            return self.spend(*work).map(|()| *peak);
+        }
+        let before = self.work_left();
+        let mut whole = Peak::default();
+        for arm in self.arms() {
+            let peak = self.peak(&arm, density, look)?;
+            whole.value = whole.value.max(peak.value);
+            whole.error = whole.error.max(peak.error);
+            whole.points += peak.points;
+        }
+        if let Some(kept) = kept {
+            kept.get_or_init(|| (tolerance.relative(), whole, before - self.work_left()));
+        }
+        Ok(whole)
+    }
+
     /// The largest value between two depths, of which the function has one.
     fn refined(&self, arm: &Arm, [from, to]: [f64; 2]) -> Result<Peak> {
         // A value that is not finite was reported before; between samples it loses the comparison.
-        let size = |t: f64| self.at(arm, arm.delta(t)).map(f64::abs);
+        let size = |t: f64| self.evaluated(arm, arm.delta(t)).map(f64::abs);
         let around = |width: f64| -> Result<[f64; 3]> {
             let t = golden_section(from, to, width, |t| -size(t).unwrap_or(0.0));
             let beside = |t: f64| size(t.clamp(from, to)).unwrap_or(0.0);
@@ -113,7 +130,7 @@ impl SingularFunction<'_> {
 
     /// The largest value on a side, by samples of the given density, or by those that all norms have in common.
     fn peak(&self, arm: &Arm, density: Option<f64>, look: &Look) -> Result<Peak> {
-        let size = |t: f64| self.at(arm, arm.delta(t)).map(f64::abs);
+        let size = |t: f64| self.evaluated(arm, arm.delta(t)).map(f64::abs);
         let depth_of = |delta: f64| (arm.length / delta).ln();
         let (mut places, mut values) = (vec![0.0], vec![size(0.0)?]);
         match density {

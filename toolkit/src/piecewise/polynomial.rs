@@ -6,6 +6,7 @@ use crate::numeric::check::{require_finite_at, require_length, require_values};
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
 use std::ops::Range;
+use std::sync::OnceLock;
 
 /// Largest polynomial degree on an element.
 const MAX_DEGREE: usize = 20;
@@ -405,15 +406,34 @@ pub(crate) fn bubbles_of(
     if count == 0 {
         return Ok(coefficients);
     }
-    let mut values = vec![0.0; count];
-    for (t, w) in Rule::gauss_legendre(count + 1)?.iter() {
-        let value = (f(t) - left * (1.0 - t) - right * t) / (t * (1.0 - t));
-        legendre::fill(&mut values, 2.0 * t - 1.0);
-        for (k, (coefficient, legendre)) in coefficients.iter_mut().zip(&values).enumerate() {
-            *coefficient += (2.0 * k as f64 + 1.0) * w * value * legendre;
+    // The same for all functions.
+    static OF: [OnceLock<(Rule, Vec<f64>)>; MAX_DEGREE] = [const { OnceLock::new() }; MAX_DEGREE];
+    let new;
+    let (rule, weights) = match OF.get(count).and_then(OnceLock::get) {
+        Some(known) => known,
+        None => {
+            new = projection(count)?;
+            OF.get(count).map_or(&new, |kept| kept.get_or_init(|| new.clone()))
+        }
+    };
+    for (t, weights) in rule.points().iter().zip(weights.chunks_exact(count)) {
+        let value = (f(*t) - left * (1.0 - t) - right * t) / (t * (1.0 - t));
+        for (coefficient, weight) in coefficients.iter_mut().zip(weights) {
+            *coefficient += weight * value;
         }
     }
     Ok(coefficients)
+}
+
+/// The Gauss rule of count + 1 points, and w (2k + 1) P_k(2t − 1), k < count, at each of them.
+fn projection(count: usize) -> Result<(Rule, Vec<f64>)> {
+    let rule = Rule::gauss_legendre(count + 1)?;
+    let mut weights = vec![0.0; (count + 1) * count];
+    for ((t, w), row) in rule.iter().zip(weights.chunks_exact_mut(count)) {
+        legendre::fill(row, 2.0 * t - 1.0);
+        row.iter_mut().enumerate().for_each(|(k, p)| *p *= (2.0 * k as f64 + 1.0) * w);
+    }
+    Ok((rule, weights))
 }
 
 #[cfg(test)]

@@ -189,7 +189,7 @@ impl Builder<'_> {
         let sampled = || -> Vec<(f64, f64)> {
             let seen = (0..deepest)
                 .map(|k| arm.delta(k as f64 + 0.5))
-                .map_while(|delta| self.u.at(arm, delta).ok().map(|value| (delta, value)));
+                .map_while(|delta| self.u.evaluated(arm, delta).ok().map(|v| (delta, v)));
             let doublings = if self.u.is_known_at_any_depth() { DOUBLINGS } else { 0 };
             let deeper = (1..=doublings)
                 .map(|k| arm.depth * f64::from(k).exp2())
@@ -252,7 +252,7 @@ impl Builder<'_> {
                 cells.push(Side { near, far, piece, off, is_rough: !is_resolved });
                 continue;
             }
-            let value = |delta: f64| self.u.at(arm, delta);
+            let value = |delta: f64| self.u.evaluated(arm, delta);
             let same = |a: f64, b: f64| {
                 a == b
                     || coordinate != 0.0 && coordinate + arm.sign * a == coordinate + arm.sign * b
@@ -294,7 +294,7 @@ impl Builder<'_> {
                 1.0 => last,
                 _ => first + arm.sign * length * t,
             };
-            self.u.at(arm, delta.clamp(low, high))
+            self.u.evaluated(arm, delta.clamp(low, high))
         };
         let seen = self.u.seen_in_cell(arm, near, far);
         // That of x, as it may enter u.

@@ -45,7 +45,7 @@ impl Fit {
     pub(super) fn of(
         &self,
         value: impl Fn(f64) -> Result<f64>,
-        (mut places, mut values): (Vec<f64>, Vec<f64>),
+        seen: (Vec<f64>, Vec<f64>),
         rounded: f64,
         floor: f64,
     ) -> Result<Fitted> {
@@ -57,22 +57,29 @@ impl Fit {
                 0.0
             })
         };
-        places.extend(self.between.points());
-        values.extend(self.between.points().iter().map(|&t| at(t)));
+        let between = self.between.points();
+        let values: Vec<f64> = between.iter().map(|&t| at(t)).collect();
         let [low, high] = values
             .iter()
+            .chain(&seen.1)
             .chain(&ends)
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| [low.min(v), high.max(v)]);
         let size = low.abs().max(high.abs());
-        let off = |piece: &Piece| {
+        let apart = |piece: &Piece, places: &[f64], values: &[f64]| {
             let apart = |(value, p): (&f64, f64)| (value - p).abs();
-            values.iter().zip(piece.values(&places)).map(apart).fold(0.0, f64::max)
+            values.iter().zip(piece.values(places)).map(apart).fold(0.0, f64::max)
         };
         // The rounding of x moves a value along a slope; a jump is no slope.
         let moved = (FLOOR * rounded).min(MOVED) * (high - low);
         let noise = NOTHING * size + AT_LEAST * moved;
+        let allowed = (FLOOR * size + moved).max(floor);
+        // A polynomial that is off between its points need not be compared with the known values.
+        let off = |piece: &Piece, enough: f64| {
+            let residual = apart(piece, between, &values);
+            if residual > enough { residual } else { residual.max(apart(piece, &seen.0, &seen.1)) }
+        };
         let mut piece = Piece { left: ends[0], right: ends[1], bubbles: Vec::new() };
-        let mut residual = off(&piece);
+        let mut residual = off(&piece, noise.max(floor));
         if residual > noise.max(floor) {
             piece.bubbles = bubbles_of(DEGREE, ends, at)?;
             let mut cut = 0.0;
@@ -84,12 +91,11 @@ impl Fit {
                 }
                 piece.bubbles.pop();
             }
-            residual = off(&piece);
+            residual = off(&piece, allowed);
         }
         if let Some(error) = fault.into_inner() {
             return Err(error);
         }
-        let allowed = (FLOOR * size + moved).max(floor);
         let is_resolved = residual <= allowed;
         // The values of a constant have no rounding of their own.
         let off = if low == high { 0.0 } else { UNSEEN * residual + noise };

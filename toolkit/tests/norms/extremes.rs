@@ -191,3 +191,37 @@ fn polynomials_of_small_values_on_short_intervals_keep_their_norms() {
         }
     }
 }
+
+/// x^{−0.98} ln⁶ x exceeds 1e308 at 1e-298: it was no number, though its integral is 720/0.02⁷.
+#[test]
+fn values_that_overflow_next_to_a_breakpoint_end_the_range_of_distances() {
+    let of = |a: f64, m: i32| {
+        Function::from_positions(&[0.0, 1.0], move |at| {
+            let log = if at.anchor() == 0 { at.log_distance() } else { at.offset().ln_1p() };
+            (a * log).exp() * (-log).powi(m)
+        })
+        .unwrap()
+    };
+    let exact = 720.0 / 0.02f64.powi(7);
+    for asked in [1e-2, 1e-6] {
+        let found = Estimate::or_best(of(-0.98, 6).lp(1.0, asked)).unwrap();
+        assert!((found.value - exact).abs() <= found.error && found.error < 0.1 * exact, "{found}");
+        let found = Estimate::or_best(of(-0.98, 6).mean(asked)).unwrap();
+        assert!((found.value - exact).abs() <= found.error, "{found}");
+        for (a, m) in [(-0.99, 6), (-1.0, 40), (-1.5, 0), (-3.0, 0)] {
+            let u = of(a, m);
+            for found in [u.lp(1.0, asked), u.lp(2.0, asked), u.norm(0.3, asked), u.mean(asked)] {
+                let refused = found.expect_err("a norm that is infinite or beyond the distances");
+                let is_refusal =
+                    matches!(refused, Error::InfiniteNorm { .. } | Error::ToleranceNotMet { .. });
+                assert!(is_refusal, "x^{a} ln^{m}: {refused:?}");
+            }
+        }
+    }
+    // A value that is no number all at once is an error.
+    let broken = Function::from_fn(&[0.0, 1.0], |x| if x < 1e-3 { f64::INFINITY } else { x });
+    let broken = broken.unwrap();
+    for found in [broken.lp(1.0, 1e-6), broken.seminorm(0.3, 1e-6), broken.mean(1e-6)] {
+        assert!(matches!(found, Err(Error::NotFinite { .. })), "{found:?}");
+    }
+}

@@ -177,6 +177,83 @@ fn a_second_norm_of_polynomials_takes_no_values_of_the_function() -> Result<()> 
 }
 
 #[test]
+fn a_singular_end_is_sampled_once_for_all_norms() -> Result<()> {
+    let power = |at: fractional_sobolev::Position| at.distance_to(0).powf(0.4);
+    let deep = |at: fractional_sobolev::Position| match at.anchor() {
+        0 => (0.4 * at.log_distance()).exp(),
+        _ => at.x().powf(0.4),
+    };
+    let inside = |at: fractional_sobolev::Position| at.distance_to(1).powf(0.4);
+    let count = AtomicUsize::new(0);
+    let counted = |value: f64| {
+        count.fetch_add(1, Ordering::Relaxed);
+        value
+    };
+    let all = [
+        ("x^0.4", Function::from_positions(&[0.0, 1.0], |at| counted(power(at)))?),
+        ("by its logarithm", Function::from_log_distances(&[0.0, 1.0], |at| counted(deep(at)))?),
+        ("|x - 0.3|^0.4", Function::from_positions(&[0.0, 0.3, 1.0], |at| counted(inside(at)))?),
+        (
+            "|x - 0.3|^0.4 of x",
+            Function::from_fn(&[0.0, 0.3, 1.0], |x| counted((x - 0.3).abs().powf(0.4)))?,
+        ),
+    ];
+    for (name, u) in &all {
+        count.store(0, Ordering::Relaxed);
+        // The largest order needs the smallest distances.
+        let asked = if name.ends_with("of x") { 1e-5 } else { 1e-8 };
+        u.norm(0.7, asked)?;
+        u.lp(f64::INFINITY, asked)?;
+        let dual = u.dual_norm(DualOf::Interpolation, 0.4, 1e-6);
+        if name.starts_with("x^0.4") {
+            // ‖u‖² = Σ (2 − δ_{k0}) (∫ u cos kπx)² (1 + k²π²)^{−ν}, summed with 20 digits
+            agrees(name, "dual norm", dual, 0.725_757_579_3, 1e-9);
+        }
+        let first = count.load(Ordering::Relaxed);
+        for order in [0.1, 0.3, 0.5, 0.65] {
+            u.norm(order, asked)?;
+        }
+        for q in [1.0, 2.0, 3.0, f64::INFINITY] {
+            u.lp(q, asked)?;
+        }
+        u.mean(asked)?;
+        u.dual_norm(DualOf::Interpolation, 0.3, 1e-6).ok();
+        let later = count.load(Ordering::Relaxed) - first;
+        println!("{name}: {first} values at first, {later} in ten more verbs");
+        // Where x is rounded, u is no smooth function of the distance, and is evaluated.
+        let most = if name.ends_with("of x") { first / 100 } else { 0 };
+        assert!(first < 70_000 && later <= most, "{name}: {first}, {later}");
+    }
+    Ok(())
+}
+
+#[test]
+fn narrow_bells_near_a_singular_end_are_seen() -> Result<()> {
+    let mut random = SplitMix::new(54);
+    for _ in 0..100 {
+        let at = 10f64.powf(random.between(-6.0, -1.0));
+        let width = at * random.between(0.004, 0.03);
+        let height = at.powf(0.4) * 10f64.powf(random.between(-2.0, 0.0));
+        let bell = move |x: f64| height * (-0.5 * ((x - at) / width).powi(2)).exp();
+        let u = Function::from_fn(&[0.0, 1.0], move |x| x.powf(0.4) + bell(x))?;
+        // The midpoint rule is exact to rounding for Gauss' bell.
+        let (step, mut square, mut mean) = (width / 16.0, 1.0 / 1.8, 1.0 / 1.4);
+        for k in -160..160 {
+            let x = at + step * (f64::from(k) + 0.5);
+            square += step * bell(x) * (2.0 * x.powf(0.4) + bell(x));
+            mean += step * bell(x);
+        }
+        for (found, exact) in [(u.lp(2.0, 1e-8)?, square.sqrt()), (u.mean(1e-8)?, mean)] {
+            assert!(
+                (found.value - exact).abs() <= found.error + 1e-14,
+                "{at} {width}: {found} {exact}"
+            );
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn differences_are_resolved_on_common_cells() -> Result<()> {
     let mut random = SplitMix::new(53);
     for _ in 0..20 {

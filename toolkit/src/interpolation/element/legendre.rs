@@ -166,6 +166,42 @@ mod tests {
         }
     }
 
+    /// The slopes of Appendix A assemble the same form, where no cell touches both ends: φ_k′ = Σ 2 √(2k+1) (2j+1) P_j, the
+    /// sum over j = k−1, k−3, ..., is expanded on four cells.
+    #[test]
+    fn slopes_on_four_cells_assemble_the_same_form() {
+        use crate::poincare::slopes::{cell::Cell, gram, space::SlopeSpace};
+        let (count, cells, length) = (8, 4, 0.25);
+        let degrees: Vec<usize> = (1..=count).collect();
+        let root = |m: usize| (2.0 * m as f64 + 1.0).sqrt();
+        let polynomial = |m: usize, t: f64| {
+            let mut values = vec![0.0; m + 1];
+            crate::numeric::legendre::fill(&mut values, 2.0 * t - 1.0);
+            values[m]
+        };
+        let slope = |k: usize, x: f64| -> f64 {
+            let terms = (0..k).filter(|j| (k - j) % 2 == 1);
+            terms.map(|j| 2.0 * root(k) * (2 * j + 1) as f64 * polynomial(j, x)).sum()
+        };
+        let rule = Rule::gauss_legendre(20).unwrap();
+        let change = DMatrix::from_fn(cells * count, count, |row, column| {
+            let (cell, m) = (row / count, row % count);
+            let x = |t: f64| length * (cell as f64 + t);
+            length * rule.integrate(|t| slope(column + 1, x(t)) * root(m) * polynomial(m, t))
+        });
+        let space = SlopeSpace::new(vec![Cell::uniform(length, count); cells], 1.0);
+        for nu in [0.02, 0.3, 0.5, 0.8] {
+            let order = Order::new(nu).unwrap();
+            let (exact, _) = seminorm_gram(order, &degrees).unwrap();
+            let (slopes, _) = gram::seminorm_gram(&space, None, order, 20).unwrap();
+            let found = change.transpose() * slopes * &change;
+            for (a, b) in found.iter().zip(exact.iter()) {
+                let apart = (a - b).abs() / exact[(count - 1, count - 1)];
+                assert!(apart < 2e-12, "{nu}: {a} {b}");
+            }
+        }
+    }
+
     #[test]
     fn primitives_vanish_at_both_ends_and_have_their_gram_matrix() {
         let degrees = [1, 2, 4];
