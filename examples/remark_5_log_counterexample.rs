@@ -51,7 +51,7 @@ example! { quick "Remark 5",
 pub fn by_definition(alpha: f64, log: f64) -> f64 {
     let psi = |t: f64| (t / log).min(1.0).powf(alpha);
     let integral = |low: f64, high: f64, f: &dyn Fn(f64) -> f64| {
-        const POINTS: usize = 300;
+        const POINTS: usize = 600;
         let width = (high / low).ln() / POINTS as f64;
         let at = |k: usize| low * ((k as f64 + 0.5) * width).exp();
         (0..POINTS).map(|k| width * at(k) * f(at(k))).sum::<f64>()

@@ -111,8 +111,8 @@ fn suprema(r: f64, elements: usize, cells: usize) -> Result<Suprema> {
     Ok(Suprema { l2: largest(&rest)?, dual: largest(&dual)?, element: largest(&element)? })
 }
 
-/// The order p of S(N) with S^−2 = A N^(2p) − B, from N, 2N and 4N elements. For (4.7), `half` is 1/2
-/// and p − 1/2 is fitted to S N^(1/2); for (4.6), `half` is 0.
+/// The order p of S(N) with S^−2 = A N^(2p) − B, from N, 2N and 4N elements. For (4.7), `half` is
+/// 1/2 and p − 1/2 is fitted to S N^(1/2); for (4.6), `half` is 0.
 fn order(s: &[f64], half: f64) -> f64 {
     let square = |k: usize| (s[k] * 2f64.powf(k as f64 * half)).powi(-2);
     half - 0.5 * order_of_increments([square(0), square(1), square(2)])
