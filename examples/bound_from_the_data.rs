@@ -50,8 +50,9 @@
 //! ```
 //!
 //! because all squares lack the same number, the square of the error of u_N (up to 2 a(u − u_N, u_N
-//! − u^h), zero for the membrane, far below the increments with contact). A pass is one instance of
-//! the theorem; as the error is below A h ‖f‖ already, it says nothing of the third step.
+//! − u^h), which is zero where u and u_N have the same contact set, and far below the increments
+//! elsewhere). A pass is one instance of the theorem; as the error is below A h ‖f‖ already, it
+//! says nothing of the third step.
 //!
 //! Finer meshes:
 //!

@@ -37,7 +37,7 @@
 //! cantor:0.3      20 times the middle 0.4 is taken out of each interval: g = −δ^(τ−1+d/2), λ = 1,
 //!                 d = ln 2/ln(1/0.3)
 //! fat-cantor      15 times, gaps of length c 2^(−k/d) in the middle of the 2^(k−1) intervals that
-//!                 are left, d = 4 − 2τ, all gaps 1/2 long: g = −δ, λ = 1
+//!                 are left, d = 4 − 2τ, all gaps of the 15 times 1/2 long together: g = −δ, λ = 1
 //! ```
 //!
 //! On all these edges τ is a supremum that is not reached, and the term is of the order h^(2τ−2)
@@ -63,10 +63,11 @@
 //! of u^h stop at 1e-13, and the squares cancel); if for τ = 5/2 the quotient |u − u^h|_a/|u − I^h
 //! u|_a on the finest mesh, with its change over two halvings as ±, is above 1.001; if |u −
 //! u^h|_a/|u − G|_a at n = 82, with its change since n = 22 as ±, is above 1.01, or on the unshaken
-//! meshes its excess over 1 falls slower than h^(2/3) from n = 22 to 82, with the difference of the
-//! orders in both halves as ± (in the midpoint cone only h^(1/2) is proved); or if (|u − u^h|² − |G
-//! − u^h|²)/|u − G|², which is 1 by Pythagoras, differs from 1 by more than 0.2 %, the error of the
-//! cubature. Undecided while a bound lies inside of an error bar.
+//! meshes its excess over 1, as ½ |G − u^h|²/|u − G|², falls slower than h^(2/3) from n = 22 to 82,
+//! with the difference of the orders in both halves as ± (in the midpoint cone only h^(1/2) is
+//! proved); or if (|u − u^h|² − |G − u^h|²)/|u − G|², which is 1 by Pythagoras, differs from 1 by
+//! more than 0.2 %, the error of the load of G and of the norms. Undecided while a bound lies
+//! inside of an error bar.
 //!
 //! `cargo run --release --example contact_costs_nothing -- --finest 17`
 
@@ -166,8 +167,9 @@ fn on_triangles(out: &mut Report) -> Result<()> {
     ] {
         for cone in [Cone::Nodal, Cone::Midpoint] {
             let (mut interpolated, mut best, mut excess) = (Vec::new(), Vec::new(), Vec::new());
-            // On all of them an end of contact lies at the same place of its segment (3n/10, 2n/5
-            // and 7n/10 have the same fractional part): the excess depends on that place.
+            // On all of them an end of contact lies at the same place of its segment (each
+            // of 3n/10, 2n/5 and 7n/10 has one fractional part for all three n): the excess depends
+            // on that place.
             for n in [22, 42, 82] {
                 let make = || match shake {
                     true => {

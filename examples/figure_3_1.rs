@@ -20,66 +20,76 @@
 //! (N1) − (E2) = (τ − 3/2)²,        (τ − 1) − (N1) = (τ − 3/2)(2 − τ), at most 1/16.
 //! ```
 //!
-//! This file computes both differences, and measures the order for problems with known u in both
-//! cones: in the nodal one u^h ≤ 0 at the nodes of the contact edge, in the midpoint one the means
-//! of u^h over its segments are ≤ 0.
+//! This file computes both differences, and measures the order for problems with known u. u^h is
+//! sought in each of two cones. In the nodal one u^h ≤ 0 at the nodes of the contact edge. In the
+//! midpoint one the mean of u^h over each segment of this edge, its value at the midpoint, is ≤ 0.
 //!
-//! Refuted if a difference is another one (1e-15), or if a measured order plus its ± is below a
-//! printed exponent that applies; at τ = 2 that is 1, without the logarithm of (N2), which is what
-//! (E3) says of finitely many transitions. Where ± is above 0.1 the order decides nothing and is
-//! only shown. The paper is loose if for one transition the order less its ± is above (N1), and not
-//! if the order plus its ± is below; between them it is undecided. Expected is min(τ − 1, 1): that
-//! the order less its ± is not above it is shown, and decides nothing.
+//! Refuted if a computed difference is off its formula by more than 1e-15. Refuted too if a
+//! measured order plus its ± is below a printed exponent that applies. At τ = 2 the exponent 1 is
+//! taken without the logarithm of (N2): this is what (E3) says for finitely many transitions. Where
+//! the ± is above 0.1 the order decides nothing and is only shown.
+//!
+//! The paper is loose if, for the problem `transition` below, the order less its ± is above (N1).
+//! It is not if the order plus its ± is below (N1). Between these two it is undecided. The expected
+//! order is min(τ − 1, 1). Whether the order less its ± is at most this is shown, and decides
+//! nothing.
 //!
 //! **The problems.** On the edge y = 0 of the unit square a displacement g ≤ 0 and a pressure λ ≥ 0
 //! with g λ = 0 are chosen. u is harmonic inside, g on the edge, 0 at y = 1, and ∂u/∂n = 0 at the
-//! sides; u_N = u. With the load ∂u/∂n + λ on the edge σ_N is −λ, so that u solves Signorini's
-//! problem. In a gap (a, b), an interval without contact,
+//! sides; here u_N = u. Let the load on the edge be ∂u/∂n + λ. Then the contact stress σ_N is −λ,
+//! and u solves Signorini's problem. A gap is an interval (a, b) without contact. With a power q,
+//! and where the problem says nothing else,
 //!
 //! ```text
-//! g = −δ^q,  δ = (x − a)(b − x)/(b − a);    outside λ = r^(τ−2),  r the distance to the next gap.
+//! in a gap    g = −δ^q,  δ = (x − a)(b − x)/(b − a),     and λ = 0;
+//! outside     λ = r^(τ−2),  r the distance to the nearest gap,     and g = 0.
 //!
-//! transition      one gap from a to b = 2 − a (a mirror at x = 1), q = τ − 1: u is in H^s for
-//!                 s < τ only; e² below is the mean over a = 5/12 and a = 11/24
-//! in H²           at τ = 2: the same with q = 1, g divided by 2 + ln(1/δ), and λ by 2 + ln(1/r),
-//!                 taken at the middle of a cell: just inside H²
+//! transition      one gap from a to x = 1, with b = 2 − a: g is mirrored at x = 1, so that its
+//!                 slope is 0 there; q = τ − 1; u is in H^s for s < τ only, which is enough, as
+//!                 the exponents are continuous in τ; the squared error e² (below) is the mean
+//!                 over a = 5/12 and a = 11/24
+//! in H²           at τ = 2: the same gap, g = −δ/(2 + ln(1/δ)) and λ = 1/(2 + ln(1/r)); the
+//!                 integral of this λ over a cell is taken by the midpoint rule; u is just in H²
 //! fat-cantor:30   at τ = 7/4, q = 1 and λ = 1, a Cantor set: for k = 1, .. 30 a gap of length
 //!                 4^(−k) is taken out of the middle of each of the 2^(k−1) intervals that are
-//!                 left, so that gaps and contact are 1/2 long each; the function that is one on
-//!                 such a set is in H^s for s < 1/4 only, hence τ = 3/2 + 1/4
+//!                 left; all gaps together are 1/2 long, and so is the contact set; the function
+//!                 that is one on such a set is in H^s for s < 1/4 only, hence τ = 3/2 + 1/4
 //! ```
 //!
-//! On N = 32 · 2^finest cells g is taken at the nodes, and the integral of λ over a cell is given
-//! by half to each of its nodes; of a cell in which a lies, all to the node left of a. The ends of
-//! Cantor's gaps are rounded to nodes; a gap that has no inner node then, or leaves an interval
-//! without a cell, is left out with all that would be inside.
+//! The finest mesh has 2^finest cells on the edge, and u is given on N = 32 · 2^finest cells. There
+//! g is taken at the nodes. The integral of λ over a cell goes to its two nodes by halves. If a
+//! lies inside the cell, all of it goes to the node left of a. The ends of Cantor's gaps are
+//! rounded to nodes. A gap that then has no inner node, or leaves an interval without a cell, is
+//! not cut out, and its interval is not divided further.
 //!
-//! **The error.** For values v on n cells v·A_n v is the energy of the discrete harmonic function
-//! on n × n squares cut into triangles, 0 at y = 1:
+//! **The error.** Let v be values at the nodes of n cells of the edge. Then v·A_n v is the energy
+//! of the discrete harmonic function that is v on the edge and 0 at y = 1, on n × n squares cut
+//! into triangles:
 //!
 //! ```text
-//! A_n = Σ_k S_k w_k w_kᵀ,     w_k = (cos kπi/n)ᵢ, first and last entry halved,     S_0 = 1/n²,
-//! S_k = (2/n) sinh η coth nη, S_n half of that,     sinh(η/2) = sin(kπ/2n).
+//! A_n = Σ_k S_k w_k w_kᵀ over k = 0, .. n,     w_k = (cos kπi/n)ᵢ, first and last entry halved,
+//! S_0 = 1/n²,     S_k = (2/n) sinh η coth nη, S_n half of that,     sinh(η/2) = sin(kπ/(2n)).
 //! ```
 //!
-//! With the interpolation P from n to N cells u^h has the edge values v that minimise
-//! ½ v·A_n v − (A_N g + λ)·P v in the cone, and its squared error is
+//! Let P be the interpolation from n to N cells, and λ the vector of the integrals at the nodes.
+//! The edge values v of u^h minimise ½ v·A_n v − (A_N g + λ)·P v in the cone. The squared error is
 //!
 //! ```text
 //! e² = g·A_N g − 2 (A_N g)·P v + v·A_n v.
 //! ```
 //!
-//! **The order and its ±.** As e² ≈ A h^(2p) + B h² + const, the constant because u is a function
-//! on N cells,
+//! **The order and its ±.** The squared error is e² ≈ A h^(2p) + B h² + const. The constant is
+//! there because u itself is on N cells. d removes it, and t removes B h²:
 //!
 //! ```text
 //! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p),     p = ¼ log₂ |t(h)/t(h/4)|.
 //! ```
 //!
-//! The order is p for the finest h there is, at most 1. Its ± is the largest difference from the p
-//! of the three h before, so that it shows a drift, plus the effect on p of the ± of the squares,
-//! the derivatives of p times these ±, which are those of conjugate gradients to 1e-13. An order p
-//! ± e with p > 1 is replaced by 1 ± max(0, 1 − p + e).
+//! The order is p at the finest h for which there is a t(h/4). Its ± has two parts. The first is
+//! the largest difference from the p of the three h before, which shows a drift. The second is what
+//! the ± of the squares does to p, by the derivatives of p. The squares have a ± because of
+//! rounding, and because conjugate gradients stop at a relative residual of 1e-13. An order p ± s
+//! with p > 1 is replaced by 1 ± max(0, 1 − p + s).
 //!
 //! One regularity on finer meshes:
 //!
@@ -113,13 +123,13 @@ fn bounds(tau: f64) -> Vec<(&'static str, f64)> {
     }
 }
 
-/// The data on an edge of so many cells, at every place of the transition.
+/// The data g and λ on an edge of `cells` cells, for every place a of the transition.
 fn data(problem: &str, tau: f64, cells: usize) -> Result<Vec<EdgeData>> {
     let powers = match problem {
         "transition" => TransitionPowers::of_regularity(tau),
         "in H²" => TransitionPowers { opening: 1.0, pressure: 0.0, logarithm: 1.0 },
-        set => {
-            return Ok(vec![set.parse::<StripData>()?.data(
+        cantor => {
+            return Ok(vec![cantor.parse::<StripData>()?.data(
                 tau,
                 cells,
                 LateralCondition::Natural,
@@ -129,15 +139,16 @@ fn data(problem: &str, tau: f64, cells: usize) -> Result<Vec<EdgeData>> {
     Ok(vec![powers.data(5.0 / 12.0, cells)?, powers.data(11.0 / 24.0, cells)?])
 }
 
-/// e² for n = 8, .. 2^finest: an active set for v on the edge, products with A_n by fast
-/// transforms, conjugate gradients to 1e-13.
+/// The squared errors e² for n = 8, 16, .. 2^finest, which are finest − 2 meshes. v is found by an
+/// active set method with conjugate gradients to 1e-13, and products with A_n by fast transforms.
 fn squares(problem: &str, tau: f64, cone: Cone, finest: u32) -> Result<Vec<Measured>> {
     let edges = data(problem, tau, 32 << finest)?;
     let mut squares = vec![Measured::from(0.0); finest as usize - 2];
     for edge in &edges {
+        // Nested: u is the function on the N cells of `edge` itself; n is at least 8.
         let strip = StripProblem::new(StripKind::Scalar, edge, Reference::Nested, 8)?;
-        for (u, square) in strip.solutions(cone, 8, 1 << finest)?.iter().zip(&mut squares) {
-            *square = *square + Measured::from(strip.error(u)?).squared() / edges.len() as f64;
+        for (u_h, square) in strip.solutions(cone, 8, 1 << finest)?.iter().zip(&mut squares) {
+            *square = *square + Measured::from(strip.error(u_h)?).squared() / edges.len() as f64;
         }
     }
     Ok(squares)
@@ -146,12 +157,14 @@ fn squares(problem: &str, tau: f64, cone: Cone, finest: u32) -> Result<Vec<Measu
 /// The orders of both cones against every bound that applies.
 fn study(problem: &str, tau: f64, finest: u32, out: &mut Report) -> Result<()> {
     let (all, optimal) = (bounds(tau), (tau - 1.0).min(1.0));
+    // The Cantor set has infinitely many transitions: the third bound does not apply to it.
     let applying = if problem == "fat-cantor:30" { &all[..2] } else { &all };
     let mut orders = Vec::new();
     for cone in Cone::ALL {
+        // 2 halvings of h, from t(h) to t(h/4)
         let order = order_of_squares(&squares(problem, tau, cone, finest)?, 2).min(1.0);
         for &(label, exponent) in applying {
-            let claim = format!("{label}: order + error − exponent");
+            let claim = format!("{label}: order + its ± − exponent");
             let claim = if order.error <= 0.1 { out.check(claim) } else { out.observe(claim) };
             claim.at_least(order.value + order.error - exponent, 0.0, "printed exponent");
             if label == "(N1)" && problem == "transition" {
@@ -161,7 +174,8 @@ fn study(problem: &str, tau: f64, finest: u32, out: &mut Report) -> Result<()> {
             }
         }
         let above = order.value - optimal - order.error;
-        out.observe("order − min(τ − 1, 1) − error").at_most(above, 0.0, "optimal for P1 elements");
+        let claim = out.observe("order − its ± − min(τ − 1, 1)");
+        claim.at_most(above, 0.0, "optimal for P1 elements");
         orders.push(order);
     }
     let name = problem.split(':').next().unwrap_or(problem);

@@ -29,9 +29,9 @@
 //! at s = 1.
 //!
 //! Refuted if a quadratic function has a larger quotient than C; if C_h(α) < 2 C_h(60°) for an α ≥
-//! 135°; if the factor from 20° to 10° is less than half of the way, 2^(min(1/2, 1−s)/2), for s ≤
-//! 3/4, or more than 1.05 at s = 1; or if C at s = 1 exceeds 0.49291 at 90° (Babuška, Aziz 1976) or
-//! Kobayashi's bound (2011),
+//! 135°; if the factor from 20° to 10° is less than 2 to half of that exponent, 2^(min(1/2,
+//! 1−s)/2), for s ≤ 3/4, or more than 1.05 at s = 1; or if C at s = 1 exceeds 0.49291 at 90°
+//! (Babuška, Aziz 1976) or Kobayashi's bound (2011),
 //!
 //! ```text
 //! C² ≤ a²b²c²/(16S²) − (a²+b²+c²)/30 − (S²/5)(1/a²+1/b²+1/c²),   sides a, b, c, area S.

@@ -21,8 +21,8 @@
 //!
 //! Refuted if C₀, C₁ or the constant of the full norm at h = 1 is above 1, if the best constant of
 //! a mesh is above that of one element, or if `of_mesh` and the library differ by more than 3 %.
-//! False as printed if the full norm at h = 2/C₀ is above 1.
-//! Undecided while a bound lies inside of an error bar.
+//! False as printed if the full norm at h = 2/C₀ is above 1. A claim beyond the lemma, C₀ ≤ 0.16,
+//! refutes only itself. Undecided while a bound lies inside of an error bar.
 //!
 //! `cargo run --release --example lemma_6_2_global_estimate -- --nu 0.1,0.4`
 
@@ -116,7 +116,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             claim.whole_error_bars_at_most(share, 1.0 + 1e-9, "sum over elements");
             let claim = out.as_printed("second line, full norm: constant, h = 2/C₀");
             claim.at_most(mesh.full, 1.0, "for h ≤ 5.4");
-            // The same with 2, 4, 8, .. cells per element, until the gain is below 1 %, which is ±.
+            // The library takes the space of `of_mesh` with 2, 4, 8, .. cells per element, until
+            // the gain is below 1 %, which is ±.
             let domain = Domain::Mesh(Mesh::uniform(elements, elements as f64)?);
             let library = interpolation_constant(domain, ErrorNorm::Derivative, nu, 0.01)?.constant;
             let ratio = Measured::from(library).recip() * mesh.slope;

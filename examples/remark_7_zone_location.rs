@@ -41,9 +41,10 @@
 //! are computed to 1e-3; if a random sequence, sorted, has a larger sum; or if a random function,
 //! sorted, has a seminorm that is larger by more than 1e-8 of it. Two comparisons are about the
 //! printed proof and refute nothing: for u = sgn(x − 1/2) the right side of the cut over its left
-//! side, at least 1 if the proof were right, is 0; and with C(θ) = γ((0, θ)) and an odd u that
-//! vanishes within θ/1000 of 1/2 the left side over the right is shown. Undecided while a bound
-//! lies inside of an error bar.
+//! side, at least 1 if the proof were right, is 0 (the status line calls the cut false as printed,
+//! not the remark); and with C(θ) = γ((0, θ)) and an odd u that vanishes within θ/1000 of 1/2 the
+//! root of the left side over that of the right is shown. Undecided while a bound lies inside of an
+//! error bar.
 //!
 //! `cargo run --release --example remark_7_zone_location -- --nu 0.5 --theta 1e-2 --unions 500`
 

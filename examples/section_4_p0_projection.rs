@@ -8,16 +8,16 @@
 //! ‖f‖_(1/2,*) = max ∫ f ψ over ‖ψ‖₀² + |ψ|²_(1/2) = 1.
 //! ```
 //!
-//! The paper uses
+//! The paper uses the first two; the third says what its Remark 4 means:
 //!
 //! ```text
 //! ‖φ − π^h φ‖₀ ≤ C h^r |φ|_r                   (4.6),     for r ≤ 1,
 //! ‖φ − π^h φ‖_(1/2,*) ≤ C h^(r+1/2) |φ|_r       (4.7),     for r ≤ 1,
-//! ‖φ − π^h φ‖₀ = h ‖φ'‖₀ / √12 (1 + o(1))      Remark 4,  for φ in H¹:
+//! ‖φ − π^h φ‖₀ = h ‖φ'‖₀ / √12 (1 + o(1))      Remark 4,  for φ in H¹
 //! ```
 //!
-//! no better order for smoother φ, because φ − π^h φ is φ' times the distance from the centre of
-//! the element, to first order.
+//! There is no better order for smoother φ, because φ − π^h φ is φ' times the distance from the
+//! centre of the element, to first order.
 //!
 //! This file computes the best constants of one element, C(r) of (4.6) and C*(r) of
 //!
@@ -111,8 +111,8 @@ fn suprema(r: f64, elements: usize, cells: usize) -> Result<Suprema> {
     Ok(Suprema { l2: largest(&rest)?, dual: largest(&dual)?, element: largest(&element)? })
 }
 
-/// The order p of S(N) with S^−2 = A N^(2p) − B, from N, 2N and 4N elements; p less `half`, 0 or
-/// 1/2, is fitted to S N^half.
+/// The order p of S(N) with S^−2 = A N^(2p) − B, from N, 2N and 4N elements. For (4.7), `half` is
+/// 1/2 and p − 1/2 is fitted to S N^(1/2); for (4.6), `half` is 0.
 fn order(s: &[f64], half: f64) -> f64 {
     let square = |k: usize| (s[k] * 2f64.powf(k as f64 * half)).powi(-2);
     half - 0.5 * order_of_increments([square(0), square(1), square(2)])
@@ -140,7 +140,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
     out.column("c_dual", "C*(r)", "best constant of (4.7)");
     out.column("order_dual", "order", "in the dual norm");
     out.column("limit", "/ limit", "‖x^a − π^h x^a‖₀ over h ‖φ'‖₀/√12, 65536 elements");
-    // By the library: Legendre series for φ and ψ, largest eigenvalue; error: change when doubled.
+    // The library takes Legendre polynomials for φ and ψ in Q φ = λ A φ; ±: change if the degree is
+    // doubled.
     let constant = |norm, r: f64| -> Result<Measured> {
         Ok(projection_constant(Domain::Interval(1.0), norm, r, 1e-8)?.constant.into())
     };

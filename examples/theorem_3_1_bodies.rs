@@ -11,11 +11,11 @@
 //! corner, which is in H^s for s < τ only. Other bodies have the τ of their own corners: `block` is
 //! in plane strain, λ = μ = 1, f = (0, −cos πx), fixed on top.
 //!
-//! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right, every triangle cut
-//! into four again and again: 4, 8, .. 2^finest squares along a side, h = 1/4, 1/8, ... The
-//! solution on the last mesh stands for u, e(h) = ‖u − u^h‖/‖u‖ on all others, all by multigrid to
-//! 1e-10. The order p of e, at most 1, is computed from e² ≈ A h^(2p) + B h² + const
-//! (`order_of_squares`):
+//! Meshes: the grid of 2 × 2 squares, each cut from lower left to upper right; its nine nodes are
+//! moved by this map; then every triangle is cut into four by its midpoints, again and again: 4, 8,
+//! .. 2^finest squares along a side, h = 1/4, 1/8, ... The solution on the last mesh stands for u,
+//! e(h) = ‖u − u^h‖/‖u‖ on all others, all by multigrid to 1e-10. The order p of e, at most 1, is
+//! computed from e² ≈ A h^(2p) + B h² + const (`order_of_squares`):
 //!
 //! ```text
 //! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2p),     p = ¼ log₂ |t(h)/t(h/4)|,
@@ -100,7 +100,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             out.row(cells! { problem: body.name(), tau =>
                 finest: squares[squares.len() - 1].sqrt(), order, printed, optimal
             });
-            // Undecided where an order 0.1 below would pass as well.
+            // Undecided where an order 0.1 below the printed exponent would pass as well.
             let claim = out
                 .check("order + error − printed exponent")
                 .undecided_if_also_true_of(order.error - 0.1);

@@ -30,7 +30,7 @@
 //! transitions:m    gaps ((i + 1/4)/m, (i + 3/4)/m), i < m;  p = τ − 1, λ = r^(τ−2)
 //! cantor:q:m       the middle 1 − 2q of each piece is a gap, m times;
 //!                  d = ln 2/ln(1/q), p = τ − 1 + d/2, λ = 1
-//! fat-cantor:m     a gap L s^k in the middle of each piece, k = 1, .. m, all of them 1/2 long;
+//! fat-cantor:m     a gap L s^k in the middle of each piece, k = 1, .. m, 1/2 long together;
 //!                  d = 4 − 2τ, s = 2^(−1/d), p and λ by d as for cantor
 //! ```
 //!

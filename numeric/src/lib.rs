@@ -1,6 +1,6 @@
 //! What the crates `fractional-sobolev` and `signorini` both compute with: sums with small rounding errors, searches in
-//! one variable, units that are powers of two, preconditioned conjugate gradients, Fourier transforms, the size of the
-//! memory.
+//! one variable, units that are powers of two, preconditioned conjugate gradients, Fourier transforms, parallel maps, the
+//! size of the memory.
 //!
 //! This crate is internal to those two, which depend on exactly this version: its interface may change in any release.
 
@@ -8,7 +8,9 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod conjugate_gradients;
+pub mod dense;
 pub mod memory;
+pub mod parallel;
 pub mod scale;
 pub mod search;
 pub mod sum;

@@ -34,8 +34,8 @@ use crate::contact::edge::{EdgeProblem, solve_on_edge};
 use crate::error::{Error, Result};
 use crate::fem::{BlockMatrix, Condensation};
 use crate::mesh::{Part, Point, Triangulation, distance, doubled_area};
+use crate::numeric::parallel;
 use crate::numeric::scale::careful_dot;
-use rayon::prelude::*;
 
 /// Values of a field at the corners of its pieces, and with the sums over each piece.
 const NODAL: usize = 27;
@@ -215,7 +215,7 @@ impl Setting<'_, '_> {
 
     /// The equations of all triangles.
     fn locals<const F: usize, const R: usize>(&self) -> Result<Vec<Local<F, R>>> {
-        (0..self.sides.len()).into_par_iter().with_min_len(256).map(|t| self.local(t)).collect()
+        parallel::map_together(self.sides.len(), 256, &|t| self.local(t)).into_iter().collect()
     }
 
     /// The matrix of the edges' equations, and their right-hand side without given forces.
@@ -224,7 +224,8 @@ impl Setting<'_, '_> {
         locals: &[Local<F, R>],
     ) -> (BlockMatrix, Vec<f64>) {
         let c = self.per_edge();
-        let chunk = |first: usize| {
+        let chunk = |number: usize| {
+            let first = number * CHUNK;
             let (mut lengths, mut columns, mut values) =
                 (Vec::new(), Vec::<u32>::new(), Vec::<f64>::new());
             let last = self.edges().min(first + CHUNK);
@@ -257,7 +258,7 @@ impl Setting<'_, '_> {
             }
             (lengths, columns, values, load)
         };
-        let chunks: Vec<_> = (0..self.edges()).into_par_iter().step_by(CHUNK).map(chunk).collect();
+        let chunks = parallel::map(self.edges().div_ceil(CHUNK), &chunk);
         let (mut offsets, mut columns, mut values, mut load) =
             (vec![0], Vec::new(), Vec::new(), Vec::new());
         for (lengths, more_columns, more_values, more_load) in chunks {
@@ -423,11 +424,9 @@ impl Setting<'_, '_> {
             .enumerate()
             .map(|(t, local)| self.oscillation_of(t, local.left_over))
             .collect();
-        let fields = (0..self.sides.len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map(|t| self.recovered(t, &locals[t], &multipliers))
-            .collect();
+        let fields = parallel::map_together(self.sides.len(), 256, &|t| {
+            self.recovered(t, &locals[t], &multipliers)
+        });
         let mut at_borders = vec![[0.0; 2]; self.borders.len()];
         let mut next = pressure.chunks_exact(c.min(2));
         for (number, border) in self.borders.iter().enumerate() {

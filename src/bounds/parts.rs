@@ -56,7 +56,7 @@ use super::setting::{Border, QUADRATURE, Sample, Setting};
 use crate::error::Result;
 use crate::fem::Element;
 use crate::mesh::{Part, Point, distance, doubled_area};
-use rayon::prelude::*;
+use crate::numeric::parallel;
 use std::f64::consts::PI;
 
 /// The parts of the bound.
@@ -143,11 +143,11 @@ impl Setting<'_, '_> {
 
     /// The parts for a function given by its nodal values; v_N ≤ g is required.
     pub(super) fn parts(&self, displacement: &[f64], dual: &Dual) -> Result<Parts> {
-        let per_triangle: Vec<OnTriangle> = (0..self.sides.len())
-            .into_par_iter()
-            .with_min_len(256)
-            .map(|t| self.on_triangle(t, displacement, dual))
-            .collect::<Result<_>>()?;
+        let per_triangle: Vec<OnTriangle> = parallel::map_together(self.sides.len(), 256, &|t| {
+            self.on_triangle(t, displacement, dual)
+        })
+        .into_iter()
+        .collect::<Result<_>>()?;
         let mut complementary: f64 = per_triangle.iter().map(|part| part.energy).sum();
         let mut contact = vec![0.0; self.borders.len()];
         for (number, border) in self.borders.iter().enumerate() {

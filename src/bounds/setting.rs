@@ -11,8 +11,8 @@ use crate::contact::Body;
 use crate::error::{Error, Result};
 use crate::fem::{Element, Form, Lame};
 use crate::mesh::{Edges, Part, Point, Triangulation, distance, doubled_area};
+use crate::numeric::parallel;
 use fractional_sobolev::{Rule, gauss_legendre};
-use rayon::prelude::*;
 
 /// Gauss points on an edge of the boundary.
 const EDGE_POINTS: usize = 8;
@@ -123,11 +123,11 @@ impl<'s, 'b> Setting<'s, 'b> {
         let mut setting = Self::without_own(body, mesh, tractions)?;
         let rule = TriangleRule::new(OWN_POINTS)?;
         if setting.local || setting.borders.iter().any(|border| !border.curved.is_none()) {
-            setting.own = (0..mesh.triangles().len())
-                .into_par_iter()
-                .with_min_len(256)
-                .map(|t| setting.own_stress(t, &rule))
-                .collect::<Result<_>>()?;
+            setting.own = parallel::map_together(mesh.triangles().len(), 256, &|t| {
+                setting.own_stress(t, &rule)
+            })
+            .into_iter()
+            .collect::<Result<_>>()?;
         }
         Ok(setting)
     }

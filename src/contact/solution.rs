@@ -13,6 +13,7 @@ use crate::cone::{Cone, ContactSet, EdgeCone, KktResiduals, KktTerms, Margins, S
 use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_values;
+use crate::numeric::parallel;
 use crate::numeric::scale::careful_dot;
 use crate::numeric::scale::largest;
 use crate::numeric::sum::compensated;
@@ -464,8 +465,7 @@ fn global_balance(
         (reaction, size, sum.abs())
     };
     let of_forces = || (absolute(&problem.load) + absolute(&reactions)).max(absolute(&contact));
-    let (found, forces) =
-        rayon::join(|| (0..c).into_par_iter().map(along).collect::<Vec<_>>(), of_forces);
+    let (found, forces) = rayon::join(|| parallel::map(c, &along), of_forces);
     let (mut reaction, mut worst, mut scale) = ([0.0; 2], 0.0_f64, forces);
     for (axis, (along, size, sum)) in found.into_iter().enumerate() {
         reaction[axis] = along;

@@ -7,8 +7,8 @@
 use super::pair::{ContactPair, Segment};
 use super::seminorm::SeminormForm;
 use crate::error::{Result, ToolkitError};
+use crate::numeric::parallel;
 use fractional_sobolev::{Estimate, Given, Order, gauss_legendre};
-use rayon::prelude::*;
 
 /// The norms of a pair (u_N, σ_N) on one segment.
 ///
@@ -222,7 +222,7 @@ impl ContactPair {
 
     fn norms_by(&self, form: &SeminormForm, segments: usize, q: f64) -> Result<Vec<SegmentNorms>> {
         let parts: Vec<Segment<'_>> = self.segments(segments)?.collect();
-        parts.par_iter().map(|segment| SegmentNorms::new(segment, q, form)).collect()
+        parallel::over(&parts, |segment| SegmentNorms::new(segment, q, form)).into_iter().collect()
     }
 }
 

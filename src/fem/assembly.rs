@@ -10,7 +10,7 @@ use super::frame::Frame;
 use super::frame::Frames;
 use super::matrix::BlockMatrix;
 use crate::mesh::Triangulation;
-use rayon::prelude::*;
+use crate::numeric::parallel;
 
 struct Incidence {
     offsets: Vec<usize>,
@@ -63,16 +63,13 @@ pub(crate) fn stiffness(mesh: &Triangulation, form: &Form, frame: &Frame) -> Blo
 pub(crate) fn stiffness_in(mesh: &Triangulation, form: &Form, frames: &Frames) -> BlockMatrix {
     let incidence = Incidence::of(mesh);
     let count = mesh.nodes().len();
-    let parts: Vec<Rows> = (0..count.div_ceil(CHUNK))
-        .into_par_iter()
-        .map(|chunk| {
-            let mut rows = Rows::default();
-            for node in chunk * CHUNK..count.min((chunk + 1) * CHUNK) {
-                push_row(&mut rows, node, &incidence, mesh, form, frames);
-            }
-            rows
-        })
-        .collect();
+    let parts: Vec<Rows> = parallel::map(count.div_ceil(CHUNK), &|chunk| {
+        let mut rows = Rows::default();
+        for node in chunk * CHUNK..count.min((chunk + 1) * CHUNK) {
+            push_row(&mut rows, node, &incidence, mesh, form, frames);
+        }
+        rows
+    });
     let mut offsets = vec![0];
     let mut all = Rows::default();
     all.columns.reserve(parts.iter().map(|part| part.columns.len()).sum());

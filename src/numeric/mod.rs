@@ -6,4 +6,4 @@ pub(crate) mod check;
 pub(crate) mod real;
 pub(crate) mod scale;
 
-pub(crate) use fractional_sobolev_numeric::{conjugate_gradients, search, sum};
+pub(crate) use fractional_sobolev_numeric::{conjugate_gradients, parallel, search, sum};

@@ -1,11 +1,11 @@
 //! The explicit constants of the proofs for one τ and a fixed set of zones, computed at construction.
 
 use crate::error::{Error, Result, ToolkitError};
+use crate::numeric::parallel;
 use fractional_sobolev::{
     Constraint, Domain, ErrorNorm, Order, Tolerance, embedding_bound, gamma,
     interpolation_constant, projection_constant,
 };
-use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// Relative tolerance of γ_θ; the estimated error is added, so that the constant is an upper bound.
@@ -188,11 +188,11 @@ fn zone_constants(order: Order, thetas: &[f64]) -> Result<HashMap<u64, f64>> {
     zones.sort_by(f64::total_cmp);
     zones.dedup();
     let tolerance = Tolerance::new(GAMMA)?;
-    let constant = |theta: f64| -> Result<(u64, f64)> {
+    let constant = |&theta: &f64| -> Result<(u64, f64)> {
         let found = gamma(order, Constraint::mean_zero_on(0.0..theta), tolerance)?.constant;
         Ok((theta.to_bits(), found.value + found.error))
     };
-    zones.into_par_iter().map(constant).collect()
+    parallel::over(&zones, constant).into_iter().collect()
 }
 
 /// The largest ratios of γ_θ and its laws.

@@ -17,6 +17,7 @@ use super::sparse_level::SparseLevel;
 use crate::cone::Cone;
 use crate::error::{Error, Result};
 use crate::fem::Stencils;
+use crate::numeric::parallel;
 use fractional_sobolev::{Estimate, Tolerance, Work};
 use rayon::prelude::*;
 use std::time::Instant;
@@ -225,11 +226,7 @@ fn prolonged<L: Level>(level: &L, problem: &ContactProblem, coarse: &[f64]) -> V
 
 /// Node-major values from the layout of the level.
 fn node_major<L: Level>(level: &L, x: &[f64]) -> Vec<f64> {
-    (0..x.len())
-        .into_par_iter()
-        .with_min_len(1 << 14)
-        .map(|unknown| x[level.place(unknown)])
-        .collect()
+    parallel::map_together(x.len(), 1 << 14, &|unknown| x[level.place(unknown)])
 }
 
 /// An estimate of the rounding error of F − K u in the dual norm: ε times the size of each row, divided by the root

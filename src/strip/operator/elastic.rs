@@ -14,10 +14,10 @@ use super::slab::{Matrix, Mode, Slab, edge_matrix};
 use crate::error::Result;
 use crate::fem::Lame;
 use crate::numeric::check::require_finite;
+use crate::numeric::parallel;
 use crate::strip::sides::LateralCondition;
 use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// The entries of a Hermitian 2 × 2 matrix over (u_x, u_y).
@@ -103,20 +103,13 @@ pub(crate) const LOW: f64 = 0.1;
 
 /// A at θ = 2πk/n, k = 0 ... n/2; `layers` a power of two.
 pub(crate) fn edge_matrices(cells: usize, layers: usize, lame: Lame) -> Vec<EdgeMatrix> {
-    (0..=cells / 2)
-        .into_par_iter()
-        .map(|k| {
-            let theta = 2.0 * PI * k as f64 / cells as f64;
-            if theta < LOW {
-                return EdgeMatrix::rounded(&edge_matrix(
-                    Mode::long(k, cells),
-                    lame,
-                    layers.ilog2(),
-                ));
-            }
-            EdgeMatrix::of(&edge_matrix(Mode::new(theta), lame, layers.ilog2()))
-        })
-        .collect()
+    parallel::map(cells / 2 + 1, &|k| {
+        let theta = 2.0 * PI * k as f64 / cells as f64;
+        if theta < LOW {
+            return EdgeMatrix::rounded(&edge_matrix(Mode::long(k, cells), lame, layers.ilog2()));
+        }
+        EdgeMatrix::of(&edge_matrix(Mode::new(theta), lame, layers.ilog2()))
+    })
 }
 
 /// One mode of the row by row elimination.

@@ -12,8 +12,8 @@
 use super::elastic::{EdgeMatrix, LOW};
 use super::slab::{Mode, edge_matrix};
 use crate::fem::Lame;
+use crate::numeric::parallel;
 use qd::Quad;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// D at θ = 2πk/n, k = 0 ... n/2, between `layers` and 2 `layers` layers; `coarse` and `fine` are the edge
@@ -25,16 +25,13 @@ pub(crate) fn halvings(
     coarse: &[EdgeMatrix],
     fine: &[EdgeMatrix],
 ) -> Vec<EdgeMatrix> {
-    (0..=cells / 2)
-        .into_par_iter()
-        .map(|k| {
-            let theta = 2.0 * PI * k as f64 / cells as f64;
-            if k > 0 && theta < LOW {
-                return low_mode(k, cells, layers, lame);
-            }
-            coarse[k].combine(1.0, aliased(k, cells, fine), -1.0)
-        })
-        .collect()
+    parallel::map(cells / 2 + 1, &|k| {
+        let theta = 2.0 * PI * k as f64 / cells as f64;
+        if k > 0 && theta < LOW {
+            return low_mode(k, cells, layers, lame);
+        }
+        coarse[k].combine(1.0, aliased(k, cells, fine), -1.0)
+    })
 }
 
 /// 2 [c⁴ F(θ/2) + s⁴ conj F(π − θ/2)] for F given on 2n cells.
@@ -117,16 +114,14 @@ mod tests {
         let lame = Lame::new(lambda, mu).unwrap();
         let matrices = edge_matrices(n, n, lame);
         let modes: Vec<usize> = (0..=n / 2).collect();
-        let worst = modes
-            .par_iter()
-            .map(|&k| {
-                let mode = Mode::long(k, n);
-                let long = edge_matrix(mode, lame, n.ilog2()).0;
-                let normal =
-                    long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
-                (matrices[k].normal() / normal.0 - 1.0).abs()
-            })
-            .reduce(|| 0.0, f64::max);
+        let ratios = parallel::over(&modes, |&k| {
+            let mode = Mode::long(k, n);
+            let long = edge_matrix(mode, lame, n.ilog2()).0;
+            let normal =
+                long[3].re - (long[1].re * long[1].re + long[1].im * long[1].im) / long[0].re;
+            (matrices[k].normal() / normal.0 - 1.0).abs()
+        });
+        let worst = ratios.into_iter().fold(0.0, f64::max);
         println!("lambda {lambda}, mu {mu}: worst of {} modes {worst:.1e}", modes.len());
         assert!(worst < DIGITS, "{lambda} {mu}: {worst:e}");
     }

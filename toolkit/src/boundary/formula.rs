@@ -36,6 +36,7 @@ use crate::kernel::power::PowerKernel;
 use crate::mesh::Mesh;
 use crate::numeric::budget::Budget;
 use crate::numeric::check::require_finite_at;
+use crate::numeric::parallel;
 use crate::numeric::scale::{power_of_two, unit_of};
 use crate::order::Order;
 use crate::quadrature::Rule;
@@ -337,7 +338,7 @@ impl<'a> CurveFormula<'a> {
                 let h = curve.element_length(e);
                 rule.iter().map(|(s, _)| value(e, s * h)).collect()
             };
-            let values: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(at_points).collect();
+            let values: Vec<Vec<f64>> = parallel::map(curve.len(), &at_points);
             let flat = values.iter().flatten().enumerate();
             match flat.clone().find(|(_, v)| !v.is_finite()) {
                 Some((index, &value)) => {
@@ -423,7 +424,7 @@ impl<'a> CurveFormula<'a> {
         };
         let noise: Vec<f64> = match &slopes {
             Some(slopes) => slopes.noise.iter().map(|noise| noise / size).collect(),
-            None => (0..curve.len()).into_par_iter().map(noise).collect(),
+            None => parallel::map(curve.len(), &noise),
         };
         // u away from vertices by interpolation in 2n Gauss points of the element, few values of a function that may be slow
         let samples = |e: usize| -> Vec<f64> {
@@ -434,7 +435,7 @@ impl<'a> CurveFormula<'a> {
                 None => fine.iter().map(|(s, _)| value(e, s * h) / size).collect(),
             }
         };
-        let samples: Vec<Vec<f64>> = (0..curve.len()).into_par_iter().map(samples).collect();
+        let samples: Vec<Vec<f64>> = parallel::map(curve.len(), &samples);
         let weights = barycentric_weights(&fine);
         let interpolated = |e: usize, t: f64| {
             if samples[e].is_empty() {

@@ -11,10 +11,10 @@ use super::formula::CurveFormula;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::mesh::Mesh;
+use crate::numeric::parallel;
 use crate::numeric::scale::unit_of;
 use crate::order::Order;
 use crate::quadrature::Rule;
-use rayon::prelude::*;
 
 /// Ratio of the length of an element to that of its neighbour farther from the vertex.
 const RATIO: f64 = 0.3;
@@ -71,7 +71,8 @@ impl CurveFormula<'_> {
         };
         let (fine, parts) = curve.graded_at_vertices(RATIO, of_side)?;
         let rules = [Rule::gauss_legendre(POINTS)?, Rule::gauss_legendre(FEWER)?];
-        let of_part = |(k, part): (usize, &super::curve::Part)| {
+        let of_part = |k: usize| {
+            let part = &parts[k];
             let (h, whole) = (fine.element_length(k), curve.element_length(part.element));
             rules.each_ref().map(|rule| {
                 let mut sums = [0.0; 2];
@@ -85,8 +86,7 @@ impl CurveFormula<'_> {
                 sums
             })
         };
-        let found: Vec<[[f64; 2]; 2]> =
-            parts.par_iter().enumerate().map(|(k, part)| of_part((k, part))).collect();
+        let found: Vec<[[f64; 2]; 2]> = parallel::map(parts.len(), &of_part);
         let (mut loads, mut error) = (vec![[0.0; 2]; curve.len()], vec![[0.0; 2]; curve.len()]);
         for (part, [sums, fewer]) in parts.iter().zip(&found) {
             for k in 0..2 {

@@ -5,7 +5,6 @@ use super::dense::{diagonal_constant, diagonal_linear, neighbours_linear};
 use crate::kernel::cells::CellPairs;
 use crate::mesh::Mesh;
 use crate::numeric::parallel;
-use rayon::prelude::*;
 
 /// Number of entries computed by one task.
 const TOGETHER: usize = 64;
@@ -53,22 +52,18 @@ impl Band {
 
     /// The product of the band with x.
     pub(crate) fn times(&self, x: &[f64]) -> Vec<f64> {
-        (0..x.len())
-            .into_par_iter()
-            .with_min_len(PARALLEL)
-            .map(|i| {
-                let mut y = self.diagonal[i] * x[i];
-                for (k, off) in self.off_diagonals.iter().enumerate() {
-                    let step = k + 1;
-                    if let (Some(a), Some(x)) = (off.get(i), x.get(i + step)) {
-                        y += a * x;
-                    }
-                    if i >= step {
-                        y += off[i - step] * x[i - step];
-                    }
+        parallel::map_together(x.len(), PARALLEL, &|i| {
+            let mut y = self.diagonal[i] * x[i];
+            for (k, off) in self.off_diagonals.iter().enumerate() {
+                let step = k + 1;
+                if let (Some(a), Some(x)) = (off.get(i), x.get(i + step)) {
+                    y += a * x;
                 }
-                y
-            })
-            .collect()
+                if i >= step {
+                    y += off[i - step] * x[i - step];
+                }
+            }
+            y
+        })
     }
 }

@@ -10,6 +10,7 @@
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use crate::kernel::power::symbol_constant;
 use crate::mesh::Mesh;
+use crate::numeric::parallel;
 use crate::numeric::sum::compensated;
 use crate::order::Order;
 use rayon::prelude::*;
@@ -44,20 +45,17 @@ impl Spectral {
         let count = ((high / low).ln() / STEP).ceil() as usize;
         let sine = (std::f64::consts::PI * nu.min(order.complement())).sin();
         let factor = sine / std::f64::consts::PI / symbol_constant(order);
-        let points = (0..=count)
-            .into_par_iter()
-            .map(|k| {
-                let t = low * (STEP * k as f64).exp();
-                // Below and above the factors are those of K⁻¹ and (tM)⁻¹: the rest of a geometric series.
-                let rest = match k {
-                    0 => -(-STEP * order.complement()).exp_m1(),
-                    _ if k == count => -(-STEP * nu).exp_m1(),
-                    _ => 1.0,
-                };
-                let weight = factor * STEP * t.powf(order.complement()) / rest;
-                (weight, Network::new(mesh, basis, 1.0, t).factor())
-            })
-            .collect();
+        let points = parallel::map(count + 1, &|k| {
+            let t = low * (STEP * k as f64).exp();
+            // Below and above the factors are those of K⁻¹ and (tM)⁻¹: the rest of a geometric series.
+            let rest = match k {
+                0 => -(-STEP * order.complement()).exp_m1(),
+                _ if k == count => -(-STEP * nu).exp_m1(),
+                _ => 1.0,
+            };
+            let weight = factor * STEP * t.powf(order.complement()) / rest;
+            (weight, Network::new(mesh, basis, 1.0, t).factor())
+        });
         let constants = basis != Basis::InnerHats;
         let shares = constants.then(|| Network::new(mesh, basis, 0.0, 1.0 / total).ground);
         Self { points, shares }
@@ -84,8 +82,7 @@ impl Spectral {
         let mut load = r.to_vec();
         self.without_mean(&mut load);
         // In order of the points: the sum does not depend on the number of threads.
-        let parts: Vec<Vec<f64>> =
-            self.points.par_iter().map(|(_, factor)| factor.solve(&load)).collect();
+        let parts: Vec<Vec<f64>> = parallel::over(&self.points, |(_, factor)| factor.solve(&load));
         out.par_chunks_mut(PIECE).enumerate().for_each(|(piece, out)| {
             out.fill(0.0);
             for ((weight, _), part) in self.points.iter().zip(&parts) {
