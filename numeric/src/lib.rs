@@ -8,7 +8,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 pub mod conjugate_gradients;
-pub mod dense;
 pub mod memory;
 pub mod parallel;
 pub mod scale;

@@ -218,13 +218,13 @@ fn wrong_constraints(problem: &EdgeProblem<'_>, set: &ContactSet, state: &EdgeSt
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::DMatrix;
+    use faer::Mat;
 
     /// Murty's 3x3 example: changing all wrong constraints at once cycles on it, the fallback must finish.
     #[test]
     fn cycles_are_left() {
         let entries = [[1.0, 2.0, 2.0], [2.0, 4.1, 4.0], [2.0, 4.0, 4.2]];
-        let stiffness = DMatrix::from_fn(3, 3, |i, j| entries[i][j]);
+        let stiffness = Mat::from_fn(3, 3, |i, j| entries[i][j]);
         for pattern in 0..27 {
             let load: Vec<f64> = (0..3).map(|i| (pattern / 3_i32.pow(i) % 3 - 1) as f64).collect();
             let problem = EdgeProblem {
@@ -249,7 +249,7 @@ mod tests {
     #[test]
     fn a_cycle_without_a_way_out_is_reported() {
         let entries = [[1.0, -2.0], [0.0, 1.0]];
-        let stiffness = DMatrix::from_fn(2, 2, |i, j| entries[i][j]);
+        let stiffness = Mat::from_fn(2, 2, |i, j| entries[i][j]);
         let problem = EdgeProblem {
             stiffness: &stiffness,
             load: &[1.0, -1.0],
@@ -270,7 +270,7 @@ mod tests {
     /// Two segments of different gaps between fixed ends: both cannot close, and it shows.
     #[test]
     fn a_run_that_cannot_hold_has_a_gap() {
-        let stiffness = DMatrix::identity(3, 3);
+        let stiffness = Mat::identity(3, 3);
         let fixed = [true, false, true];
         let (load, cone, ends) = (&[0.0, 1.0, 0.0][..], Cone::Midpoint, Ends::Open);
         for (bound, off) in [([0.1, 0.2], 0.1), ([0.2, 0.1], 0.1), ([0.2, 0.2], 0.0)] {

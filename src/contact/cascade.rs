@@ -13,7 +13,7 @@ use super::active_set::solve_on_edge;
 use super::edge_problem::EdgeProblem;
 use crate::cone::{Cone, ContactSet, Ends};
 use crate::error::Result;
-use nalgebra::DMatrix;
+use faer::Mat;
 
 /// Largest number of nodes of an edge that is not coarsened.
 const COARSEST: usize = 5;
@@ -43,12 +43,11 @@ pub(super) fn guess(problem: &EdgeProblem<'_>) -> Result<ContactSet> {
         std::iter::once((i, 1.0)).chain(halves)
     };
     let m = stays.len();
-    let half = DMatrix::from_fn(n, m, |i, b| {
+    let half = Mat::from_fn(n, m, |i, b| {
         support(b).map(|(j, weight)| weight * problem.stiffness[(i, j)]).sum::<f64>()
     });
-    let stiffness = DMatrix::from_fn(m, m, |a, b| {
-        support(a).map(|(i, weight)| weight * half[(i, b)]).sum::<f64>()
-    });
+    let stiffness =
+        Mat::from_fn(m, m, |a, b| support(a).map(|(i, weight)| weight * half[(i, b)]).sum::<f64>());
     let load: Vec<f64> =
         (0..m).map(|a| support(a).map(|(i, weight)| weight * problem.load[i]).sum()).collect();
     let bound: Vec<f64> = match problem.cone {
@@ -88,7 +87,7 @@ mod tests {
             let wave = |k: usize, i: usize| {
                 (std::f64::consts::PI * ((2 * k + 1) * i) as f64 / (2 * nodes - 2) as f64).sin()
             };
-            let stiffness = DMatrix::from_fn(nodes, nodes, |i, j| {
+            let stiffness = Mat::from_fn(nodes, nodes, |i, j| {
                 let own = if i == j { 1e-3 } else { 0.0 };
                 own + (0..nodes - 1)
                     .map(|k| (k as f64 + 0.5) * wave(k, i) * wave(k, j))

@@ -28,8 +28,9 @@
 use super::edge_problem::EdgeProblem;
 use crate::cone::{ContactSet, EdgeCone};
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::dense::Cholesky;
-use nalgebra::DMatrix;
+use faer::linalg::solvers::Solve;
+use faer::linalg::triangular_solve::solve_upper_triangular_in_place;
+use faer::{Mat, Par, Side};
 
 /// A gap below this multiple of the size of its terms counts as closed.
 const CLOSED: f64 = 1e-13;
@@ -95,16 +96,16 @@ impl<'a> Iterate<'a> {
         let free: Vec<usize> = (0..problem.load.len()).filter(|&i| !problem.fixed[i]).collect();
         let n = free.len();
         let mut displacement = vec![0.0; problem.load.len()];
-        let mut inverse = DMatrix::<f64>::identity(n, n);
+        let mut inverse = Mat::<f64>::identity(n, n);
         if n > 0 {
-            let part = DMatrix::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
+            let part = Mat::from_fn(n, n, |i, j| problem.stiffness[(free[i], free[j])]);
             let what = "condensed stiffness matrix on the contact edge";
             let factor =
-                Cholesky::new(&part).ok_or_else(|| Error::not_positive_definite(what, n))?;
-            let w = DMatrix::from_fn(n, 1, |i, _| problem.load[free[i]]);
-            let w = factor.solve(&w);
+                part.llt(Side::Lower).map_err(|_| Error::not_positive_definite(what, n))?;
+            let mut w = Mat::from_fn(n, 1, |i, _| problem.load[free[i]]);
+            factor.solve_in_place(&mut w);
             free.iter().enumerate().for_each(|(i, &node)| displacement[node] = w[(i, 0)]);
-            factor.backward(&mut inverse);
+            solve_upper_triangular_in_place(factor.L().transpose(), inverse.as_mut(), Par::Seq);
         }
         let basis = (0..n).map(|j| (0..n).map(|i| inverse[(i, j)]).collect()).collect();
         let (held, triangle, norm, cone) =
@@ -276,10 +277,10 @@ mod tests {
         };
         for trial in 0..400 {
             let nodes = 3 + between(0.0, 12.0) as usize;
-            let a = DMatrix::from_fn(nodes, nodes, |_, _| between(-1.0, 1.0));
+            let a = Mat::from_fn(nodes, nodes, |_, _| between(-1.0, 1.0));
             let shift = 10f64.powf(between(-3.0, 1.0));
             let stiffness = &a * a.transpose()
-                + DMatrix::from_fn(nodes, nodes, |i, j| if i == j { shift } else { 0.0 });
+                + Mat::from_fn(nodes, nodes, |i, j| if i == j { shift } else { 0.0 });
             let load: Vec<f64> = (0..nodes).map(|_| between(-1.0, 1.0)).collect();
             let fixed: Vec<bool> = (0..nodes)
                 .map(|i| i == 0 && trial % 2 == 1 || i + 1 == nodes && trial % 4 > 1)
@@ -312,7 +313,7 @@ mod tests {
         let wave = |k: usize, i: usize| {
             (std::f64::consts::PI * ((2 * k + 1) * i) as f64 / (2 * nodes - 2) as f64).sin()
         };
-        let stiffness = DMatrix::from_fn(nodes, nodes, |i, j| {
+        let stiffness = Mat::from_fn(nodes, nodes, |i, j| {
             let own = if i == j { 1e-3 } else { 0.0 };
             own + (0..nodes - 1).map(|k| (k as f64 + 0.5) * wave(k, i) * wave(k, j)).sum::<f64>()
                 / nodes as f64

@@ -10,8 +10,8 @@
 use crate::cone::{Cone, ContactSet, Coordinates, EdgeCone, Ends};
 use crate::error::{Error, Result};
 use crate::numeric::check::require_length;
-use fractional_sobolev_numeric::dense::Cholesky;
-use nalgebra::DMatrix;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
 
 /// The equations of a set count as consistent if they hold up to this multiple of their terms.
 pub(super) const HELD: f64 = 1e-10;
@@ -20,7 +20,7 @@ pub(super) const HELD: f64 = 1e-10;
 #[derive(Debug, Clone)]
 pub(crate) struct EdgeProblem<'a> {
     /// S, symmetric positive definite.
-    pub(crate) stiffness: &'a DMatrix<f64>,
+    pub(crate) stiffness: &'a Mat<f64>,
     /// b.
     pub(crate) load: &'a [f64],
     /// g, one bound per constraint of the cone.
@@ -80,7 +80,7 @@ impl EdgeProblem<'_> {
     pub(super) fn residual(&self, w: &[f64]) -> Vec<f64> {
         let mut residual = self.load.to_vec();
         for (j, &value) in w.iter().enumerate() {
-            let column = self.stiffness.column(j);
+            let column = self.stiffness.col(j);
             for i in 0..residual.len() {
                 residual[i] -= column[i] * value;
             }
@@ -94,7 +94,7 @@ impl EdgeProblem<'_> {
     pub(super) fn sizes(&self, w: &[f64]) -> Sizes<'_> {
         let mut terms: Vec<f64> = self.load.iter().map(|b| b.abs()).collect();
         for (j, &value) in w.iter().enumerate() {
-            let column = self.stiffness.column(j);
+            let column = self.stiffness.col(j);
             for i in 0..terms.len() {
                 terms[i] += (column[i] * value).abs();
             }
@@ -122,7 +122,7 @@ impl EdgeProblem<'_> {
 
     /// w = o + Z q with Z'S Z q = Z'(b − S o).
     fn minimise(&self, free: &Coordinates) -> Result<Vec<f64>> {
-        let mut reduced = DMatrix::<f64>::zeros(free.count, free.count);
+        let mut reduced = Mat::<f64>::zeros(free.count, free.count);
         let moving: Vec<(usize, usize, f64)> = free
             .amplitude
             .iter()
@@ -130,21 +130,21 @@ impl EdgeProblem<'_> {
             .filter_map(|(i, amplitude)| amplitude.map(|(q, sign)| (i, q, sign)))
             .collect();
         for &(j, column, t) in &moving {
-            let source = self.stiffness.column(j);
+            let source = self.stiffness.col(j);
             for &(i, row, s) in &moving {
                 reduced[(row, column)] += s * t * source[i];
             }
         }
         let residual = self.residual(&free.offset);
-        let mut right = DMatrix::<f64>::zeros(free.count, 1);
+        let mut right = Mat::<f64>::zeros(free.count, 1);
         for &(i, row, s) in &moving {
             right[(row, 0)] += s * residual[i];
         }
         if free.count > 0 {
             let what = "condensed stiffness matrix on the contact edge";
-            let factor = Cholesky::new(&reduced);
-            let factor = factor.ok_or_else(|| Error::not_positive_definite(what, free.count))?;
-            right = factor.solve(&right);
+            let factor = reduced.llt(Side::Lower);
+            let factor = factor.map_err(|_| Error::not_positive_definite(what, free.count))?;
+            factor.solve_in_place(&mut right);
         }
         let mut w = free.offset.clone();
         for &(i, row, s) in &moving {
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn equality_problems_balance() {
         let nodes = 7;
-        let stiffness = DMatrix::from_fn(nodes, nodes, |i, j| match i.abs_diff(j) {
+        let stiffness = Mat::from_fn(nodes, nodes, |i, j| match i.abs_diff(j) {
             0 => 2.5,
             1 => -1.0,
             _ => 0.0,
@@ -251,8 +251,7 @@ mod tests {
     /// conditions.
     fn exhaustive(target: &[f64], weights: &[f64], bound: &[f64], fixed: &[bool]) -> Vec<f64> {
         let nodes = target.len();
-        let stiffness =
-            DMatrix::from_fn(nodes, nodes, |i, j| if i == j { weights[i] } else { 0.0 });
+        let stiffness = Mat::from_fn(nodes, nodes, |i, j| if i == j { weights[i] } else { 0.0 });
         let load: Vec<f64> = target.iter().zip(weights).map(|(z, d)| z * d).collect();
         let (cone, ends) = (Cone::Midpoint, Ends::Open);
         let problem = EdgeProblem { stiffness: &stiffness, load: &load, bound, fixed, cone, ends };

@@ -7,7 +7,7 @@
 //! The kept unknowns are ordered last, so S is K_kk plus the update matrix that reaches the root: for the
 //! normal displacements of the contact edge it is the discrete Steklov-Poincaré operator. The contact
 //! iteration requires only S and b; the factorization is computed once. Every node of the tree is a dense
-//! front (Cholesky, triangular solve, symmetric product); independent subtrees are processed in
+//! front (faer: Cholesky, triangular solve, symmetric product); independent subtrees are processed in
 //! parallel (I. S. Duff and J. K. Reid, ACM TOMS 9 (1983)). Cost for N nodes of a quasi-uniform mesh:
 //! O(N^{3/2}) operations, O(N log N) memory.
 
@@ -19,7 +19,7 @@ use crate::error::Result;
 use crate::mesh::Point;
 use crate::numeric::check::require_length;
 use crate::numeric::check::require_memory;
-use nalgebra::DMatrix;
+use faer::Mat;
 
 /// Smallest number of nodes of a subtree that is a separate task.
 const TASK: usize = 2000;
@@ -43,7 +43,7 @@ pub(crate) struct Condensation {
     unknowns: Vec<u32>,
     fronts: Vec<Front>,
     interior: usize,
-    schur: DMatrix<f64>,
+    schur: Mat<f64>,
 }
 
 /// A right-hand side after forward elimination.
@@ -137,7 +137,7 @@ impl Condensation {
     }
 
     /// The Schur complement S, symmetric, in the order of the kept unknowns.
-    pub(crate) fn schur(&self) -> &DMatrix<f64> {
+    pub(crate) fn schur(&self) -> &Mat<f64> {
         &self.schur
     }
 
@@ -167,9 +167,9 @@ impl Condensation {
 }
 
 /// The root's update plus the entries of K between kept unknowns, both triangles.
-fn whole_schur(ordering: &Ordering<'_>, root: Update, interior: usize) -> DMatrix<f64> {
+fn whole_schur(ordering: &Ordering<'_>, root: Update, interior: usize) -> Mat<f64> {
     let size = ordering.unknowns.len() - interior;
-    let mut schur = DMatrix::from_fn(size, size, |i, j| root.at(i.max(j), i.min(j)));
+    let mut schur = Mat::from_fn(size, size, |i, j| root.at(i.max(j), i.min(j)));
     for i in 0..size {
         let unknown = ordering.unknowns[interior + i] as usize;
         for (column, value) in ordering.matrix.row(unknown) {

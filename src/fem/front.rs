@@ -9,8 +9,16 @@
 use super::matrix::BlockMatrix;
 use super::pool::Pool;
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::dense::{factor, subtract_square};
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};
+use faer::linalg::matmul::triangular::{BlockStructure, matmul};
+use faer::linalg::triangular_solve::solve_lower_triangular_in_place;
+use faer::reborrow::{Reborrow, ReborrowMut};
+use faer::{Accum, MatMut, Par};
 use std::ops::Range;
+
+/// Number of operations from which on a front is factorized in parallel.
+const PARALLEL: f64 = 2e8;
 
 /// A pivot below this multiple of its diagonal entry counts as zero: the body has no Dirichlet boundary.
 const VANISHING: f64 = 1e-13;
@@ -93,12 +101,17 @@ impl Front {
     fn factor(mut self, ordering: &Ordering<'_>, mut update: Vec<f64>) -> Result<(Self, Update)> {
         let (p, r) = (self.pivots.len(), self.rows.len());
         if p > 0 {
-            let height = p + r;
-            factor(&mut self.panel, height)
-                .map_err(|pivot| self.pivots.start + pivot)
-                .and_then(|()| {
-                    let root = |j: usize| self.panel[j * height + j];
-                    vanishing_pivot(ordering, &self.pivots, root).map_or(Ok(()), Err)
+            let operations = p as f64 * (p + r) as f64 * (p + r) as f64;
+            let par = if operations > PARALLEL { Par::rayon(0) } else { Par::Seq };
+            let panel = MatMut::from_column_major_slice_mut(&mut self.panel, p + r, p);
+            let (mut top, mut bottom) = panel.split_at_row_mut(p);
+            let mut memory =
+                MemBuffer::new(cholesky_in_place_scratch::<f64>(p, par, Default::default()));
+            let stack = MemStack::new(&mut memory);
+            cholesky_in_place(top.rb_mut(), Default::default(), par, stack, Default::default())
+                .map_err(|_| self.pivots.start)
+                .and_then(|_| {
+                    vanishing_pivot(ordering, &self.pivots, |j| top[(j, j)]).map_or(Ok(()), Err)
                 })
                 .map_err(|position| {
                     Error::not_positive_definite(
@@ -106,7 +119,18 @@ impl Front {
                         ordering.unknowns[position] as usize,
                     )
                 })?;
-            subtract_square(&mut update, r, &self.panel[p..], p, height);
+            solve_lower_triangular_in_place(top.rb(), bottom.rb_mut().transpose_mut(), par);
+            matmul(
+                MatMut::from_column_major_slice_mut(&mut update, r, r),
+                BlockStructure::TriangularLower,
+                Accum::Add,
+                bottom.rb(),
+                BlockStructure::Rectangular,
+                bottom.rb().transpose(),
+                BlockStructure::Rectangular,
+                -1.0,
+                par,
+            );
         }
         let rows = self.rows.clone();
         Ok((self, Update { rows, values: update }))

@@ -14,11 +14,11 @@
 //! are even about θ = 0, a₂ and b₂ odd. In the code μ = 1/2.
 
 use super::wedge::SideCondition;
-use fractional_sobolev_numeric::transforms::Complex;
+use faer::c64;
 
 /// Rows u_r, u_θ, σ_θθ/λ, σ_rθ/λ; columns a₁, a₂, b₁, b₂.
-pub(super) fn fields(lambda: Complex<f64>, kappa: f64, theta: f64) -> [[Complex<f64>; 4]; 4] {
-    let one = Complex::new(1.0, 0.0);
+pub(super) fn fields(lambda: c64, kappa: f64, theta: f64) -> [[c64; 4]; 4] {
+    let one = c64::new(1.0, 0.0);
     let (inner, outer) = ((lambda - one) * theta, (lambda + one) * theta);
     let (c, s, cc, ss) = (inner.cos(), inner.sin(), outer.cos(), outer.sin());
     let (minus, plus) = (kappa - lambda, kappa + lambda);
@@ -33,10 +33,10 @@ pub(super) fn fields(lambda: Complex<f64>, kappa: f64, theta: f64) -> [[Complex<
 /// The two conditions of a side at θ.
 pub(super) fn conditions(
     side: SideCondition,
-    lambda: Complex<f64>,
+    lambda: c64,
     kappa: f64,
     theta: f64,
-) -> [[Complex<f64>; 4]; 2] {
+) -> [[c64; 4]; 2] {
     let [radial, tangential, normal, shear] = fields(lambda, kappa, theta);
     match side {
         SideCondition::Clamped => [radial, tangential],
@@ -46,8 +46,8 @@ pub(super) fn conditions(
 }
 
 /// A vector in the kernel of a 2 × 2 matrix of rank one, computed from its larger row.
-pub(super) fn kernel(rows: [[Complex<f64>; 2]; 2]) -> [Complex<f64>; 2] {
-    let size = |row: &[Complex<f64>; 2]| row[0].norm_sqr() + row[1].norm_sqr();
+pub(super) fn kernel(rows: [[c64; 2]; 2]) -> [c64; 2] {
+    let size = |row: &[c64; 2]| row[0].norm_sqr() + row[1].norm_sqr();
     let [a, b] = if size(&rows[0]) >= size(&rows[1]) { rows[0] } else { rows[1] };
     [-b, a]
 }
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
 
     /// The determinant of the four conditions on the four functions: zero at the exponents.
-    fn determinant(rows: [[Complex<f64>; 4]; 4]) -> Complex<f64> {
+    fn determinant(rows: [[c64; 4]; 4]) -> c64 {
         // Laplace: pairs of columns of the upper two rows times the complementary pairs of the lower two.
         let minor = |r: usize, i: usize, j: usize| {
             rows[r][i] * rows[r + 1][j] - rows[r][j] * rows[r + 1][i]
@@ -82,18 +82,18 @@ mod tests {
                 let wedge = Wedge::new(angle, sides, Medium::PlaneStrain(poisson)).unwrap();
                 let kappa = wedge.kappa();
                 let ([first, second], _) = wedge.ordered();
-                let quotient = |lambda: Complex<f64>| {
+                let quotient = |lambda: c64| {
                     let ([a, b], [c, d]) = (
                         conditions(first, lambda, kappa, 0.0),
                         conditions(second, lambda, kappa, angle),
                     );
-                    let product: Complex<f64> =
+                    let product: c64 =
                         wedge.factors().iter().map(|f| f.values(lambda)[0]).product();
                     determinant([a, b, c, d]) / product
                 };
-                let expected = quotient(Complex::new(0.37, 0.21));
+                let expected = quotient(c64::new(0.37, 0.21));
                 for (x, y) in [(0.9, -0.4), (1.7, 0.8), (2.6, 0.1), (-0.8, 0.3)] {
-                    let found = quotient(Complex::new(x, y));
+                    let found = quotient(c64::new(x, y));
                     assert!(
                         (found / expected - 1.0).norm() < ROUNDING,
                         "{sides} {angle} {poisson}: {found} {expected}"
@@ -107,15 +107,15 @@ mod tests {
     /// The equilibrium of the basis by differences: the columns solve Lamé's equations.
     #[test]
     fn the_basis_solves_the_equations() {
-        let (kappa, lambda) = (1.8, Complex::new(0.6, 0.3));
+        let (kappa, lambda) = (1.8, c64::new(0.6, 0.3));
         // σ_rr + σ_θθ = 4 Re φ′ in the basis: 4λ (a₁ c − a₂ s).
         let trace = |theta: f64| {
             let inner = (lambda - 1.0) * theta;
             [
                 4.0 * lambda * inner.cos(),
                 -4.0 * lambda * inner.sin(),
-                Complex::new(0.0, 0.0),
-                Complex::new(0.0, 0.0),
+                c64::new(0.0, 0.0),
+                c64::new(0.0, 0.0),
             ]
         };
         let (theta, h) = (0.9, 1e-5);

@@ -7,7 +7,7 @@
 //! rounding dominates, or that steps become too short, is rejected; the caller then moves it.
 
 use super::factor::Factor;
-use fractional_sobolev_numeric::transforms::Complex;
+use faer::c64;
 use std::f64::consts::TAU;
 
 /// Largest relative change of f in a step.
@@ -29,12 +29,12 @@ pub(super) struct Rectangle {
 }
 
 impl Rectangle {
-    pub(super) fn contains(&self, z: Complex<f64>) -> bool {
+    pub(super) fn contains(&self, z: c64) -> bool {
         self.left < z.re && z.re < self.right && self.bottom < z.im && z.im < self.top
     }
 
-    pub(super) fn center(&self) -> Complex<f64> {
-        Complex::new(0.5 * (self.left + self.right), 0.5 * (self.bottom + self.top))
+    pub(super) fn center(&self) -> c64 {
+        c64::new(0.5 * (self.left + self.right), 0.5 * (self.bottom + self.top))
     }
 
     /// True if it is symmetric about the real axis.
@@ -57,8 +57,8 @@ impl Rectangle {
 /// |f''| is bounded on the rectangle, so no turn is missed.
 pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<usize> {
     let Rectangle { left, right, bottom, top } = *area;
-    let corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
-        .map(|(x, y)| Complex::new(x, y));
+    let corners =
+        [(left, bottom), (right, bottom), (right, top), (left, top)].map(|(x, y)| c64::new(x, y));
     let bend = f.bend(area.reach(), area.height());
     let mut angle = 0.0;
     for side in 0..4 {
@@ -72,13 +72,7 @@ pub(super) fn zeros(f: &Factor, area: &Rectangle, points: &mut u64) -> Option<us
 /// The change of the argument of f from one point to another.
 ///
 /// Σ arg(f(z_{k+1})/f(z_k)) along the segment, each below arcsin 0.7 in absolute value.
-fn turn(
-    f: &Factor,
-    from: Complex<f64>,
-    to: Complex<f64>,
-    bend: f64,
-    points: &mut u64,
-) -> Option<f64> {
+fn turn(f: &Factor, from: c64, to: c64, bend: f64, points: &mut u64) -> Option<f64> {
     let length = (to - from).norm();
     let direction = (to - from) / length;
     let (mut place, mut angle, mut at) = (0.0, 0.0, from);

@@ -11,6 +11,7 @@
 //! of f changes by less than a right angle.
 
 use crate::numeric::real::{Real, sine_cosine};
+use faer::c64;
 use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
 
@@ -110,7 +111,7 @@ impl Factor {
     }
 
     /// The sum of the absolute values of the terms of f at λ: the scale of its rounding error.
-    pub(super) fn terms(&self, z: Complex<f64>) -> f64 {
+    pub(super) fn terms(&self, z: c64) -> f64 {
         let w = self.angle.0;
         match self.shape {
             Shape::Sine { height, shift, slope } => {

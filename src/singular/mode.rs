@@ -4,7 +4,7 @@ use super::basis::{conditions, fields, kernel};
 use super::factor::Fields;
 use super::wedge::{Medium, SideCondition, Wedge};
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::transforms::Complex;
+use faer::c64;
 
 /// Number of rays on which the size of a function is sampled.
 const RAYS: usize = 64;
@@ -30,9 +30,9 @@ const RAYS: usize = 64;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mode {
     wedge: Wedge,
-    lambda: Complex<f64>,
+    lambda: c64,
     /// a₁, a₂, b₁, b₂; scalar: coefficients of cos λϑ, sin λϑ.
-    coefficients: [Complex<f64>; 4],
+    coefficients: [c64; 4],
     /// ϑ = θ − origin, or ω − θ − origin where the sides are exchanged.
     origin: f64,
     is_turned: bool,
@@ -40,9 +40,9 @@ pub struct Mode {
 
 impl Mode {
     /// The angular function of a zero of a factor.
-    pub(super) fn of(wedge: &Wedge, fields: Fields, lambda: Complex<f64>) -> Result<Self> {
+    pub(super) fn of(wedge: &Wedge, fields: Fields, lambda: c64) -> Result<Self> {
         let ([first, second], is_turned) = wedge.ordered();
-        let (zero, one, kappa) = (Complex::new(0.0, 0.0), Complex::new(1.0, 0.0), wedge.kappa());
+        let (zero, one, kappa) = (c64::new(0.0, 0.0), c64::new(1.0, 0.0), wedge.kappa());
         let half = 0.5 * wedge.angle();
         let far = |angle: f64| conditions(second, lambda, kappa, angle);
         let pick = |angle: f64, i: usize, j: usize| kernel(far(angle).map(|row| [row[i], row[j]]));
@@ -92,17 +92,17 @@ impl Mode {
         if self.is_turned { self.wedge.angle() - theta - self.origin } else { theta - self.origin }
     }
 
-    fn rows(&self, theta: f64) -> [Complex<f64>; 4] {
+    fn rows(&self, theta: f64) -> [c64; 4] {
         let angle = self.local(theta);
         let sign = if self.is_turned { -1.0 } else { 1.0 };
         if self.wedge.medium() == Medium::Scalar {
             let (sine, cosine) = ((self.lambda * angle).sin(), (self.lambda * angle).cos());
             let [a, b, ..] = self.coefficients;
             let slope = self.lambda * (b * cosine - a * sine) * sign;
-            return [a * cosine + b * sine, Complex::new(0.0, 0.0), slope, Complex::new(0.0, 0.0)];
+            return [a * cosine + b * sine, c64::new(0.0, 0.0), slope, c64::new(0.0, 0.0)];
         }
         let sums = fields(self.lambda, self.wedge.kappa(), angle)
-            .map(|row| row.iter().zip(self.coefficients).map(|(f, c)| f * c).sum::<Complex<f64>>());
+            .map(|row| row.iter().zip(self.coefficients).map(|(f, c)| f * c).sum::<c64>());
         let [radial, tangential, normal, shear] = sums;
         [radial, tangential * sign, normal * self.lambda, shear * self.lambda * sign]
     }
@@ -134,7 +134,7 @@ impl Mode {
     }
 
     /// (u_N, σ_N) on the first or the second side: outward displacement and normal stress; scalar (u, ∂u/∂n).
-    pub(super) fn contact(&self, is_second: bool) -> (Complex<f64>, Complex<f64>) {
+    pub(super) fn contact(&self, is_second: bool) -> (c64, c64) {
         let theta = if is_second { self.wedge.angle() } else { 0.0 };
         let outward = if is_second { 1.0 } else { -1.0 };
         let [u, v, normal, _] = self.rows(theta);

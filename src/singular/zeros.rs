@@ -10,6 +10,7 @@ use super::count::{Rectangle, zeros};
 use super::factor::Factor;
 use crate::error::{Error, Result};
 use crate::numeric::real::square_root;
+use faer::c64;
 use fractional_sobolev_numeric::transforms::Complex;
 use qd::Quad;
 
@@ -33,7 +34,7 @@ const SMALLEST: f64 = 1e-10;
 /// A zero with its multiplicity; a conjugate pair is represented by the member above the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Zero {
-    pub(super) place: Complex<f64>,
+    pub(super) place: c64,
     /// Bound of the absolute rounding error.
     pub(super) error: f64,
     pub(super) multiplicity: usize,
@@ -212,6 +213,6 @@ fn zero(f: &Factor, place: Wide, multiplicity: usize) -> Zero {
     Zero { place: at, error: f64::EPSILON * at.norm() + near, multiplicity }
 }
 
-fn narrow(z: Wide) -> Complex<f64> {
-    Complex::new(z.re.0, z.im.0)
+fn narrow(z: Wide) -> c64 {
+    c64::new(z.re.0, z.im.0)
 }

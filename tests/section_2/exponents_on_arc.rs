@@ -14,8 +14,11 @@
 //! Simple eigenvalues converge exponentially in N; nearly double ones have half the digits, their mean has all. Cost:
 //! O((5N)³).
 
+use faer::dyn_stack::{MemBuffer, MemStack};
+use faer::linalg::evd::{ComputeEigenvectors, evd_real, evd_scratch};
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Par, c64, mat};
 use fractional_sobolev::gauss_legendre;
-use nalgebra::{Complex, DMatrix};
 use signorini::singular::{LARGEST, Medium, SideCondition, Wedge};
 
 /// Candidate shifts; the one with the smallest matrix (A − sB)⁻¹B is far from all exponents.
@@ -27,15 +30,15 @@ const SHIFTS: [f64; 5] = [1.137, 1.289, 1.437, 1.593, 1.741];
 pub fn exponents_on_arc(wedge: &Wedge, degree: usize, height: f64) -> Vec<(f64, f64)> {
     let (a, b) = pencil(wedge, degree);
     let inverses = SHIFTS.map(|shift| {
-        let inverse = (&a - shift * &b).lu().solve(&b).unwrap();
-        (inverse.norm(), inverse, shift)
+        let inverse = (&a - faer::Scale(shift) * &b).partial_piv_lu().solve(&b);
+        (inverse.norm_l2(), inverse, shift)
     });
     let (_, inverse, shift) = inverses.into_iter().min_by(|x, y| x.0.total_cmp(&y.0)).unwrap();
-    let values = inverse.complex_eigenvalues();
+    let values = general_eigenvalues(&inverse);
     let mut found: Vec<(f64, f64)> = values
-        .iter()
+        .into_iter()
         .filter(|m| m.norm() > 1.0 / (2.0 * (height + LARGEST)))
-        .map(|m| Complex::new(shift, 0.0) + m.inv())
+        .map(|m| c64::new(shift, 0.0) + m.inv())
         .filter(|z| z.re > 0.0 && z.re < LARGEST && z.im.abs() <= height)
         .map(|z| (z.re, z.im))
         .collect();
@@ -46,13 +49,13 @@ pub fn exponents_on_arc(wedge: &Wedge, degree: usize, height: f64) -> Vec<(f64, 
 /// A and B: the functions one after another, each by its value at 0 and the Legendre coefficients of its
 /// derivative, then √w λU at the Gauss points; equations are multiplied by √w, w the weights, so that the map to
 /// derivatives is an orthogonal matrix.
-fn pencil(wedge: &Wedge, degree: usize) -> (DMatrix<f64>, DMatrix<f64>) {
+fn pencil(wedge: &Wedge, degree: usize) -> (Mat<f64>, Mat<f64>) {
     let rule = gauss_legendre(degree).unwrap();
     let omega = wedge.angle();
     let law = Law::of(wedge.medium());
     let (count, functions) = (degree + 1, law.quadratic.len());
     let size = functions * count + degree;
-    let (mut a, mut b) = (DMatrix::<f64>::zeros(size, size), DMatrix::<f64>::zeros(size, size));
+    let (mut a, mut b) = (Mat::<f64>::zeros(size, size), Mat::<f64>::zeros(size, size));
     for (j, (x, weight)) in rule.iter().enumerate() {
         let (mut values, mut slopes) = basis(count, x);
         values.iter_mut().chain(&mut slopes).for_each(|value| *value *= weight.sqrt());
@@ -86,8 +89,8 @@ fn pencil(wedge: &Wedge, degree: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 
 /// y' = (first + λ linear) y + λ quadratic W.
 struct Law {
-    first: DMatrix<f64>,
-    linear: DMatrix<f64>,
+    first: Mat<f64>,
+    linear: Mat<f64>,
     quadratic: Vec<f64>,
 }
 
@@ -95,25 +98,25 @@ impl Law {
     fn of(medium: Medium) -> Self {
         match medium {
             Medium::Scalar => Self {
-                first: matrix([[0.0, 1.0], [0.0, 0.0]]),
-                linear: DMatrix::zeros(2, 2),
+                first: mat![[0.0, 1.0], [0.0, 0.0]],
+                linear: Mat::zeros(2, 2),
                 quadratic: vec![0.0, -1.0],
             },
             Medium::PlaneStrain(poisson) => {
                 let n = poisson / (1.0 - poisson);
                 Self {
-                    first: matrix([
+                    first: mat![
                         [0.0, 1.0, 0.0, 1.0],
                         [-1.0, 0.0, 0.5 * (1.0 - n), 0.0],
                         [0.0, 0.0, 0.0, -1.0],
                         [0.0, 0.0, 1.0, 0.0],
-                    ]),
-                    linear: matrix([
+                    ],
+                    linear: mat![
                         [0.0, -1.0, 0.0, 0.0],
                         [-n, 0.0, 0.0, 0.0],
                         [0.0, 0.0, 0.0, -1.0],
                         [0.0, 0.0, -n, 0.0],
-                    ]),
+                    ],
                     quadratic: vec![0.0, 0.0, 0.0, -2.0 / (1.0 - poisson)],
                 }
             }
@@ -153,6 +156,16 @@ fn basis(count: usize, x: f64) -> (Vec<f64>, Vec<f64>) {
     (values, slopes)
 }
 
-fn matrix<const N: usize>(rows: [[f64; N]; N]) -> DMatrix<f64> {
-    DMatrix::from_fn(N, N, |i, j| rows[i][j])
+/// All eigenvalues of a square matrix, in no particular order. Cost: O(n³).
+fn general_eigenvalues(a: &Mat<f64>) -> Vec<c64> {
+    let size = a.nrows();
+    let (mut real, mut imaginary) = (Mat::<f64>::zeros(size, 1), Mat::<f64>::zeros(size, 1));
+    let none = ComputeEigenvectors::No;
+    let mut memory =
+        MemBuffer::new(evd_scratch::<f64>(size, none, none, Par::Seq, Default::default()));
+    let stack = MemStack::new(&mut memory);
+    let re = real.as_mut().col_mut(0).as_diagonal_mut();
+    let im = imaginary.as_mut().col_mut(0).as_diagonal_mut();
+    evd_real(a.as_ref(), re, im, None, None, Par::Seq, stack, Default::default()).unwrap();
+    (0..size).map(|i| c64::new(real[(i, 0)], imaginary[(i, 0)])).collect()
 }

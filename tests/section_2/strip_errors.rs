@@ -1,7 +1,8 @@
 //! Section 2 on a strip: the energy errors computed from the edge alone, against whole fields and extended
 //! precision.
 
-use nalgebra::DMatrix;
+use faer::linalg::solvers::Solve;
+use faer::{Mat, Side};
 use qd::Quad;
 use signorini::cone::Cone;
 use signorini::fem::Lame;
@@ -20,8 +21,8 @@ fn scene(cells: usize, sides: LateralCondition) -> EdgeData {
 }
 
 /// a(u, v) on one layer of triangles over (bottom row, top row), two components per node.
-fn layer(n: usize, lame: Lame) -> DMatrix<f64> {
-    let mut matrix = DMatrix::<f64>::zeros(4 * n, 4 * n);
+fn layer(n: usize, lame: Lame) -> Mat<f64> {
+    let mut matrix = Mat::<f64>::zeros(4 * n, 4 * n);
     for cell in 0..n {
         let right = (cell + 1) % n;
         let (bl, br, tr, tl) = (cell, right, n + right, n + cell);
@@ -47,21 +48,20 @@ fn layer(n: usize, lame: Lame) -> DMatrix<f64> {
 
 /// A body of n × n squares between the edge and the clamped top, its rows eliminated from the top downwards.
 struct Body {
-    layer: DMatrix<f64>,
+    layer: Mat<f64>,
     /// how a row follows the one below it, from the top downwards: u_{j+1} = −(P + K_11)⁻¹ K_10 u_j
-    steps: Vec<DMatrix<f64>>,
+    steps: Vec<Mat<f64>>,
     /// the energy of the body on the edge
-    edge: DMatrix<f64>,
+    edge: Mat<f64>,
 }
 
 impl Body {
     fn new(n: usize, lame: Lame) -> Self {
         let (layer, size) = (layer(n, lame), 2 * n);
-        let block =
-            |a: usize, b: usize| layer.view((a * size, b * size), (size, size)).into_owned();
+        let block = |a: usize, b: usize| layer.submatrix(a * size, b * size, size, size).to_owned();
         let (mut edge, mut steps) = (block(0, 0), Vec::new());
         for _ in 0..n - 1 {
-            let step = (&edge + block(1, 1)).cholesky().unwrap().solve(&block(1, 0));
+            let step = (&edge + block(1, 1)).llt(Side::Lower).unwrap().solve(&block(1, 0));
             edge = block(0, 0) - block(0, 1) * &step;
             steps.push(step);
         }
@@ -73,7 +73,7 @@ impl Body {
         let mut rows = vec![edge.to_vec()];
         for step in self.steps.iter().rev() {
             let below = rows.last().unwrap();
-            let row = step * DMatrix::from_fn(edge.len(), 1, |i, _| below[i]);
+            let row = step * Mat::from_fn(edge.len(), 1, |i, _| below[i]);
             rows.push((0..edge.len()).map(|i| -row[(i, 0)]).collect());
         }
         rows.push(vec![0.0; edge.len()]);
@@ -84,9 +84,9 @@ impl Body {
     fn with_tangential(&self, normal: &[f64]) -> Vec<f64> {
         let n = normal.len();
         let part =
-            |a: usize, b: usize| DMatrix::from_fn(n, n, |i, j| self.edge[(2 * i + a, 2 * j + b)]);
-        let pull = part(0, 1) * DMatrix::from_fn(n, 1, |i, _| normal[i]);
-        let x = part(0, 0).cholesky().unwrap().solve(&pull);
+            |a: usize, b: usize| Mat::from_fn(n, n, |i, j| self.edge[(2 * i + a, 2 * j + b)]);
+        let pull = part(0, 1) * Mat::from_fn(n, 1, |i, _| normal[i]);
+        let x = part(0, 0).llt(Side::Lower).unwrap().solve(&pull);
         (0..n).flat_map(|i| [x[(i, 0)], -normal[i]]).collect()
     }
 }
@@ -101,18 +101,18 @@ fn refine(rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     (0..=2 * n).map(|j| (0..4 * n).map(|m| between(m / 2, j, m % 2)).collect()).collect()
 }
 
-fn energy(layer: &DMatrix<f64>, rows: &[Vec<f64>]) -> f64 {
+fn energy(layer: &Mat<f64>, rows: &[Vec<f64>]) -> f64 {
     rows.windows(2)
         .map(|pair| {
             let both = [pair[0].clone(), pair[1].clone()].concat();
-            let u = DMatrix::from_fn(both.len(), 1, |i, _| both[i]);
+            let u = Mat::from_fn(both.len(), 1, |i, _| both[i]);
             (u.transpose() * (layer * &u))[(0, 0)]
         })
         .sum()
 }
 
 /// |u − u_h|_a from the whole fields.
-fn field_error(fine: &DMatrix<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>) -> f64 {
+fn field_error(fine: &Mat<f64>, u: &[Vec<f64>], mut u_h: Vec<Vec<f64>>) -> f64 {
     while u_h.len() < u.len() {
         u_h = refine(&u_h);
     }

@@ -1,7 +1,7 @@
 //! Section 2 on a strip: random loads against a dense solver, extreme data, bad input.
 
 use crate::common::SplitMix;
-use nalgebra::DMatrix;
+use faer::Mat;
 use signorini::cone::{Cone, Ends};
 use signorini::fem::Lame;
 use signorini::problems::StripData;
@@ -16,7 +16,7 @@ const SOLVED: f64 = 1e-13;
 /// J by two computations: second order in the residual, so rounding times the condition of a few hundred unknowns.
 const ENERGY: f64 = 1e-10;
 
-fn dense(operator: &EdgeOperator) -> DMatrix<f64> {
+fn dense(operator: &EdgeOperator) -> Mat<f64> {
     let n = operator.nodes();
     let columns: Vec<Vec<f64>> = (0..n)
         .map(|j| {
@@ -25,7 +25,7 @@ fn dense(operator: &EdgeOperator) -> DMatrix<f64> {
             operator.apply(&unit).unwrap()
         })
         .collect();
-    DMatrix::from_fn(n, n, |i, j| 0.5 * (columns[j][i] + columns[i][j]))
+    Mat::from_fn(n, n, |i, j| 0.5 * (columns[j][i] + columns[i][j]))
 }
 
 fn solve(operator: &EdgeOperator, force: Vec<f64>, cone: Cone) -> signorini::strip::EdgeSolution {

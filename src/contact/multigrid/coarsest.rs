@@ -3,8 +3,8 @@
 use super::super::problem::ContactProblem;
 use crate::error::{Error, Result};
 use crate::fem::Condensation;
-use fractional_sobolev_numeric::dense::Cholesky;
-use nalgebra::DMatrix;
+use faer::linalg::solvers::{Llt, Solve};
+use faer::{Mat, Side};
 
 /// A pivot below this fraction of its diagonal entry counts as zero: some part of the body has no Dirichlet boundary.
 const VANISHED: f64 = 1e-14;
@@ -13,7 +13,7 @@ const VANISHED: f64 = 1e-14;
 pub(super) struct Coarsest {
     condensation: Condensation,
     free: Vec<usize>,
-    factor: Option<Cholesky>,
+    factor: Option<Llt<f64>>,
 }
 
 impl Coarsest {
@@ -46,11 +46,11 @@ impl Coarsest {
             self.factor = None;
             return Ok(());
         }
-        let part = DMatrix::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
+        let part = Mat::from_fn(free.len(), free.len(), |i, j| schur[(free[i], free[j])]);
         let what = "condensed stiffness matrix on the coarsest contact edge";
         let failed = |pivot: usize| Error::not_positive_definite(what, pivot);
-        let factor = Cholesky::new(&part).ok_or_else(|| failed(free.len()))?;
-        let vanishes = |&k: &usize| factor.root(k).powi(2) <= VANISHED * part[(k, k)];
+        let factor = part.llt(Side::Lower).map_err(|_| failed(free.len()))?;
+        let vanishes = |&k: &usize| factor.L()[(k, k)].powi(2) <= VANISHED * part[(k, k)];
         if let Some(pivot) = (0..free.len()).find(vanishes) {
             return Err(failed(pivot));
         }
@@ -63,8 +63,8 @@ impl Coarsest {
         let reduced = self.condensation.reduce(b);
         let mut edge = vec![0.0; reduced.kept().len()];
         if let Some(factor) = &self.factor {
-            let right = DMatrix::from_fn(self.free.len(), 1, |i, _| reduced.kept()[self.free[i]]);
-            let right = factor.solve(&right);
+            let mut right = Mat::from_fn(self.free.len(), 1, |i, _| reduced.kept()[self.free[i]]);
+            factor.solve_in_place(&mut right);
             self.free.iter().enumerate().for_each(|(i, &k)| edge[k] = right[(i, 0)]);
         }
         self.condensation.recover(&reduced, &edge)

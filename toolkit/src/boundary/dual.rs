@@ -6,9 +6,9 @@ use super::function::BoundaryFunction;
 use super::pairs::CurvePairs;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, SPENT, Tolerance, Work};
+use crate::numeric::dense::Cholesky;
 use crate::numeric::parallel;
 use crate::order::Order;
-use fractional_sobolev_numeric::dense::Cholesky;
 use nalgebra::DMatrix;
 
 /// Largest number of elements of the finest mesh: about a second of kernel evaluations and a dense

@@ -7,10 +7,10 @@ use crate::gram::{GramOperator, add_mass, gram_linears, mass_form, mass_linears}
 use crate::mesh::Mesh;
 use crate::numeric::check::require_values;
 use crate::numeric::conjugate_gradients::{ConjugateGradients, Step, System};
+use crate::numeric::dense::{Cholesky, product};
 use crate::numeric::sum::RunningSum;
 use crate::order::Order;
 use crate::root::accept;
-use fractional_sobolev_numeric::dense::{Cholesky, product};
 use nalgebra::DMatrix;
 
 /// Largest number of unknowns for a dense Cholesky factorization.

@@ -16,9 +16,9 @@ use super::elements::ElementMesh;
 use crate::constant::UnitOrder;
 use crate::error::{Error, Result};
 use crate::gram::{gram_linears, mass_form, tridiagonal};
+use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::quadrature::Rule;
 use crate::{Mesh, Order};
-use fractional_sobolev_numeric::dense::{Cholesky, transpose_times};
 use nalgebra::DMatrix;
 
 /// Largest number of cells for which dense matrices are built.

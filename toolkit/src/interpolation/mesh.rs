@@ -68,8 +68,8 @@ fn error(found: &Largest, x: f64) -> Option<f64> {
 mod tests {
     use super::*;
     use crate::estimate::Estimate;
+    use crate::numeric::dense::{Cholesky, product};
     use crate::{Function, Order};
-    use fractional_sobolev_numeric::dense::{Cholesky, product};
 
     /// Share of the best constant that the power iteration must reach.
     const SHARE: f64 = 0.999;

@@ -9,10 +9,10 @@ use super::forms::{dual_projection_form, projection_form, seminorm_form};
 use crate::constant::{BestConstant, Domain, ErrorNorm, UnitOrder};
 use crate::error::{Error, Given, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::Cholesky;
 use crate::numeric::pencil::Factored;
 use crate::order::SobolevOrder;
 use crate::{Mesh, Order};
-use fractional_sobolev_numeric::dense::Cholesky;
 use nalgebra::DMatrix;
 use std::f64::consts::FRAC_1_PI;
 

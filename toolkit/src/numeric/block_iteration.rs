@@ -14,9 +14,9 @@
 //! vector that the block has not found, so that they are no such σ: the eigenvalues below σ are
 //! counted where the pencil can do so.
 
+use super::dense::symmetric_eigen;
 use super::sum::pairwise_dot;
 use crate::error::Result;
-use fractional_sobolev_numeric::dense::symmetric_eigen;
 use nalgebra::DMatrix;
 
 /// Number of times eigenvalues are counted before the error is that of the residual alone.

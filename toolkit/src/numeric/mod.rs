@@ -22,6 +22,7 @@
 pub(crate) mod block_iteration;
 pub(crate) mod budget;
 pub(crate) mod check;
+pub(crate) mod dense;
 pub(crate) mod gamma;
 pub(crate) mod last;
 pub(crate) mod legendre;

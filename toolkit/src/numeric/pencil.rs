@@ -5,8 +5,8 @@
 //! diagonal entry. The value returned is the Rayleigh quotient of the eigenvector, whose error is of the
 //! order of the square of that of the eigenvector: a lower bound of λ up to the rounding of A and B.
 
+use super::dense::{Cholesky, product, symmetric_eigen};
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::dense::{Cholesky, largest_eigenvector, product};
 use nalgebra::DMatrix;
 
 /// Relative norm of those rows of the reduced matrix that do not affect the largest eigenvalue.
@@ -52,10 +52,11 @@ impl Factored {
         let kept: Vec<usize> = (0..size).filter(|i| largest(i) > INSIGNIFICANT).collect();
         let essential =
             DMatrix::from_fn(kept.len(), kept.len(), |i, j| symmetric(kept[i], kept[j]));
-        let largest = largest_eigenvector(&essential).ok_or(indefinite(size))?;
+        let (values, vectors) = symmetric_eigen(&essential).ok_or(indefinite(size))?;
+        let last = values.len().checked_sub(1).ok_or(indefinite(size))?;
         let mut vector = DMatrix::zeros(size, 1);
-        for (entry, &row) in largest.into_iter().zip(&kept) {
-            vector[(row, 0)] = entry;
+        for (i, &row) in kept.iter().enumerate() {
+            vector[(row, 0)] = vectors[(i, last)];
         }
         self.factor.backward(&mut vector);
         let quadratic = |matrix: &DMatrix<f64>| {

@@ -10,9 +10,9 @@
 use crate::Order;
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
+use crate::numeric::dense::transpose_times;
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
-use fractional_sobolev_numeric::dense::transpose_times;
 use nalgebra::DMatrix;
 
 /// The Gram matrix of |·|_ν on (0, 1) for the φ_k of the given degrees (increasing, none of them zero), and its

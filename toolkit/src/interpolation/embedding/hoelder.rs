@@ -4,10 +4,10 @@
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Work};
 use crate::gram::{gram_linears, mass_form};
+use crate::numeric::dense::{Cholesky, transpose_times};
 use crate::numeric::last::Last;
 use crate::quadrature::Rule;
 use crate::{Mesh, Order};
-use fractional_sobolev_numeric::dense::{Cholesky, transpose_times};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 

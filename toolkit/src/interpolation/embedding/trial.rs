@@ -4,10 +4,10 @@ use super::upper::{check, critical_exponent};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance};
 use crate::gram::{gram_linears, mass_form};
+use crate::numeric::dense::{Cholesky, product};
 use crate::numeric::last::Last;
 use crate::quadrature::Rule;
 use crate::{Function, Mesh, Order};
-use fractional_sobolev_numeric::dense::{Cholesky, product};
 use nalgebra::DMatrix;
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! The largest quotient of two forms on a subspace, and the coefficients of a function that attains it.
 
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::dense::{product, symmetric_eigen, transpose_times};
+use crate::numeric::dense::{product, symmetric_eigen, transpose_times};
 use nalgebra::DMatrix;
 
 /// Directions in which the scaled seminorm is below this share of its largest value are omitted, since

@@ -9,8 +9,8 @@ use super::ring::{directions, nodes};
 use super::shape::TriangleShape;
 use crate::Order;
 use crate::error::Result;
+use crate::numeric::dense::times_transpose;
 use crate::quadrature::Rule;
-use fractional_sobolev_numeric::dense::times_transpose;
 use nalgebra::DMatrix;
 use rayon::prelude::*;
 

@@ -11,9 +11,9 @@
 use super::shape::{TriangleShape, dot};
 use crate::Order;
 use crate::error::Result;
+use crate::numeric::dense::times_transpose;
 use crate::numeric::legendre;
 use crate::quadrature::Rule;
-use fractional_sobolev_numeric::dense::times_transpose;
 use nalgebra::DMatrix;
 
 /// Ratio of neighbouring cells in ε.

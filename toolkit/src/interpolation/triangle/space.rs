@@ -11,8 +11,8 @@ use super::mixed::{between, corner_rule};
 use super::shape::{Barycentric, TriangleShape, barycentric};
 use crate::Order;
 use crate::error::Result;
+use crate::numeric::dense::{product, times_transpose};
 use crate::quadrature::Rule;
-use fractional_sobolev_numeric::dense::{product, times_transpose};
 use nalgebra::DMatrix;
 
 /// Number of points of each half in the rules for powers, beyond the degree.

@@ -28,7 +28,7 @@
 
 use super::shape::TriangleShape;
 use crate::error::{Error, Result};
-use fractional_sobolev_numeric::dense::{Cholesky, product, transpose_times};
+use crate::numeric::dense::{Cholesky, product, transpose_times};
 use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 use std::f64::consts::{LN_2, PI};

@@ -6,8 +6,8 @@
 //! obtained from that product rule by the Stieltjes procedure.
 
 use crate::error::{Error, Result};
+use crate::numeric::dense::symmetric_eigen;
 use crate::quadrature::Rule;
-use fractional_sobolev_numeric::dense::symmetric_eigen;
 use nalgebra::DMatrix;
 
 /// Points and weights, as pairs.
