@@ -24,10 +24,11 @@
 //! sought in each of two cones. In the nodal one u^h ≤ 0 at the nodes of the contact edge. In the
 //! midpoint one the mean of u^h over each segment of this edge, its value at the midpoint, is ≤ 0.
 //!
-//! Refuted if a computed difference is off its formula by more than 1e-15. Refuted too if a
-//! measured order plus its ± is below a printed exponent that applies. At τ = 2 the exponent 1 is
-//! taken without the logarithm of (N2): this is what (E3) says for finitely many transitions. Where
-//! the ± is above 0.1 the order decides nothing and is only shown.
+//! Refuted if a computed difference is off its formula by more than 1e-15. Refuted too if in one of
+//! the cones a measured order plus its ± is below an exponent that applies; the midpoint cone is
+//! held to those too that are known for the nodal cone. At τ = 2 the exponent 1 is taken without
+//! the logarithm of (N2): this is what (E3) says for finitely many transitions. An order with a ±
+//! above 0.1 refutes nothing.
 //!
 //! The paper is loose if, for the problem `transition` below, the order less its ± is above (N1).
 //! It is not if the order plus its ± is below (N1). Between these two it is undecided. The expected
@@ -48,8 +49,9 @@
 //!                 slope is 0 there; q = τ − 1; u is in H^s for s < τ only, which is enough, as
 //!                 the exponents are continuous in τ; the squared error e² (below) is the mean
 //!                 over a = 5/12 and a = 11/24
-//! in H²           at τ = 2: the same gap, g = −δ/(2 + ln(1/δ)) and λ = 1/(2 + ln(1/r)); the
-//!                 integral of this λ over a cell is taken by the midpoint rule; u is just in H²
+//! in H²           at τ = 2: the same gap for the same two a, g = −δ/(2 + ln(1/δ)) and
+//!                 λ = 1/(2 + ln(1/r)); the integral of this λ over a cell is taken by the
+//!                 midpoint rule; u is just in H²
 //! fat-cantor:30   at τ = 7/4, q = 1 and λ = 1, a Cantor set: for k = 1, .. 30 a gap of length
 //!                 4^(−k) is taken out of the middle of each of the 2^(k−1) intervals that are
 //!                 left; all gaps together are 1/2 long, and so is the contact set; the function
@@ -88,8 +90,8 @@
 //! The order is p at the finest h for which there is a t(h/4). Its ± has two parts. The first is
 //! the largest difference from the p of the three h before, which shows a drift. The second is what
 //! the ± of the squares does to p, by the derivatives of p. The squares have a ± because of
-//! rounding, and because conjugate gradients stop at a relative residual of 1e-13. An order p ± s
-//! with p > 1 is replaced by 1 ± max(0, 1 − p + s).
+//! rounding, and because conjugate gradients stop at a relative residual of 1e-13. If p > 1, then B
+//! h² is the larger part of e² and the order is 1: p ± s is replaced by 1 ± max(0, 1 − p + s).
 //!
 //! One regularity on finer meshes:
 //!

@@ -55,9 +55,9 @@
 //! fail: with one C for all θ < 1, (5.2) would need γ₁ ≤ 0. Undecided while a bound lies inside of
 //! an error bar.
 //!
-//! Another order is given by `--nu`, and its own law is taken. Near ν = 1/2 the next term falls
-//! slowly. The check decides only if θ^(2|ν − 1/2|) at the second shortest zone is below |ν − 1/2|.
-//! Otherwise the exponent on the other side of ν = 1/2 would pass too, and the check is undecided.
+//! Another order is given by `--nu`, and its own law is taken. Near ν = 0 and near ν = 1/2 the next
+//! term falls slowly. The check decides only if this term is below |ν − 1/2| at the second shortest
+//! zone. Otherwise the exponent of the order 1 − ν would pass too, and the check is undecided.
 //! Zones of 1e-9 and 1e-10 are enough for ν = 0.4, and zones of 1e-104 and 1e-105 for ν = 0.49:
 //!
 //! `cargo run --release --example lemma_5_2_poincare_scaling -- --nu 0.4 --theta 1e-9,1e-10`
@@ -88,7 +88,7 @@ example! { quick "Lemma 5.2",
 /// The lengths of the elements halve towards 0, towards θ from both sides, and towards 1. The
 /// largest ‖u‖₀ / |u|_ν of such functions is 0.003 to 0.2 % below γ.
 fn by_definition(nu: Order, theta: f64) -> Result<f64> {
-    let halvings = 10 + (-theta.log2()) as usize; // the smallest elements are about θ/1000 long
+    let halvings = 10 + (-theta.log2()) as usize; // smallest elements right of θ: about θ/1000
     let mesh = Mesh::graded(&[0.0, theta, 1.0], halvings, 0.5)?;
     let mass = mass_matrix(&mesh);
     // φᵢ' is constant on each element, so that each entry of A has a closed form. (1e-10 is the
@@ -119,10 +119,10 @@ pub(crate) fn run(options: &Options, out: &mut Report) -> Result<Vec<Growth>> {
         let mut of_nu = Growth { nu, growth: f64::NAN, theta: 1.0, gamma: 0.0 };
         let whole = Measured::from(gamma(nu, Constraint::mean_zero(), 1e-10)?.constant); // γ₁
         for &theta in &options.theta {
-            // The library takes the largest λ over other functions: on elements that grow
-            // geometrically their slopes are polynomials in ln r of degree up to 11, where r is
-            // the distance to the nearest of 0, θ and 1. ± is the change to a smaller space of
-            // that kind.
+            // The library takes the largest λ over other functions. The slope of each of them is a
+            // polynomial in ln r of degree up to 11 on each element. Here r is the distance to the
+            // nearest of 0, θ and 1, and the elements grow geometrically with r. ± is the change
+            // to a smaller space of that kind.
             let found = gamma(nu, Constraint::mean_zero_on(0.0..theta), 1e-10)?;
             let gamma = Measured::from(found.constant);
             let definition = by_definition(nu, theta)?;

@@ -27,8 +27,8 @@
 //!
 //! Refuted if C₀ or C₁ is above 1, if the best constant of the second line is above 1 in the full
 //! norm at h = 0.99 h₁, or if the two computations of C₀ or of C₁ differ by more than 0.3 %. The
-//! constant 1 is loose if C₀ ≤ 0.16 and C₁ ≤ 0.51 for every ν. These bounds are the limits as
-//! ν → 0, 0.1587 and 1/2, rounded up.
+//! constant 1 is loose if C₀ ≤ 0.16 and C₁ ≤ 0.51 for every ν. These bounds are a little above the
+//! limits as ν → 0, which are 0.1587 and 1/2.
 //!
 //! One check is expected to fail: the second line in the full norm at h = 1.01/C₀. The lemma is
 //! true for h ≤ 5.4, the least h₁ over all ν rounded down. Undecided while a bound lies inside of
@@ -86,7 +86,7 @@ fn by_definition(nu: Order) -> Result<Best> {
     // v ↦ (u − I u)' = v − ∫ v
     let slope = DMatrix::identity(n + 1, n + 1) - DVector::from_element(n + 1, 1.0) * &mean;
     // A constant added to v changes neither side. So (∫ v)² may be added to v·A v: the largest λ
-    // stays, and is found at a v with ∫ v = 0. Without it A would be singular.
+    // stays, and is found at a v with ∫ v = 0. A alone is singular, the sum is not.
     let form = seminorm + mean.transpose() * &mean;
     let largest = |e: DMatrix<f64>| largest_eigenvalue(&(e.transpose() * &mass * &e), &form);
     Ok(Best { l2: largest(value)?.sqrt(), slope: largest(slope)?.sqrt() })

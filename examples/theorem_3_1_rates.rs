@@ -8,7 +8,7 @@
 //! ‖u − u^h‖ ≤ C h^p,        p = τ² − 5τ/2 + 2.                                      (3.1)
 //! ```
 //!
-//! This file computes the error for a known solution on meshes h = 1/8, 1/16, .. 2^(−finest). On
+//! This file computes the error e for a known solution on meshes h = 1/8, 1/16, .. 2^(−finest). On
 //! the edge y = 0 of the unit square let u = g ≤ 0, and let the pressure there be λ ≥ 0, with g = 0
 //! for x ≤ a and λ = 0 for x > a (`transition`). Inside u is harmonic, u = 0 at y = 1, and there is
 //! no flux at the sides; ‖v‖² = ∫ |∇v|². At the transition a, λ and g behave like the powers τ − 2
@@ -80,8 +80,8 @@ fn constraints(n: usize) -> DMatrix<f64> {
 /// g = 0.
 fn transition(a: f64, tau: f64, cells: usize) -> Result<EdgeData> {
     let x = |i: usize| i as f64 / cells as f64;
-    // g at the nodes: 0 up to a, then −δ^(τ−1). Near a, δ is almost the distance d = x − a; at
-    // x = 1 its slope is 0.
+    // g at the nodes: 0 up to a, then −gap(d)^(τ−1) with the distance d = x − a. For small d,
+    // gap(d) is almost d; at x = 1 its slope is 0.
     let gap = |d: f64| d * (2.0 - 2.0 * a - d) / (2.0 - 2.0 * a);
     let g: Vec<f64> =
         (0..=cells).map(|i| if x(i) <= a { 0.0 } else { -gap(x(i) - a).powf(tau - 1.0) }).collect();

@@ -11,7 +11,7 @@
 //!
 //! At τ = 2 the bound, (4.3), has a logarithm: see example `equation_3_2_logarithm`.
 //!
-//! This file computes the error for a known solution on meshes h = 1/8, 1/16, .. 2^(−finest). On
+//! This file computes the error e for a known solution on meshes h = 1/8, 1/16, .. 2^(−finest). On
 //! the edge y = 0 of the unit square let u = g ≤ 0, and let the pressure there be λ ≥ 0, with g = 0
 //! for x ≤ a and λ = 0 for x > a (`transition`). Inside u is harmonic, u = 0 at y = 1, and there is
 //! no flux at the sides; ‖v‖² = ∫ |∇v|². At the transition a, λ and g behave like the powers τ − 2
@@ -37,14 +37,15 @@
 //!
 //! The order q is computed from e² ≈ A h^(2q) + B h² + const. B h² is from the smooth part of the
 //! error, and the constant is there because u itself is on N cells. d removes the constant, and t
-//! removes B h². If q is above 1, B h² is the larger part, and q is replaced by 1:
+//! removes B h²:
 //!
 //! ```text
 //! d(h) = e(h)² − e(h/2)²,     t(h) = 4 d(h/2) − d(h) ~ h^(2q),     q = ¼ log₂ |t(h)/t(h/4)|;
 //! ```
 //!
 //! its ± is the largest |q − q'| over the q' of the three meshes before, plus what the ± of e does
-//! to q. The ± of e is rounding and what conjugate gradients leave.
+//! to q. The ± of e is rounding and what conjugate gradients leave. If q is above 1, B h² is the
+//! larger part of e², and q is replaced by 1.
 //!
 //! For another contact set change `transition`. The other cone is in example `theorem_3_1_rates`.
 //! Another regularity is given by the option `--tau`:
@@ -67,8 +68,8 @@ example! { seconds "Theorem 4.1",
 /// The data of the test problem on N cells: contact on (0, a), a gap on (a, 1).
 fn transition(a: f64, tau: f64, cells: usize) -> Result<EdgeData> {
     let x = |i: usize| i as f64 / cells as f64;
-    // g at the nodes: 0 up to a, then −δ^(τ−1). Near a, δ is almost the distance d = x − a; at
-    // x = 1 its slope is 0.
+    // g at the nodes: 0 up to a, then −gap(d)^(τ−1) with the distance d = x − a. For small d,
+    // gap(d) is almost d; at x = 1 its slope is 0.
     let gap = |d: f64| d * (2.0 - 2.0 * a - d) / (2.0 - 2.0 * a);
     let g: Vec<f64> =
         (0..=cells).map(|i| if x(i) <= a { 0.0 } else { -gap(x(i) - a).powf(tau - 1.0) }).collect();
