@@ -66,7 +66,7 @@ impl<'a> Function<'a> {
     /// an interval.
     pub fn value(&self, x: f64) -> Result<Estimate> {
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => rounded(&[u.value_from(x, 0.0, None)?]),
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => value_of(u, x, 0.0),
             Kind::Piecewise(u) => rounded(&[u.value_at(x)?]),
             Kind::Difference(u, v) => rounded(&[u.value_from(x, 0.0, None)?, -v.value_at(x)?]),
             Kind::Resolved(u) => u.value(x),
@@ -88,9 +88,7 @@ impl<'a> Function<'a> {
     /// As [`Function::value`]; [`Error::CountOutOfRange`] if there is no breakpoint k.
     pub fn value_near(&self, k: usize, distance: f64) -> Result<Estimate> {
         match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => {
-                rounded(&[u.value_from(u.break_at(k)?, distance, None)?])
-            }
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => value_of(u, u.break_at(k)?, distance),
             Kind::Piecewise(u) => rounded(&[u.value_near(k, distance)?]),
             Kind::Difference(u, v) => {
                 let c = u.break_at(k)?;
@@ -176,14 +174,11 @@ impl<'a> Function<'a> {
             return Err(Error::NotFinite { name: "factor", index: 0, value: factor });
         }
         let kind = match &self.kind {
-            Kind::Formula(u) | Kind::NearlyOne(_, u) => {
-                Kind::Formula(u.mapped(move |u| factor * u)?)
-            }
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => Kind::Formula(u.scaled(factor)?),
             Kind::Piecewise(u) => Kind::Piecewise(u.scaled_by(factor)),
-            Kind::Difference(u, v) => Kind::Difference(
-                Box::new(u.mapped(move |u| factor * u)?),
-                Box::new(v.scaled_by(factor)),
-            ),
+            Kind::Difference(u, v) => {
+                Kind::Difference(Box::new(u.scaled(factor)?), Box::new(v.scaled_by(factor)))
+            }
             Kind::Resolved(u) => Kind::Resolved(u.scaled(factor)),
             _ => return Err(self.refused("multiple")),
         };
@@ -242,14 +237,14 @@ impl<'a> Function<'a> {
     /// a u + b v.
     fn combined(&self, a: f64, other: &Self, b: f64) -> Result<Self> {
         let formula_minus = |u: &SingularFunction<'a>, a: f64, v: &PiecewisePolynomial, b: f64| {
-            let u = Box::new(u.mapped(move |u| a * u)?);
+            let u = Box::new(u.scaled(a)?);
             Ok::<_, Error>(Kind::Difference(u, Box::new(v.scaled_by(-b))))
         };
         let kind = match (&self.kind, &other.kind) {
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),
                 Kind::Formula(v) | Kind::NearlyOne(_, v),
-            ) => Kind::Formula(u.with(v, move |u, v| a * u + b * v)?),
+            ) => Kind::Formula(u.sum(a, v, b)?),
             (Kind::Formula(u) | Kind::NearlyOne(_, u), Kind::Piecewise(v)) => {
                 formula_minus(u, a, v, b)?
             }
@@ -285,7 +280,7 @@ impl<'a> Function<'a> {
             (
                 Kind::Formula(u) | Kind::NearlyOne(_, u),
                 Kind::Formula(v) | Kind::NearlyOne(_, v),
-            ) => Kind::Formula(u.with(v, |u, v| u * v)?),
+            ) => Kind::Formula(u.times(v)?),
             _ => Kind::Resolved(self.resolved()?.times(other.resolved()?)?),
         };
         Ok(Self::of(kind))
@@ -383,7 +378,7 @@ impl<'a> Function<'a> {
                     Kind::Formula(u) | Kind::NearlyOne(_, u) => Resolved::within(u, HALVINGS).ok(),
                     Kind::Difference(u, v) if v.mesh().len() <= ELEMENTS => {
                         let formula = Resolved::within(u, HALVINGS).ok();
-                        let formula = formula.filter(Resolved::has_structure);
+                        let formula = formula.filter(|u| u.has_structure() || u.is_noisy());
                         formula.and_then(|formula| {
                             formula.combined(1.0, &Resolved::of_polynomials(v), -1.0).ok()
                         })
@@ -400,17 +395,23 @@ impl<'a> Function<'a> {
     }
 
     /// A norm of a formula: of its polynomials if they are at hand and meet the tolerance; otherwise by `rules` along the
-    /// sides of the breakpoints, and if these fail by polynomials on as many cells as needed.
+    /// sides of the breakpoints, and if these fail by polynomials on as many cells as needed. What noise of the values
+    /// refuses to polynomials, rules do not have either.
     pub(super) fn of_formula(
         &self,
         tolerance: Tolerance,
         rules: impl FnOnce() -> Result<Estimate>,
         of: impl Fn(&Resolved) -> Result<Estimate>,
     ) -> Result<Estimate> {
-        if let Some(polynomials) = self.at_hand(tolerance)
-            && let Ok(found) = of(polynomials)
-        {
-            return Ok(found);
+        if let Some(polynomials) = self.at_hand(tolerance) {
+            match of(polynomials) {
+                Err(Error::ToleranceNotMet { best: None, .. }) => {}
+                Err(refused @ Error::ToleranceNotMet { .. }) if polynomials.is_noisy() => {
+                    return Err(refused);
+                }
+                Err(_) => {}
+                found => return found,
+            }
         }
         self.or_resolved(rules(), of)
     }
@@ -443,6 +444,12 @@ impl<'a> Function<'a> {
             answered => answered,
         }
     }
+}
+
+/// The value of a formula at an offset from a coordinate; its rounding is relative to the terms of which it is the sum.
+fn value_of(u: &SingularFunction, base: f64, offset: f64) -> Result<Estimate> {
+    let [value, size] = [u.value_from(base, offset, None)?, u.size_from(base, offset, None)?];
+    Estimate::new(value, ROUNDING * size, Work::default())
 }
 
 /// The sum of values, with its rounding error.

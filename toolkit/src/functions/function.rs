@@ -103,6 +103,9 @@ impl Position<'_> {
     }
 }
 
+/// Values at positions.
+pub(super) type Values<'a> = Arc<dyn Fn(Position<'_>) -> f64 + Send + Sync + 'a>;
+
 /// A real function on an interval with declared singular points.
 ///
 /// # Method
@@ -123,7 +126,9 @@ impl Position<'_> {
 ))]
 pub(crate) struct SingularFunction<'a> {
     breaks: Vec<f64>,
-    function: Arc<dyn Fn(Position<'_>) -> f64 + Send + Sync + 'a>,
+    function: Values<'a>,
+    /// sizes of the terms of the values, where these are sums or made of sums
+    terms: Option<Values<'a>>,
     sight: Sight,
     budget: Budget,
     /// the unit of length, a power of two, in which the breakpoints are given
@@ -168,6 +173,7 @@ impl Clone for SingularFunction<'_> {
         Self {
             breaks: self.breaks.clone(),
             function: Arc::clone(&self.function),
+            terms: self.terms.clone(),
             sight: self.sight,
             budget: Budget::new(u64::MAX, 0.0),
             unit: self.unit,
@@ -217,11 +223,7 @@ impl<'a> SingularFunction<'a> {
         Self::build(breaks, Arc::new(f), Sight::LogDistance)
     }
 
-    fn build(
-        breaks: &[f64],
-        function: Arc<dyn Fn(Position<'_>) -> f64 + Send + Sync + 'a>,
-        sight: Sight,
-    ) -> Result<Self> {
+    fn build(breaks: &[f64], function: Values<'a>, sight: Sight) -> Result<Self> {
         if breaks.len() < 2 {
             return Err(Error::CountOutOfRange {
                 name: "breakpoints",
@@ -240,6 +242,7 @@ impl<'a> SingularFunction<'a> {
         Ok(Self {
             breaks: breaks.to_vec(),
             function,
+            terms: None,
             sight,
             budget: Budget::new(u64::MAX, 0.0),
             unit: 1.0,
@@ -385,16 +388,18 @@ impl<'a> SingularFunction<'a> {
         let length = power_of_two(self.length());
         let breaks = self.breaks.iter().map(|at| at / length).collect();
         let shift = length.ln();
-        let function = move |at: Position| {
-            let offset = at.offset * length;
-            let depth = at.depth.map(|depth| depth + shift);
-            let x = self.breaks[at.anchor] + offset;
-            (self.function)(Position { breaks: &self.breaks, x, anchor: at.anchor, offset, depth })
-                / size
+        let of = |f: Values<'a>| -> Values<'_> {
+            Arc::new(move |at: Position| {
+                let offset = at.offset * length;
+                let depth = at.depth.map(|depth| depth + shift);
+                let x = self.breaks[at.anchor] + offset;
+                f(Position { breaks: &self.breaks, x, anchor: at.anchor, offset, depth }) / size
+            })
         };
         let u = SingularFunction {
             breaks,
-            function: Arc::new(function),
+            function: of(Arc::clone(&self.function)),
+            terms: self.terms.clone().map(of),
             sight: self.sight,
             budget,
             unit: self.unit * length,
@@ -490,17 +495,41 @@ impl<'a> SingularFunction<'a> {
         self.uncounted(anchor, offset, depth)
     }
 
+    fn position(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Position<'_> {
+        let x = self.breaks[anchor] + offset;
+        Position { breaks: &self.breaks, x, anchor, offset, depth }
+    }
+
     fn uncounted(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
-        let at = Position {
-            breaks: &self.breaks,
-            x: self.breaks[anchor] + offset,
-            anchor,
-            offset,
-            depth,
-        };
-        let value = (self.function)(at);
+        let value = (self.function)(self.position(anchor, offset, depth));
         require_finite_at("function value near a breakpoint", anchor, value)?;
         Ok(value)
+    }
+
+    /// True if values are sums, or made of sums, in which digits may cancel.
+    pub(crate) fn is_sum(&self) -> bool {
+        self.terms.is_some()
+    }
+
+    /// The size of the terms of the value at an offset from a breakpoint, to which its rounding is relative: |a u| + |b v|
+    /// for a u + b v, |u| for a formula.
+    pub(super) fn size_at(&self, anchor: usize, offset: f64, depth: Option<f64>) -> Result<f64> {
+        let size = match &self.terms {
+            Some(terms) => terms(self.position(anchor, offset, depth)),
+            None => self.uncounted(anchor, offset, depth)?.abs(),
+        };
+        require_finite_at("size of the terms of a function near a breakpoint", anchor, size)?;
+        Ok(size)
+    }
+
+    /// The same at distance δ from the breakpoint of a side.
+    pub(crate) fn size_of_terms(&self, arm: &Arm, delta: f64) -> Result<f64> {
+        self.size_at(arm.anchor, arm.sign * delta, None)
+    }
+
+    /// This function, with the sizes of the terms of its values.
+    pub(super) fn with_terms(self, terms: Option<Values<'a>>) -> Self {
+        Self { terms, ..self }
     }
 
     /// The number of evaluations that remain within the work limit.

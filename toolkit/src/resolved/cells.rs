@@ -69,6 +69,8 @@ pub(crate) struct Resolved {
     pub(super) breaks: Vec<f64>,
     /// the breakpoints next to which the variation has not ended at the smallest distance
     pub(super) open: Vec<f64>,
+    /// true if noise of the values, above rounding, is part of the error of a cell
+    pub(super) is_noisy: bool,
 }
 
 impl Resolved {
@@ -88,12 +90,18 @@ impl Resolved {
             breaks: vec![places[0].coordinate(), end.coordinate()],
             end,
             open: Vec::new(),
+            is_noisy: false,
         }
     }
 
     /// True if some side of a breakpoint is divided: the function is not one polynomial between its breakpoints.
     pub(crate) fn has_structure(&self) -> bool {
         self.cells.len() > 2 * (self.breaks.len() - 1)
+    }
+
+    /// True if noise of the values limits the accuracy: no other method has more digits.
+    pub(crate) fn is_noisy(&self) -> bool {
+        self.is_noisy
     }
 
     pub(super) fn first(&self) -> Place {

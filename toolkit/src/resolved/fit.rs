@@ -1,5 +1,6 @@
 //! A polynomial on a cell, and how far the function is from it.
 
+use super::noise::Noise;
 use crate::error::Result;
 use crate::piecewise::{Piece, bubbles_of};
 use crate::quadrature::Rule;
@@ -28,6 +29,22 @@ pub(super) struct Fitted {
     pub(super) is_resolved: bool,
     /// the largest difference that is attributed to rounding
     pub(super) allowed: f64,
+    /// the noise of the values, where the distance is noise
+    pub(super) noise: Noise,
+}
+
+impl Fitted {
+    /// The same compared with all known values, which a polynomial that is off between its points is not.
+    pub(super) fn beside(self, (places, values): &(Vec<f64>, Vec<f64>)) -> Self {
+        let off = self.off.max(UNSEEN * apart(&self.piece, places, values));
+        Self { off, ..self }
+    }
+}
+
+/// The largest distance of values from a polynomial.
+fn apart(piece: &Piece, places: &[f64], values: &[f64]) -> f64 {
+    let apart = |(value, p): (&f64, f64)| (value - p).abs();
+    values.iter().zip(piece.values(places)).map(apart).fold(0.0, f64::max)
 }
 
 /// The points of the polynomials and of the comparison.
@@ -45,7 +62,7 @@ impl Fit {
     pub(super) fn of(
         &self,
         value: impl Fn(f64) -> Result<f64>,
-        seen: (Vec<f64>, Vec<f64>),
+        seen: &(Vec<f64>, Vec<f64>),
         rounded: f64,
         floor: f64,
     ) -> Result<Fitted> {
@@ -65,10 +82,6 @@ impl Fit {
             .chain(&ends)
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| [low.min(v), high.max(v)]);
         let size = low.abs().max(high.abs());
-        let apart = |piece: &Piece, places: &[f64], values: &[f64]| {
-            let apart = |(value, p): (&f64, f64)| (value - p).abs();
-            values.iter().zip(piece.values(places)).map(apart).fold(0.0, f64::max)
-        };
         // The rounding of x moves a value along a slope; a jump is no slope.
         let moved = (FLOOR * rounded).min(MOVED) * (high - low);
         let noise = NOTHING * size + AT_LEAST * moved;
@@ -99,6 +112,6 @@ impl Fit {
         let is_resolved = residual <= allowed;
         // The values of a constant have no rounding of their own.
         let off = if low == high { 0.0 } else { UNSEEN * residual + noise };
-        Ok(Fitted { piece, off, is_resolved, allowed })
+        Ok(Fitted { piece, off, is_resolved, allowed, noise: Noise::default() })
     }
 }

@@ -32,6 +32,7 @@ mod build;
 mod cells;
 mod edges;
 mod fit;
+mod noise;
 mod norms;
 mod verbs;
 

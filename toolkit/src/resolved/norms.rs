@@ -8,8 +8,8 @@
 //! ```
 //!
 //! |e|_ν is bounded cell by cell (`functions::resolution`); |u|²_ν − |p|²_ν = 2 (p, e)_ν + |e|²_ν, and the first term is
-//! estimated from polynomials whose last coefficients are dropped. A jump J located to a distance w changes |u|²_ν by at
-//! most
+//! estimated from polynomials whose last coefficients are dropped and whose values at the nodes are moved. A jump J located
+//! to a distance w changes |u|²_ν by at most
 //!
 //! ```text
 //! 4 w |J| ( 2 max |u| d^{−2ν}/(2ν) + max |u′| d^{1−2ν}/(1−2ν) ),   ν < 1/2,
@@ -59,6 +59,8 @@ const IN_L2: f64 = 1e-4;
 const COARSER: f64 = 10.0;
 /// Largest number of cells for which this comparison is made.
 const COMPARED: usize = 2000;
+/// Relative rounding error of values.
+const FLOOR: f64 = 64.0 * f64::EPSILON;
 /// Lengths and values between the reciprocal of this and this are not rescaled.
 const MODERATE: f64 = 1e20;
 
@@ -272,6 +274,7 @@ impl Resolved {
             end: place(self.end),
             breaks: self.breaks.iter().map(|c| c / length).collect(),
             open: self.open.iter().map(|c| c / length).collect(),
+            is_noisy: self.is_noisy,
         })
     }
 
@@ -299,6 +302,7 @@ impl Resolved {
             let goal = (SHARE * asked * size).powi(2) / factor;
             let (cells, joined) = self.joined(|h| kernel.scaling(h), goal);
             let joined = factor * joined;
+            let off: Vec<f64> = cells.iter().map(|cell| cell.off).collect();
             let cells = shortened(cells, kernel, (SHARE * asked * size).powi(2));
             let u = polynomials_of(&cells)?;
             let inner = Tolerance::new((0.3 * asked).max(1e-15))?.with_work(tolerance.work());
@@ -317,7 +321,7 @@ impl Resolved {
             let bound = square.sqrt();
             let mut error = bound;
             if found.error + bound > asked * found.value && cells.len() <= COMPARED && !is_rough {
-                let coarse = coarser(&u, &cells)?;
+                let coarse = coarser(&u, &cells, &off)?;
                 let coarse = Estimate::or_best(coarse.seminorm(order, inner))?;
                 let second = if found.value > 0.0 { bound * (bound / found.value) } else { bound };
                 error = bound.min((coarse.value - found.value).abs() + second + joined.sqrt());
@@ -530,10 +534,25 @@ fn shortened(mut cells: Vec<Cell>, kernel: PowerKernel, goal: f64) -> Vec<Cell> 
     cells
 }
 
-/// The polynomials without their last bubbles, as far as these are no larger than [`COARSER`] times the errors.
-fn coarser(u: &PiecewisePolynomial, cells: &[Cell]) -> Result<PiecewisePolynomial> {
-    let ends: Vec<[f64; 2]> =
+/// The polynomials without their last bubbles, as far as these are no larger than [`COARSER`] times the errors, and with
+/// the values at the nodes moved away from their neighbours by the errors `off` of the values that exceed rounding.
+fn coarser(u: &PiecewisePolynomial, cells: &[Cell], off: &[f64]) -> Result<PiecewisePolynomial> {
+    let mut ends: Vec<[f64; 2]> =
         cells.iter().map(|cell| [cell.piece.left, cell.piece.right]).collect();
+    let error = |k: usize| if off[k] > FLOOR * cells[k].piece.size() { off[k] } else { 0.0 };
+    let slope = |cell: &Cell| (cell.piece.right - cell.piece.left) / cell.length;
+    for node in 0..=cells.len() {
+        let beside = [node.checked_sub(1), (node < cells.len()).then_some(node)];
+        let [before, after] = beside.map(|k| k.map_or(0.0, |k| slope(&cells[k])));
+        let by = beside.into_iter().flatten().map(error).fold(0.0, f64::max);
+        let by = by.copysign(before - after);
+        if node > 0 {
+            ends[node - 1][1] += by;
+        }
+        if node < cells.len() {
+            ends[node][0] += by;
+        }
+    }
     let shorter = |cell: &Cell| {
         let (mut bubbles, mut cut) = (cell.piece.bubbles.clone(), 0.0);
         while cut < COARSER * cell.off

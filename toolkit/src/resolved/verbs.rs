@@ -126,7 +126,7 @@ impl Resolved {
         breaks.extend(self.breaks.iter().copied().filter(inside));
         breaks.push(b);
         let open = self.open.iter().copied().filter(|&c| c >= a && c <= b).collect();
-        Ok(Self { cells, end: to, breaks, open })
+        Ok(Self { cells, end: to, breaks, open, is_noisy: self.is_noisy })
     }
 
     /// The place of the node that is equal to a place up to rounding, else the place.
@@ -175,7 +175,7 @@ impl Resolved {
                     let t = from + (to - from) * t;
                     Ok(u.value(t) * v.value(t))
                 };
-                let found = fit.of(value, Default::default(), 0.0, 0.0)?;
+                let found = fit.of(value, &Default::default(), 0.0, 0.0)?;
                 if found.is_resolved || halvings == HALVINGS {
                     let start = Place {
                         offset: common.start.offset + from * common.length,
@@ -225,7 +225,13 @@ impl Resolved {
         };
         let mut breaks = both(&self.breaks, &other.breaks[1..other.breaks.len() - 1]);
         breaks.dedup();
-        let mut found = Self { cells, end: self.end, breaks, open: both(&self.open, &other.open) };
+        let mut found = Self {
+            cells,
+            end: self.end,
+            breaks,
+            open: both(&self.open, &other.open),
+            is_noisy: self.is_noisy || other.is_noisy,
+        };
         found.join();
         Ok(found)
     }
