@@ -40,16 +40,17 @@ const OF_PARTS: &str =
 ///
 /// | kind | orders s | method | cost |
 /// | --- | --- | --- | --- |
-/// | formula | (−1, 2) | polynomials on cells if few are enough; else rules graded towards the breakpoints in logarithmic coordinates | 10³ to 10⁴ values for all norms; 10⁵ of the kernel per pair of one-sided neighbourhoods at 1e-8 |
+/// | formula | (−1, 2) | polynomials on cells if few are enough and meet the tolerance; else rules in the logarithm of the distance to the breakpoints; where these fail polynomials on as many cells as needed | 10³ to some 10⁴ values for all norms; by rules 10⁵ of the kernel per pair of one-sided neighbourhoods at 1e-8 |
 /// | values on a mesh | (−1, 2) | pairs of elements, exact to rounding; moments of clusters | O(N log² 1/τ), 10⁵ elements in a second |
-/// | formula minus values | (−1, 2) | polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
+/// | formula minus values | (−1, 2) | polynomials on common cells if few resolve the formula and it has structure between its breakpoints; else polynomials away from the breakpoints, graded rules next to them | O(N log² 1/τ) |
 /// | values on a triangulation | \[0, 2) | Duffy coordinates for touching triangles, clusters for distant ones | O(N log N) |
 /// | formula on a triangulation | \[0, 1), below 2 with its gradient | the same, without clusters | O(N²) pairs |
 /// | formula on a polygon's boundary | (−1, 2) | pairs of elements graded towards the vertices, Gauss rules; above 1 the derivative of polynomials along the sides; below 0 piecewise linear functions | 10⁷ to 10⁸ values of the kernel, a second |
-/// | sum, product, derivative | (−1, 2) | polynomials on common cells | as values on a mesh |
+/// | other sums and products, derivatives of formulas | (−1, 2) | polynomials on common cells | as values on a mesh |
 /// | values on a curve | (−1, 2) | pairs of elements, corners of any angle; at most 20 000 elements, 1500 for dual norms | O(N²) |
 ///
-/// The error of an estimate is obtained by comparing two levels of accuracy, plus rounding; infinite norms are
+/// The error of an estimate is that of the method: of rules the difference between two levels of accuracy, of polynomials
+/// their distance from the function, as far as it is seen at points between theirs; plus rounding. Infinite norms are
 /// detected at breakpoints, jumps and declared corners. L^q norms and the mean cost O(N). Dual norms of
 /// functions on an interval take seconds for 10⁵ elements and s ≤ −0.3, and a fraction of a second for the
 /// interpolation spaces of [`DualOf`].
@@ -79,25 +80,32 @@ pub struct Function<'a> {
     kind: Kind<'a>,
     /// the partial derivatives, if they were given
     gradient: Vec<Function<'a>>,
-    /// the polynomials of a function on an interval, made once
+    /// the polynomials of a function on an interval, or why there are none, once they were needed
     resolved: OnceLock<Result<Resolved>>,
-    /// true if few of them are enough
+    /// whether few of them resolve it, so that its norms read them first; empty until one is asked for
     is_short: OnceLock<bool>,
 }
 
 #[derive(Debug)]
 enum Kind<'a> {
+    /// A formula with breakpoints on an interval, of which no value is taken until a verb needs one; `Function::of_formula`
+    /// decides how a norm of it is computed.
     Formula(SingularFunction<'a>),
     /// x^a for small |a|: its seminorms are computed by another integral.
     NearlyOne(NearlyOne, SingularFunction<'a>),
+    /// Values on a mesh of an interval, exact.
     Piecewise(PiecewisePolynomial),
     /// A formula minus a piecewise polynomial.
     Difference(Box<SingularFunction<'a>>, Box<PiecewisePolynomial>),
-    /// Polynomials with their errors, of sums, products and derivatives.
+    /// Polynomials with their errors, of other sums and products and of derivatives of formulas.
     Resolved(Resolved),
+    /// Values on a triangulation.
     Plane(PlaneFunction),
+    /// A formula on a triangulation.
     PlaneFormula(SingularPlaneFunction<'a>),
+    /// Values on a polygonal curve.
     Curve(BoundaryFunction),
+    /// A formula on the boundary of a polygon.
     CurveFormula(CurveFormula<'a>),
 }
 

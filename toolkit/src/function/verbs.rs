@@ -1,4 +1,5 @@
-//! Verbs of functions on an interval that make a function or a number of one or two others.
+//! Verbs of functions on an interval that make a function or a number of one or two others, and the decision how a norm of
+//! a formula is computed (`Function::of_formula`).
 
 use super::{Function, Kind};
 use crate::error::{Error, Given, Result};
@@ -45,9 +46,13 @@ impl Given<Part> for Range<f64> {
 /// Functions on an interval: values, derivatives, restrictions, sums, products, inner products.
 ///
 /// Sums, products, multiples and restrictions of formulas are formulas; their values are computed when they are
-/// needed, with the distances to the breakpoints of both. Everything else is computed from the polynomials by which a
-/// function is resolved: cells that shrink towards the breakpoints, jumps and kinks, with a polynomial on each that
-/// agrees with the function to rounding. They are made once, when they are first needed, and kept.
+/// needed, with the distances to the breakpoints of both. Multiples, derivatives, sums on one mesh and restrictions to
+/// elements of piecewise polynomials are piecewise polynomials. A formula minus a piecewise polynomial is kept as it is.
+///
+/// Everything else is made of the polynomials by which a function is resolved: cells that shrink towards the breakpoints,
+/// jumps and kinks, with a polynomial on each and an estimate of its distance from the function, which is rounding where
+/// that can be reached. They are made when they are first needed, and kept. A norm of a formula reads them if few are
+/// enough, or if rules in the logarithm of the distance to the breakpoints do not meet the tolerance.
 impl<'a> Function<'a> {
     /// u(x), from the right at a jump. The error is that of rounding for a formula and a piecewise polynomial, else that of
     /// the polynomials by which u is resolved.
@@ -362,9 +367,10 @@ impl<'a> Function<'a> {
         self.resolved.get_or_init(make).as_ref().map_err(Error::clone)
     }
 
-    /// The polynomials if they exist, or if few of them are enough: if the function is smooth up to its breakpoints. Powers
-    /// and logarithms of the distance to a breakpoint need hundreds, and their norms are integrals in the logarithm of the
-    /// distance; so are norms with a small work limit.
+    /// The polynomials from which a norm is computed first: those that were made before, however many; otherwise those that
+    /// take at most [`HALVINGS`] halvings towards a breakpoint, enough where a function is smooth up to its breakpoints or
+    /// has moderate layers there. `None` for powers and logarithms of the distance to a breakpoint, which take more
+    /// ([`crate::resolved`]), for a work limit below [`WORK`], and for a tolerance below [`LAST_DIGITS`].
     ///
     /// Those of a difference are used first where the formula has structure between its breakpoints; otherwise its values
     /// are subtracted before they are approximated, which keeps more digits of a small difference.

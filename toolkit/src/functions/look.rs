@@ -5,8 +5,10 @@
 //! out over 1/500 of the interval, such as a bell whose standard deviation is 1/1000 of it, covers at least one
 //! sample, wherever it lies.
 //!
-//! The cells found in this way ([`Look`]) are the first cells of the integrals, of the search for
-//! the maximum, and of the polynomials of dual norms.
+//! The ends of the cells that [`super::waves`] finds in this way are kept in a [`Look`]. There the cells of integrals of
+//! functions with structure on many scales ([`super::by_scales`]), of the search for the maximum ([`super::supremum`]) and
+//! of the polynomials of dual norms are cut, and the elements of u − u_h next to a breakpoint are bisected until a narrow
+//! cell lies outside of them. The rules for |u|_ν and the cells of `crate::resolved` do not use them.
 
 use super::arm::Arm;
 use super::function::SingularFunction;

@@ -56,9 +56,10 @@ impl SingularFunction<'_> {
     /// oscillations between the points of the rules. Cost: a seminorm takes about (sides)² 10⁵ kernel
     /// values at 1e-8.
     ///
-    /// A function with many oscillations, or with structure on several scales, is interpolated on short
-    /// cells, at a cost of O(cells). Every side is sampled once per unit of ln δ, down to the smallest
-    /// distance, so that a layer e^{−δ/w} at a breakpoint is resolved for w ≥ 1e-290. A feature narrower than
+    /// A function with many oscillations is replaced by polynomials on short cells, at a cost of O(cells)
+    /// ([`super::waves`]). One with structure on several scales is rejected, and is then resolved by polynomials
+    /// ([`crate::resolved`]). It is recognised by samples once per unit of ln δ, down to the smallest distance: a layer
+    /// e^{−δ/w} at a breakpoint is noticed for w ≥ 1e-290. A feature narrower than
     /// 1/500 of an interval away from the breakpoints may be missed ([`super::look`]): declare its position as a
     /// breakpoint, and give the function by positions.
     ///
@@ -118,9 +119,9 @@ impl SingularFunction<'_> {
 
     /// The norm ||u||_{1+ν} of a function and its derivative.
     ///
+    /// # Errors
     /// As [`SingularFunction::seminorm`]; [`Error::OutOfRange`] if the intervals of the function and of its
     /// derivative differ in length.
-    /// length.
     pub(crate) fn norm_with_derivative(
         &self,
         derivative: &SingularFunction,

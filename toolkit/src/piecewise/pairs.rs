@@ -1,7 +1,9 @@
-//! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over pairs of elements for polynomials of any degree, as sums of squares.
+//! ∫∫ (u(x)−u(y))² |x−y|^{-1-2ν} over pairs of elements for polynomials of any degree. In an element and across a common
+//! node the differences are made of quotients, in which nothing cancels; the rounding of all others is returned.
 //!
 //! - one element with itself: x − y = hζ gives 2 h^{1-2ν} ∫₀¹ ζ^{1-2ν} ∫₀^{1−ζ} q² dt dζ with the difference
-//!   quotient q, a polynomial computed as the mean of du/dt over (t, t+ζ);
+//!   quotient q, a polynomial computed as the mean of du/dt over (t, t+ζ). It is evaluated as a quadratic form of the
+//!   coefficients, whose terms have both signs: its rounding is that of the sum of their sizes;
 //! - touching elements with a jump J: u(x)−u(y) = J + ξD in Duffy's coordinates, D from quotients that contain
 //!   the common value exactly;
 //! - separate elements: Gauss rules on pieces that grow away from the other element.

@@ -7,6 +7,9 @@
 //! | ‖u‖²_* − ‖p‖²_* | ≤ 2 max |p| ∫|e| + ‖e‖².
 //! ```
 //!
+//! For seminorms | |u|_ν − |p|_ν | ≤ |e|_ν. If that exceeds the tolerance, and for at most 2000 cells, the smaller one of it
+//! and of an estimate of first order is taken, |u|_ν − |p|_ν ≈ (p, e)_ν/|p|_ν, to which |e|²_ν/|p|_ν is added:
+//!
 //! |e|_ν is bounded cell by cell (`functions::resolution`); |u|²_ν − |p|²_ν = 2 (p, e)_ν + |e|²_ν, and the first term is
 //! estimated from polynomials whose last coefficients are dropped and whose values at the nodes are moved. A jump J located
 //! to a distance w changes |u|²_ν by at most
@@ -21,7 +24,9 @@
 //! value: squares of values of 1e-160 on cells of 1e-270 are no numbers.
 //!
 //! Towards a breakpoint cells are joined to one linear piece as far as Σ V² h^{1−2ν}, V the variation from the limit, is
-//! negligible: the norm costs as many cells as the order and the tolerance require.
+//! negligible: the norm costs as many cells as the order and the tolerance require. Where u still varies at the smallest
+//! distance, what lies beyond it is added as a geometric series if the contributions of the last cells fall like one;
+//! otherwise the norm is infinite or refused.
 
 use super::cells::{Cell, Place, Resolved, polynomials_of};
 use crate::dual::DualOf;
