@@ -299,7 +299,8 @@ impl ArmIntegral {
             return Ok(limit);
         }
         let is_slow = self.is_slow(found);
-        let is_open = is_slow && !found.explodes() || found.grows_slowly();
+        // Where ℓ ~ t^p e^{−wt} has begun to decay, a law that grows is one of too few terms.
+        let is_open = is_slow && !found.explodes() || found.grows_slowly() || found.comes_down();
         if found.diverges() && !is_open {
             return Err(Error::InfiniteNorm {
                 order: self.order,

@@ -7,6 +7,9 @@ use crate::quadrature::{Limit, extrapolate};
 /// are about p/T.
 const BEGUN: f64 = 1.0;
 
+/// Share of the earlier rate of growth that is left where growth is exponential; 0.71 is left of that of a power.
+const STEADY: f64 = 0.8;
+
 /// Largest change of ln ℓ over half of a side that is rounding.
 const FLAT: f64 = 1e-9;
 
@@ -57,8 +60,13 @@ impl Partials {
 
     /// The increments from T/4 to T/2 and from T/2 to T; `None` if ℓ vanishes there or the two coincide.
     fn growth(&self) -> Option<[Growth; 2]> {
+        self.growth_between([0.25, 0.5])
+    }
+
+    /// The increments between two shares of T, and from the second one to T.
+    fn growth_between(&self, [start, middle]: [f64; 2]) -> Option<[Growth; 2]> {
         let at = |share: f64| self.ends.partition_point(|&t| t < share * self.end());
-        let [first, middle, last] = [at(0.25), at(0.5), self.ends.len() - 1];
+        let [first, middle, last] = [at(start), at(middle), self.ends.len() - 1];
         let step = |from: usize, to: usize| {
             let [start, end] = [self.ends[from], self.ends[to]];
             let of_density = (self.densities[to] / self.densities[from]).ln();
@@ -69,12 +77,17 @@ impl Partials {
     }
 
     /// True if ℓ grows exponentially: ln ℓ increases twice as much over twice the length, whereas it
-    /// increases equally for a power.
+    /// increases equally for a power, and not ever more slowly, as beyond a zero of ℓ.
     pub(super) fn explodes(&self) -> bool {
         let grows = |[before, after]: [Growth; 2]| {
             after.of_density > 4f64.ln() && after.of_density > 1.5 * before.of_density
         };
-        !self.sum().is_finite() || self.growth().is_some_and(grows)
+        let is_steady = |[before, after]: [Growth; 2]| {
+            after.of_density / after.length > STEADY * before.of_density / before.length
+        };
+        !self.sum().is_finite()
+            || self.growth().is_some_and(grows)
+                && self.growth_between([0.5, 0.75]).is_some_and(is_steady)
     }
 
     /// The rate w of ℓ ~ t^p e^{-wt}, from growth = p of_t − w length on two intervals.

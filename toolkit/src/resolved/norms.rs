@@ -53,6 +53,8 @@ const OBSERVED: usize = 48;
 const LEAST: usize = 8;
 /// Ratios from one cell to the next above which contributions grow, and below which they fall.
 const GROW: f64 = 1.02;
+/// Share of the earlier rate of growth that is left where growth is exponential.
+const STEADY: f64 = 0.8;
 const FALLS: f64 = 0.995;
 /// Share of the maximum from which a value at a breakpoint is the maximum.
 const LARGEST: f64 = 1.0 - 1e-9;
@@ -386,8 +388,8 @@ impl Resolved {
     /// What lies beyond the smallest distances of contributions that fall like a geometric series.
     ///
     /// # Errors
-    /// [`Error::InfiniteNorm`] of this order, if there is one, where they grow; [`Error::ToleranceNotMet`] if they do not
-    /// fall.
+    /// [`Error::InfiniteNorm`] of this order, if there is one, where they grow like a power of the distance;
+    /// [`Error::ToleranceNotMet`] if they do not fall.
     fn beyond(
         &self,
         order: Option<f64>,
@@ -413,9 +415,11 @@ impl Resolved {
                     continue;
                 }
                 let ratio = (last / before).powf(1.0 / count.max(1) as f64);
+                // The cell at the breakpoint is longer than its neighbours, and its size is that at the smallest distance.
+                let inner: Vec<f64> =
+                    self.beside(node, is_right).skip(1).take(OBSERVED).map(&contribution).collect();
                 if let Some(order) = order
-                    && count >= LEAST
-                    && ratio > GROW
+                    && grows(&inner)
                 {
                     let why = "the contributions near a breakpoint do not decay";
                     return Err(Error::InfiniteNorm { order, why });
@@ -537,6 +541,20 @@ fn shortened(mut cells: Vec<Cell>, kernel: PowerKernel, goal: f64) -> Vec<Cell> 
         cell.off += cut;
     }
     cells
+}
+
+/// True if contributions grow towards the breakpoint like a power of the distance. A power of its logarithm grows by ever
+/// smaller ratios, and may still fall beyond the smallest distance.
+fn grows(nearest_first: &[f64]) -> bool {
+    let [half, last] = [nearest_first.len() / 2, nearest_first.len().saturating_sub(1)];
+    if half < LEAST / 2 {
+        return false;
+    }
+    let rate = |near: usize, far: usize| {
+        (nearest_first[near] / nearest_first[far]).ln() / (far - near) as f64
+    };
+    let [late, early] = [rate(0, half), rate(half, last)];
+    late > GROW.ln() && late > STEADY * early
 }
 
 /// The polynomials without their last bubbles, as far as these are no larger than [`COARSER`] times the errors, and with

@@ -388,7 +388,10 @@ const FAMILIES: [Family; 12] = [
 fn every_answer_is_within_its_error_or_refused_with_a_value_that_is() {
     let Some(median) = median(&judge(1, &FAMILIES)) else { return };
     println!("half of the errors are within {median:.0} of the true ones");
-    assert!(median <= CAREFUL, "half of the errors are {median:.0} times the true ones");
+    // Of all families together: closed forms are known to the last digits, cosines to few.
+    if std::env::var("SIGNORINI_FAMILY").is_err() {
+        assert!(median <= CAREFUL, "half of the errors are {median:.0} times the true ones");
+    }
 }
 
 fn power_of_position(a: f64) -> Function<'static> {
@@ -425,6 +428,19 @@ fn growth_up_to_the_smallest_distance_is_not_infinite() {
         let found = u.unwrap().seminorm(Order::half_plus(offset).unwrap(), 1e-4);
         assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "{a} {offset}: {found:?}");
     }
+    // Nor is growth beyond a zero of ℓ, at t = 1/a; the value is that of mpmath.
+    let a = 0.006419430157903723;
+    let u = Function::from_positions(&[0.0, 1.0], move |at| match at.anchor() {
+        0 => at.offset().powf(a) * at.log_distance(),
+        _ => (a * at.offset().ln_1p()).exp() * at.offset().ln_1p(),
+    });
+    let order = Order::half_plus(-9.939332530522245e-11).unwrap();
+    let found = u.unwrap().seminorm(order, 2.5e-6).unwrap();
+    assert!((found.value - 15.786515275).abs() <= found.error, "{found}");
+    // Polynomials on cells see the same growth in L².
+    let u = Function::from_fn(&[0.0, 1.0], |x| x.powf(-0.49275007807927923) * (-x.ln()).powf(2.5));
+    let found = u.unwrap().lp(2.0, 6.4e-9);
+    assert!(matches!(found, Err(Error::ToleranceNotMet { .. })), "{found:?}");
     // Growth like a power of the distance is.
     let infinite = power_of_position(-0.3).seminorm(0.4, 1e-4);
     assert!(matches!(infinite, Err(Error::InfiniteNorm { .. })), "{infinite:?}");
