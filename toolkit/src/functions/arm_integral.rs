@@ -299,8 +299,9 @@ impl ArmIntegral {
             return Ok(limit);
         }
         let is_slow = self.is_slow(found);
-        // Where ℓ ~ t^p e^{−wt} has begun to decay, a law that grows is one of too few terms.
-        let is_open = is_slow && !found.explodes() || found.grows_slowly() || found.comes_down();
+        // Where ℓ falls, or ℓ ~ t^p e^{−wt} has begun to decay, a law that grows is one of too few terms.
+        let is_doubtful = found.comes_down() || found.has_growing_rate() && !found.still_grows();
+        let is_open = is_slow && !found.explodes() || found.grows_slowly() || is_doubtful;
         if found.diverges() && !is_open {
             return Err(Error::InfiniteNorm {
                 order: self.order,

@@ -279,13 +279,15 @@ impl<'a> LogEnergy<'a> {
     fn near_by(&self, x: Outer, reach: f64, rule: &Rule) -> Result<Density> {
         let arm = self.arms[x.arm];
         let spot = self.function.spot_at(x.t);
-        let (mut sum, mut of_values, mut of_slopes) = (0.0, 0.0_f64, 0.0);
+        let (mut sum, mut of_values, mut of_slopes, mut of_places) = (0.0, 0.0_f64, 0.0, 0.0);
         for (node, w) in rule.iter() {
             let s = reach * node;
             // From δ itself, so that δ and ε keep their quotient e^s however deep they lie.
             let y = x.delta * s.exp();
             // The difference of two values has their rounding errors over s, the slope of a polynomial has not.
-            let slope = spot.and_then(|at| self.function.slope_at(&arm, at, s));
+            // Rounding of x moves values by more than that, and of these a polynomial has the steepest slopes.
+            let slope =
+                spot.filter(|_| arm.blur == 0.0).and_then(|at| self.function.slope_at(&arm, at, s));
             let quotient = match slope {
                 Some(found) => found.value,
                 None => (x.value - self.function.farther(&arm, spot, s, y)?) / s,
@@ -299,16 +301,19 @@ impl<'a> LogEnergy<'a> {
             let noise = weight * quotient.abs();
             match slope {
                 Some(Slope { steep, .. }) => {
-                    of_slopes += noise * steep * (2.0 * f64::EPSILON * x.value.abs() + blur);
+                    of_slopes += noise * steep * 2.0 * f64::EPSILON * x.value.abs();
                 }
                 None => {
-                    let size = f64::EPSILON * (2.0 * x.value - s * quotient).abs() + blur;
+                    let size = f64::EPSILON * (2.0 * x.value - s * quotient).abs();
                     of_values = of_values.hypot(noise * size / s);
+                    of_places += noise * blur / s;
                 }
             }
         }
         // ∫₀^reach s^{1-2ν} f ds = reach^{2-2ν} Σ w f
         let scale = reach.powf(self.kernel.two_minus) * self.kernel.scaling(x.delta / self.unit);
-        Ok(Density { value: sum * scale, rounding: (of_values + of_slopes) * scale })
+        // That of x also differs from one outer point to the next, each with its own nearest pair: the root mean square.
+        let of_places = of_places / (self.level.points as f64).sqrt();
+        Ok(Density { value: sum * scale, rounding: (of_values + of_slopes + of_places) * scale })
     }
 }

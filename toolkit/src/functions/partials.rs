@@ -87,7 +87,9 @@ impl Partials {
         };
         !self.sum().is_finite()
             || self.growth().is_some_and(grows)
-                && self.growth_between([0.5, 0.75]).is_some_and(is_steady)
+                && [[0.5, 0.75], [0.75, 0.875]]
+                    .into_iter()
+                    .all(|shares| self.growth_between(shares).is_some_and(is_steady))
     }
 
     /// The rate w of ℓ ~ t^p e^{-wt}, from growth = p of_t − w length on two intervals.
