@@ -183,7 +183,7 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
             let expected = (tau - 1.0).min(error_order.value - error_order.error);
             let claim = out.check("order of the bound + ±, less that of the error or τ − 1");
             claim.at_least(order.value + order.error - expected, 0.0, "the theorem");
-            let bound = points(0)[sums.len() - 1].1;
+            let (_, bound) = points(0)[sums.len() - 1];
             out.row(
                 cells! { set: name, tau: *tau, cone: cone.to_string() => order, theorem: tau - 1.0,
                 error_order, bound, ratio },

@@ -150,7 +150,8 @@ fn run(options: &Options, out: &mut Report) -> Result<()> {
         let order = exponent_of(&errors);
         let meshes = || errors.iter().map(|&(h, _)| h);
         let Some(tau) = data.regularity() else { continue }; // samples of a file have none
-        let first = (errors[0].0, errors[0].1.value);
+        let (h, error) = errors[0];
+        let first = (h, error.value);
         let bound = Bound::Paper.through(first, meshes(), tau)?;
         let printed = exponent_of(&bound).value; // at τ = 2 the logarithm counts
         out.note(format!("order.{name}"), order);

@@ -114,8 +114,8 @@ pub(super) fn refine(
 
 /// The error of the rules of the finer level, estimated by the difference from the coarser level: the sum of the differences
 /// of all sides, because errors of 1e-10 on two sides may cancel to 1e-12 in the coarser sum, from which the finer one may
-/// then differ by less than its own error. If the error estimates of both levels explain that difference, it is reduced by the ratio of these estimates, by at most
-/// the factor [`GAINED`].
+/// then differ by less than its own error. If the error estimates of both levels explain that difference, it is reduced by
+/// the ratio of these estimates, by at most the factor [`GAINED`].
 fn of_rules(fine: &LevelValue, coarse: &LevelValue) -> f64 {
     let pairs = fine.sides.iter().zip(&coarse.sides);
     let apart = pairs.map(|(fine, coarse)| (fine - coarse).abs()).sum::<f64>();

@@ -14,15 +14,15 @@
 //! largest of [`HEARD`] is taken.
 //!
 //! A polynomial of degree 18 through values with noise differs from other values by at most about 4 σ, and this difference
-//! ε, to which all samples of the cell belong, is doubled. If a cell is no better than that of which it is a half, and 2ε is at most [`NOISY`] Δ⁴, then ε is noise:
-//! division does not make it smaller, and the cell counts as resolved. ε ≥ |u − p| is the error of the cell as everywhere
+//! ε, to which all samples of the cell belong, is doubled. If a cell is no better than that of which it is a half, and 2ε
+//! is at most [`NOISY`] Δ⁴, then ε is noise: division does not make it smaller, and the cell counts as resolved. ε ≥ |u − p| is the error of the cell as everywhere
 //! else, and enters the ± of all verbs in the same way: a feature of which the comparison meets more than 16 |Δ⁴| is
 //! resolved as if there were no noise, a smaller one is part of ε. Where the noise allowed is not the cause of ε nothing
 //! changes.
 //!
 //! Noise has no derivatives: in seminorms the error u − p is that of a polynomial through noisy values. An oscillation
 //! shorter than 2⁻²² of a cell looks the same. So noise above [`QUIET`] must have the same size at the spacing 2⁻³⁸, where
-//! 10¹⁰ oscillations are smooth; otherwise the cell is rough: L^q norms have the noise in their error, seminorms are refused
+//! 10¹⁰ oscillations are smooth; otherwise the cell is rough: L^q norms have the noise in their error, seminorms are rejected
 //! for ν ≥ 1/2.
 
 use crate::error::Result;
