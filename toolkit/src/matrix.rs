@@ -1,8 +1,8 @@
 //! Gram matrices of norms of fractional order on meshes of intervals.
 
 use super::gram::{
-    Basis, GramOperator, Network, Spectral, extreme_eigenvalues, gram_constants, gram_linears,
-    gram_zero_outside, require_constants_finite, solve,
+    Basis, Forms, GramOperator, Network, Spectral, extreme_eigenvalues, gram_constants,
+    gram_linears, gram_zero_outside, require_constants_finite, solve,
 };
 use super::mesh::Mesh;
 use super::order::Order;
@@ -319,8 +319,26 @@ impl Gram {
         }
         let (fast, inverse) = (self.fast()?, self.inverse());
         let dense = || self.to_dense();
+        let network = || self.network();
         let form = |x: &[f64]| self.form_of_differences(fast, x);
-        extreme_eigenvalues(fast, inverse, &dense, &self.mesh, self.basis, &form, self.tolerance)
+        let matrix = Forms {
+            operator: fast,
+            spectral: inverse,
+            dense: &dense,
+            network: &network,
+            form: &form,
+        };
+        extreme_eigenvalues(&matrix, &self.mesh, self.basis, self.tolerance)
+    }
+
+    /// The conductances of the network of A between the nodes, in the lower half, and to the ground.
+    fn network(&self) -> Result<(DMatrix<f64>, Vec<f64>)> {
+        let (mut between, ground) = match self.basis {
+            Basis::InnerHats => gram_zero_outside(&self.mesh, self.order),
+            Basis::Hats | Basis::Indicators => (self.to_dense()?, vec![0.0; self.len()]),
+        };
+        between.neg_mut();
+        Ok((between, ground))
     }
 
     /// xᵀA x as |u|² of the function u with these coefficients: a sum of positive terms over pairs of
@@ -360,7 +378,7 @@ impl Gram {
         require_memory("entries", n.saturating_mul(n), 16)?;
         match self.basis {
             Basis::Hats => Ok(gram_linears(&self.mesh, self.order)),
-            Basis::InnerHats => Ok(gram_zero_outside(&self.mesh, self.order)),
+            Basis::InnerHats => Ok(gram_zero_outside(&self.mesh, self.order).0),
             Basis::Indicators => gram_constants(&self.mesh, self.order),
         }
     }

@@ -46,17 +46,26 @@ pub(crate) fn exterior_linears(partition: &Mesh, order: Order) -> (Vec<f64>, Vec
     (diagonal, inner.iter().map(|share| 2.0 * share[1]).collect())
 }
 
-/// The Gram matrix on the whole line for the hat functions of the inner nodes.
-pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> DMatrix<f64> {
+/// The Gram matrix on the whole line for the hat functions of the inner nodes, and its row sums without
+/// cancellation: the conductances to the ground of its network.
+pub(crate) fn gram_zero_outside(partition: &Mesh, order: Order) -> (DMatrix<f64>, Vec<f64>) {
     let n = partition.len();
-    let mut matrix = gram_linears(partition, order).view((1, 1), (n - 1, n - 1)).into_owned();
+    let all = gram_linears(partition, order);
+    let mut matrix = all.view((1, 1), (n - 1, n - 1)).into_owned();
+    // Rows of the matrix of all nodes have sum zero.
+    let mut sums: Vec<f64> = (1..n).map(|i| -all[(i, 0)] - all[(i, n)]).collect();
     let (diagonal, beside) = exterior_linears(partition, order);
-    diagonal.iter().enumerate().for_each(|(i, d)| matrix[(i, i)] += d);
+    for (i, d) in diagonal.iter().enumerate() {
+        matrix[(i, i)] += d;
+        sums[i] += d;
+    }
     for (i, b) in beside.iter().enumerate() {
         matrix[(i, i + 1)] += b;
         matrix[(i + 1, i)] += b;
+        sums[i] += b;
+        sums[i + 1] += b;
     }
-    matrix
+    (matrix, sums)
 }
 
 /// The Gram matrix of |·|_ν for the hat functions of all N + 1 nodes.

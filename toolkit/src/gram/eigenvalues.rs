@@ -12,13 +12,23 @@
 //! functions one start vector is the eigenvector of the dense matrices.
 //!
 //! Where rounding of xᵀ(A x) limits the smallest eigenvalue, xᵀA x is summed once more as |u|².
+//!
+//! The preconditioner of the smallest eigenvalue is far from A where short elements stand beside long
+//! ones: a step between two long elements separated by one of length h has the energy h^{1−2s} or less, in
+//! the interpolation space h^{-s}. If [`FIRST`] steps do not suffice, up to [`ELIMINATED`] functions, the
+//! vector x comes from an elimination ([`super::elimination`]). With the residual r = A x − θ M x, z = A⁻¹r
+//! and T = A⁻¹M, T x = (x − z)/θ: in the product of M, 1/λ_1 lies between the quotient q of T,
+//!   q = 1/θ + rᵀz/θ²,  and  q + (|z|_M/θ)²/(q − 1/σ),
+//! where one eigenvalue lies below σ. Both terms are squares: rounding of A x on short elements, which
+//! makes r large in the norm of M⁻¹, changes z little.
 
+use super::elimination::{Elimination, lowest};
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use super::{GramOperator, Spectral};
 use crate::error::{Error, Result};
 use crate::estimate::{Estimate, Tolerance, Work};
 use crate::mesh::Mesh;
-use crate::numeric::block_iteration::{Count, Pencil, smallest};
+use crate::numeric::block_iteration::{Count, Pencil, SHARES, Smallest, smallest};
 use crate::numeric::dense::symmetric_eigen;
 use crate::numeric::pencil::Factored;
 use crate::numeric::sum::pairwise_dot;
@@ -29,8 +39,13 @@ use std::ops::Range;
 /// Number of vectors in a block.
 const BLOCK: usize = 3;
 
-/// Largest number of steps.
+/// Largest number of steps, and of those for the smallest eigenvalue if elimination is possible after
+/// them: uniform and graded meshes take fewer.
 const STEPS: usize = 300;
+const FIRST: usize = 60;
+
+/// Largest number of functions for elimination: its cost is O(n³), its memory twice that of the matrix, 134 MB.
+const ELIMINATED: usize = 4096;
 
 /// Relative distance of κ from the largest eigenvalue of (K, M).
 const ABOVE: f64 = 1e-4;
@@ -71,23 +86,31 @@ const SMALL_SHARE: f64 = 0.1;
 const COUNTED: usize = 128;
 const UNDECIDED: f64 = 1e-12;
 
+/// The matrix A in the forms in which it is needed.
+pub(crate) struct Forms<'a> {
+    pub(crate) operator: &'a GramOperator,
+    pub(crate) spectral: &'a Spectral,
+    /// the dense matrix
+    pub(crate) dense: &'a dyn Fn() -> Result<DMatrix<f64>>,
+    /// the conductances of its network between nodes, in the lower half, and to the ground
+    pub(crate) network: &'a dyn Fn() -> Result<(DMatrix<f64>, Vec<f64>)>,
+    /// xᵀA x as a sum of positive terms
+    pub(crate) form: &'a dyn Fn(&[f64]) -> Result<Estimate>,
+}
+
 struct Small<'a> {
-    operator: &'a GramOperator,
+    matrix: &'a Forms<'a>,
     /// A and M as dense matrices, for counts
-    dense: &'a dyn Fn() -> Result<DMatrix<f64>>,
     matrices: OnceCell<[DMatrix<f64>; 2]>,
     has_constants: bool,
-    spectral: &'a Spectral,
     mass: Network,
     mass_factor: Tridiagonal,
-    /// xᵀA x as a sum of positive terms
-    form: &'a dyn Fn(&[f64]) -> Result<Estimate>,
     tolerance: f64,
 }
 
 impl Pencil for Small<'_> {
     fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
-        self.operator.apply(x)
+        self.matrix.operator.apply(x)
     }
 
     fn mass(&self, x: &[f64]) -> Vec<f64> {
@@ -96,12 +119,12 @@ impl Pencil for Small<'_> {
 
     fn precondition(&self, r: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; r.len()];
-        self.spectral.times(r, &mut out);
+        self.matrix.spectral.times(r, &mut out);
         out
     }
 
     fn without_kernel(&self, x: &mut [f64]) -> bool {
-        self.spectral.without_constant(x);
+        self.matrix.spectral.without_constant(x);
         self.has_constants
     }
 
@@ -115,7 +138,7 @@ impl Pencil for Small<'_> {
 
     /// By the signs of the eigenvalues of D (A − σ M) D, D² the inverse of the diagonal of A + σ M.
     fn counted_below(&self, sigma: f64) -> Result<Count> {
-        let n = self.operator.dimension();
+        let n = self.matrix.operator.dimension();
         if n > COUNTED {
             return Ok(Count::TooLarge);
         }
@@ -137,7 +160,7 @@ impl Pencil for Small<'_> {
         if rounding <= SMALL_SHARE * self.tolerance * product {
             return Ok((product, rounding));
         }
-        let summed = (self.form)(x)?;
+        let summed = (self.matrix.form)(x)?;
         Ok(if summed.error < rounding { (summed.value, summed.error) } else { (product, rounding) })
     }
 }
@@ -146,21 +169,59 @@ impl Small<'_> {
     /// A and M as dense matrices, made once.
     fn matrices(&self) -> Result<Option<&[DMatrix<f64>; 2]>> {
         if self.matrices.get().is_none() {
-            let n = self.operator.dimension();
+            let n = self.matrix.operator.dimension();
             let mut mass = DMatrix::zeros(n, n);
             for j in 0..n {
                 let unit: Vec<f64> = (0..n).map(|i| f64::from(i == j)).collect();
                 mass.column_mut(j).copy_from_slice(&self.mass.times(&unit));
             }
-            let _ = self.matrices.set([(self.dense)()?, mass]);
+            let _ = self.matrices.set([(self.matrix.dense)()?, mass]);
         }
         Ok(self.matrices.get())
+    }
+
+    /// The smallest eigenvalue by elimination, if all pivots are positive.
+    fn by_elimination(&self) -> Result<Option<Smallest>> {
+        let (between, ground) = (self.matrix.network)()?;
+        let Some(elimination) = Elimination::new(between, ground) else { return Ok(None) };
+        let Some(lowest) = lowest(&elimination, &self.mass) else { return Ok(None) };
+        let x = lowest.vector;
+        let (image, mass) = (self.apply(&x)?, self.mass.times(&x));
+        let size = pairwise_dot(&x, &mass);
+        let (form, rounding) = self.form(&x, pairwise_dot(&x, &image))?;
+        let value = form / size;
+        let residual: Vec<f64> = image.iter().zip(&mass).map(|(a, m)| a - value * m).collect();
+        let z = elimination.solve_without_mean(&residual, &self.mass.times(&vec![1.0; x.len()]));
+        let energy = pairwise_dot(&residual, &z).abs() / size;
+        let square = pairwise_dot(&z, &self.mass.times(&z)) / size;
+        let mut error = value * square.sqrt();
+        if let Some(sigma) = self.above_first(value, lowest.second)? {
+            error = error.min(energy + value * square / (1.0 - value / sigma));
+        }
+        Ok(Some(Smallest { value, error: error + rounding / size, steps: lowest.steps }))
+    }
+
+    /// A value above the first eigenvalue and, by a count or by the Ritz value, below the second one.
+    fn above_first(&self, first: f64, second: f64) -> Result<Option<f64>> {
+        if second <= first {
+            return Ok(None);
+        }
+        let mut is_counted = false;
+        for share in SHARES {
+            let sigma = first + share * (second - first);
+            match self.counted_below(sigma)? {
+                Count::Exact(1) => return Ok(Some(sigma)),
+                Count::Exact(_) => is_counted = true,
+                Count::Undecided | Count::TooLarge => {}
+            }
+        }
+        Ok((!is_counted).then_some(second))
     }
 
     /// A bound of the rounding error of the product of x with A x.
     fn rounding(&self, x: &[f64]) -> f64 {
         // |x|ᵀ|A||x| ≤ 2 Σ a_ii x_i² for a matrix with rows of sum zero and one positive entry.
-        let terms = self.operator.diagonal().iter().zip(x).map(|(a, x)| a * x * x);
+        let terms = self.matrix.operator.diagonal().iter().zip(x).map(|(a, x)| a * x * x);
         ROUNDING * f64::EPSILON * terms.sum::<f64>()
     }
 }
@@ -172,7 +233,7 @@ struct Large<'a> {
 
 impl Pencil for Large<'_> {
     fn apply(&self, x: &[f64]) -> Result<Vec<f64>> {
-        Ok(self.small.operator.apply(x)?.into_iter().map(|y| -y).collect())
+        Ok(self.small.matrix.operator.apply(x)?.into_iter().map(|y| -y).collect())
     }
 
     fn mass(&self, x: &[f64]) -> Vec<f64> {
@@ -206,28 +267,22 @@ impl Pencil for Large<'_> {
     }
 }
 
-/// The smallest positive and the largest eigenvalue; `dense` is A as a dense matrix, `form` is xᵀA x
-/// as a sum of positive terms.
+/// The smallest positive and the largest eigenvalue.
 pub(crate) fn extreme_eigenvalues(
-    operator: &GramOperator,
-    spectral: &Spectral,
-    dense: &dyn Fn() -> Result<DMatrix<f64>>,
+    matrix: &Forms,
     mesh: &Mesh,
     basis: Basis,
-    form: &dyn Fn(&[f64]) -> Result<Estimate>,
     tolerance: Tolerance,
 ) -> Result<[Estimate; 2]> {
+    let Forms { operator, spectral, .. } = *matrix;
     let count = basis.count(mesh);
     let mass = Network::new(mesh, basis, 0.0, 1.0);
     let small = Small {
-        operator,
-        dense,
+        matrix,
         matrices: OnceCell::new(),
         has_constants: basis != Basis::InnerHats,
-        spectral,
         mass_factor: mass.factor(),
         mass,
-        form,
         tolerance: tolerance.relative(),
     };
     let waves = (1..=BLOCK.min(count)).map(|k| wave(mesh, basis, k));
@@ -237,7 +292,17 @@ pub(crate) fn extreme_eigenvalues(
             x
         })
         .collect();
-    let low = found(smallest(&small, start, tolerance.relative(), STEPS)?, tolerance)?;
+    let can_eliminate = count <= ELIMINATED;
+    let steps = if can_eliminate { FIRST } else { STEPS };
+    let mut low = found(smallest(&small, start, tolerance.relative(), steps)?, tolerance);
+    if can_eliminate && low.is_err() {
+        let other = found(small.by_elimination()?, tolerance);
+        low = match (low, other) {
+            (Err(first), Err(second)) => Err(nearer(first, second)),
+            (_, other) => other,
+        };
+    }
+    let low = low?;
 
     let kappa = largest_of_tridiagonal(mesh, basis) * (1.0 + ABOVE);
     let shifted = Network::new(mesh, basis, -1.0, kappa).factor();
@@ -420,10 +485,7 @@ fn largest_of_tridiagonal(mesh: &Mesh, basis: Basis) -> f64 {
     high
 }
 
-fn found(
-    result: Option<crate::numeric::block_iteration::Smallest>,
-    tolerance: Tolerance,
-) -> Result<Estimate> {
+fn found(result: Option<Smallest>, tolerance: Tolerance) -> Result<Estimate> {
     let failed = Error::Solver { reason: "the block eigenvalue iteration broke down".to_owned() };
     let found = result.ok_or(failed)?;
     let work = Work { iterations: found.steps as u64, ..Work::default() };
@@ -438,4 +500,10 @@ fn found(
         estimate,
         "the block iteration did not converge within the maximum number of steps",
     ))
+}
+
+/// The refusal with the smaller error.
+fn nearer(first: Error, second: Error) -> Error {
+    let error = |of: &Error| of.best().map_or(f64::INFINITY, |best| best.error);
+    if error(&second) < error(&first) { second } else { first }
 }

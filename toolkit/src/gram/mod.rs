@@ -6,6 +6,7 @@ mod circulant;
 pub(super) mod cluster;
 pub(super) mod dense;
 mod eigenvalues;
+mod elimination;
 mod hierarchical;
 mod operator;
 mod solve;
@@ -17,7 +18,7 @@ pub(crate) use dense::{
     add_mass, gram_constants, gram_linears, gram_zero_outside, mass_form, mass_linears,
     require_constants_finite, tridiagonal,
 };
-pub(crate) use eigenvalues::extreme_eigenvalues;
+pub(crate) use eigenvalues::{Forms, extreme_eigenvalues};
 pub(crate) use operator::GramOperator;
 pub(crate) use solve::solve;
 pub(crate) use spectral::Spectral;

@@ -68,7 +68,7 @@ pub(crate) enum Count {
 }
 
 /// σ − θ_0 as a share of the next Ritz value minus θ_0, where the eigenvalues below σ are counted.
-const SHARES: [f64; 2] = [0.9, 0.5];
+pub(crate) const SHARES: [f64; 2] = [0.9, 0.5];
 
 /// A vector with its images under A and M.
 #[derive(Clone)]
