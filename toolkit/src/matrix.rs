@@ -291,8 +291,9 @@ impl Gram {
     /// distance to the next eigenvalue, plus the rounding of the product and its tolerance. For at
     /// most 128 basis functions the number of eigenvalues in between is counted by the inertia of A
     /// − σM; for more, the distance is that of the Ritz values, less the residual of the next one.
-    /// On very unequal elements, ν > 1/2, rounding of the smallest eigenvalue may exceed the
-    /// tolerance: it is 4e-15 Σ a_ii x_i² for a vector x with ∫ x² = 1. The ratio of the two
+    /// Where the smallest one takes more than 60 steps, as on very unequal elements, its vector comes
+    /// from a Krylov space of A⁻¹M by an elimination without subtraction, up to 4096 basis functions, in
+    /// O(N³) operations. The ratio of the two
     /// eigenvalues is the condition number of A relative to M, on the functions of mean zero if
     /// constants have seminorm zero.
     ///

@@ -230,7 +230,7 @@ fn smallest_eigenvalues_of_random_unequal_meshes() -> Result<()> {
         assert!(apart <= low.error + 1e-11 * exact, "{lengths:?} {form:?}: {low}, {exact}");
     }
     println!("smallest eigenvalues: {tried} tried, {refused} refused");
-    assert!(10 * refused <= tried, "{refused} of {tried} refused");
+    assert!(100 * refused <= tried, "{refused} of {tried} refused");
     Ok(())
 }
 
@@ -301,7 +301,29 @@ fn smallest_eigenvalues_of_many_unequal_elements() -> Result<()> {
         }
     }
     println!("many unequal elements: {tried} tried, {refused} refused");
-    assert!(5 * refused <= tried, "{refused} of {tried} refused");
+    assert!(100 * refused <= tried, "{refused} of {tried} refused");
+    Ok(())
+}
+
+/// Hat functions at a large order: residuals in the norm of M⁻¹ were 5e4 times the eigenvalue, by rounding alone.
+#[test]
+fn a_group_of_short_elements_between_long_ones_does_not_hide_the_smallest_eigenvalue() -> Result<()>
+{
+    // 60 digits
+    for (case, exact) in [(41, 153.877_962_397_899_53), (55, 3.650_334_790_147_717_1)] {
+        let mut drawn = (Vec::new(), 0.0);
+        let mut random = SplitMix::new(5);
+        for _ in 0..=case {
+            let count = 10 + random.below(119);
+            let decades = random.between(0.5, 12.0);
+            let lengths = (0..count).map(|_| 10f64.powf(-decades * random.uniform())).collect();
+            random.uniform();
+            drawn = (lengths, random.between(0.02, 0.98));
+        }
+        let (lengths, s) = drawn;
+        let [low, _] = Gram::new(&Mesh::from_lengths(&lengths)?, s, 1e-9)?.extreme_eigenvalues()?;
+        assert!((low.value - exact).abs() <= low.error.min(1e-12 * exact), "{low}, {exact}");
+    }
     Ok(())
 }
 
