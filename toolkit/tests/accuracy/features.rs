@@ -271,3 +271,30 @@ fn narrow_bells_of_the_issue_have_their_norms() {
         assert!(tiny.norm(order, 1e-8).is_ok());
     }
 }
+
+/// Polynomials take the limit at a breakpoint, not a value at the smallest distance from it: from the peak of a narrow hat
+/// that differs by 1e-10, and interpolation next to it makes more of it.
+#[test]
+fn maxima_at_and_near_declared_breakpoints() {
+    let (left, centre, width) = (0.293_523_989_051_341_7, 0.295_067_932_678_085, 3.535_746e-5);
+    let hat = move |x: f64| 1.0 + (1.0 - (x - centre).abs() / width).max(0.0);
+    let breaks = [left, centre - width, centre, centre + width, left + 0.002_327_794_5];
+    let u = Function::from_fn(&breaks, hat).unwrap();
+    u.seminorm(0.3, 1e-6).unwrap();
+    let found = u.lp(f64::INFINITY, 1e-8).unwrap();
+    assert!((found.value - 2.0).abs() <= found.error, "{found}");
+    let (left, length, centre, width) = (
+        -0.302_745_182_103_409_06,
+        1.342_809_948_820_876_2,
+        0.914_316_922_925_633_8,
+        0.022_354_771_732_577_75,
+    );
+    let bell = move |x: f64| {
+        (7.0 * (x - left) / length).sin() + (-0.5 * ((x - centre) / width).powi(2)).exp()
+    };
+    let u = Function::from_fn(&[left, centre, left + length], bell).unwrap();
+    let found = u.lp(f64::INFINITY, 1e-8).unwrap();
+    // 40 digits, at 0.91693255328404807
+    let exact = 1.068_040_855_699_327_9;
+    assert!((found.value - exact).abs() <= found.error, "{found}");
+}
