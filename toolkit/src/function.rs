@@ -519,6 +519,10 @@ impl<'a> Function<'a> {
         let tolerance = tolerance.given()?;
         let square = q == 2.0;
         match &self.kind {
+            // A maximum takes fewer values than polynomials.
+            Kind::Formula(u) | Kind::NearlyOne(_, u) if q == f64::INFINITY => {
+                self.or_resolved(u.lq_norm(q, tolerance), |u| u.lq_norm(q, tolerance))
+            }
             Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
                 tolerance,
                 || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) },

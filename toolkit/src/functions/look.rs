@@ -6,7 +6,7 @@
 //! sample, wherever it lies.
 //!
 //! The ends of the cells that [`super::waves`] finds in this way are kept in a [`Look`]. There the cells of integrals of
-//! functions with structure on many scales ([`super::by_scales`]), of the search for the maximum ([`super::supremum`]) and
+//! functions with structure on many scales ([`super::by_scales`]) and
 //! of the polynomials of dual norms are cut, and the elements of u − u_h next to a breakpoint are bisected until a narrow
 //! cell lies outside of them. The rules for |u|_ν and the cells of `crate::resolved` do not use them.
 
@@ -25,9 +25,14 @@ const NARROW: f64 = 3.0;
 const SHORTER: f64 = 1.5;
 const SEVERAL: usize = 2;
 
+/// The distance of sample j of a side from its breakpoint, in units of the length of the side.
+pub(super) fn share(j: usize) -> f64 {
+    (j as f64 + WITHIN) / LOOKS as f64
+}
+
 /// The distance of sample j of a side from its breakpoint.
 pub(super) fn distance(arm: &Arm, j: usize) -> f64 {
-    arm.length * ((j as f64 + WITHIN) / LOOKS as f64)
+    arm.length * share(j)
 }
 
 /// The cells on which a function is a polynomial to the requested accuracy.
