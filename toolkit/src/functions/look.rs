@@ -60,11 +60,6 @@ impl Look {
         self.is_structured |= ends.windows(2).filter(shorter).count() >= SEVERAL;
     }
 
-    /// True if no number of cells up to the limit resolves the function.
-    pub(super) fn is_unresolved(&self) -> bool {
-        self.cuts.is_empty()
-    }
-
     /// The distances in (near, far) at which cells of a side meet.
     pub(crate) fn cuts(&self, arm: &Arm, near: f64, far: f64) -> &[f64] {
         let all = self.cuts.get(arm.index()).map_or(&[][..], Vec::as_slice);

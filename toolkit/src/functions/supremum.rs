@@ -14,8 +14,9 @@
 //! it: there no maximum lies between the points.
 //!
 //! Towards a breakpoint the values at t = ln(R/δ) = 1/2, 3/2, ... are seen. If |u| grows along them the supremum is the limit,
-//! 2u(δ) − u(2δ) at the smallest distance where u is smooth up to the breakpoint; otherwise that of the values at depth/4,
-//! depth/2 and depth if their differences decrease, and infinite if not. Cost: 512 values on every interval and those towards
+//! 2u(δ) − u(2δ) at the smallest distance where u is smooth up to the breakpoint; otherwise it is extrapolated from the depths
+//! T/4, T/2, 3T/4 and T: the differences of a power of δ at equal steps of t are a geometric series, those of a power of ln δ
+//! are one when t doubles. If neither decreases it is infinite. Cost: 512 values on every interval and those towards
 //! its ends, of which later norms take none, and 40 at every maximum.
 
 use super::arm::Arm;
@@ -35,6 +36,8 @@ const WIDTH: f64 = 1e-8;
 const FLAT: f64 = 1e-14;
 /// Ratio of differences above which they count as not decreasing: ln t grows by equal amounts when t doubles.
 const FALLS: f64 = 1.0 - 1e-9;
+/// Ratio of two ratios of steps above which they are not those of a geometric series.
+const SLOWER: f64 = 1.02;
 /// Relative rounding error of a value of u.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Rounding of the limit at a breakpoint, and of a coordinate next to it.
@@ -65,6 +68,8 @@ struct Between<'a> {
     u: &'a SingularFunction<'a>,
     sides: [Arm; 2],
     values: Vec<f64>,
+    /// the place and value of the last point towards both breakpoints, as seen from them
+    inner: [Option<(f64, f64)>; 2],
 }
 
 /// The place of value k between two breakpoints, in units of R/256, R half of their distance.
@@ -74,6 +79,13 @@ fn place(k: usize) -> f64 {
         LOOKS => LOOKS as f64,
         _ => 2.0 * LOOKS as f64 - place(2 * LOOKS - k),
     }
+}
+
+/// Those of the values at t = 1/2, 3/2, ... that are nearer to the breakpoint than the first point, with their places.
+fn nearer(scales: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let place = |k: usize| LOOKS as f64 * (-(k as f64 + 0.5)).exp();
+    let first = (0..scales.len()).take_while(|&k| place(k) >= LOOKS as f64 * share(0)).count();
+    (first..scales.len()).map(move |k| (place(k), scales[k]))
 }
 
 /// The absolute values of the differences of order N − 1 over N neighbouring points at unit distances. Around the middle, where
@@ -120,8 +132,8 @@ impl SingularFunction<'_> {
     fn peak(&self) -> Result<Peak> {
         let scales = self.scales();
         let (arms, mut intervals) = (self.arms(), Vec::new());
-        for sides in arms.chunks_exact(2) {
-            intervals.push(Between::of(self, [sides[0], sides[1]])?);
+        for (sides, scales) in arms.chunks_exact(2).zip(scales.chunks_exact(2)) {
+            intervals.push(Between::of(self, [sides[0], sides[1]], [&scales[0], &scales[1]])?);
         }
         let seen = intervals.iter().flat_map(|interval| &interval.values);
         let most = seen.chain(scales.iter().flatten()).fold(0.0_f64, |most, v| most.max(v.abs()));
@@ -139,9 +151,7 @@ impl SingularFunction<'_> {
     /// The supremum nearer to a breakpoint than the first value, from those at t = 1/2, 3/2, ...; nothing if it is no
     /// larger than `most`.
     fn towards(&self, arm: &Arm, first: f64, scales: &[f64], most: f64) -> Result<Peak> {
-        let near = scales.iter().enumerate();
-        let near = near.filter(|(k, _)| (-(*k as f64 + 0.5)).exp() < share(0)).map(|(_, v)| *v);
-        let all: Vec<f64> = std::iter::once(first).chain(near).collect();
+        let all: Vec<f64> = std::iter::once(first).chain(nearer(scales).map(|(_, v)| v)).collect();
         let (low, high) =
             all.iter().fold((first, first), |(low, high), &v| (low.min(v), high.max(v)));
         if low.abs().max(high.abs()) + (high - low) < most {
@@ -164,25 +174,26 @@ impl SingularFunction<'_> {
         let at = |delta: f64| self.evaluated(arm, delta).map(f64::abs);
         let [u, twice, four] = [at(least)?, at(2.0 * least)?, at(4.0 * least)?];
         let (limit, other) = (2.0 * u - twice, 2.0 * twice - four);
-        let [far, middle] = [at(arm.delta(0.25 * arm.depth))?, at(arm.delta(0.5 * arm.depth))?];
+        let deep = |share: f64| at(arm.delta(share * arm.depth));
+        let [first, second, third] = [deep(0.25)?, deep(0.5)?, deep(0.75)?];
         // The rounding of x moves values along the slope.
         let moved =
             OF_PLACE * self.coordinate_if_seen(arm.anchor).abs() / least * (u - twice).abs();
         let rounding = OF_LIMIT * most + moved;
-        let approaches = (middle - limit).abs() <= (0.5 * (far - limit).abs()).max(rounding);
+        let approaches = (second - limit).abs() <= (0.5 * (first - limit).abs()).max(rounding);
         if approaches && (limit - other).abs() <= rounding {
             return Ok(Peak { value: limit, error: (limit - other).abs() + moved });
         }
-        beyond([far, middle, u])
+        beyond([first, second, third, u])
     }
 }
 
 impl<'a> Between<'a> {
-    fn of(u: &'a SingularFunction<'a>, sides: [Arm; 2]) -> Result<Self> {
+    fn of(u: &'a SingularFunction<'a>, sides: [Arm; 2], scales: [&[f64]; 2]) -> Result<Self> {
         let [left, right] = sides.map(|arm| u.samples_of(arm.index()));
         let middle = u.evaluated(&sides[0], sides[0].length)?;
         let values = left.iter().chain([&middle]).chain(right.iter().rev()).copied().collect();
-        Ok(Self { u, sides, values })
+        Ok(Self { u, sides, values, inner: scales.map(|scales| nearer(scales).next()) })
     }
 
     /// |u| at a place; a value that is not finite was reported before, and loses the comparison.
@@ -252,9 +263,13 @@ impl<'a> Between<'a> {
         }
         let end = (count + 3).min(last);
         let step = |k: usize| at(k + 1) - at(k);
-        let is_regular =
-            (1..end).all(|k| step(k) * step(k - 1) > 0.0 && step(k).abs() < step(k - 1).abs());
-        if is_regular { end } else { 0 }
+        let is_steeper =
+            |before: f64, after: f64| before * after > 0.0 && before.abs() > after.abs();
+        let is_regular = (1..end).all(|k| is_steeper(step(k - 1), step(k)));
+        let inner = self.inner[usize::from(from_right)];
+        let is_monotone = inner
+            .is_some_and(|(at_inner, v)| is_steeper((at(0) - v) / (place(0) - at_inner), step(0)));
+        if is_regular && is_monotone { end } else { 0 }
     }
 
     /// The maximum between two places, of which u has one, next to a value between them.
@@ -277,21 +292,29 @@ impl<'a> Between<'a> {
     }
 }
 
-/// The limit of values that grow from depth/4 to depth/2 to depth, and its uncertainty.
-fn beyond([first, middle, last]: [f64; 3]) -> Result<Peak> {
-    let (before, after) = (middle - first, last - middle);
-    if after <= ROUNDING * last {
-        return Ok(Peak { value: last, error: after.max(0.0) });
+/// The limit of values that grow along the depths T/4, T/2, 3T/4, T, and its uncertainty, all of the extrapolation.
+fn beyond([first, second, third, last]: [f64; 4]) -> Result<Peak> {
+    let last_step = last - third;
+    if last_step <= ROUNDING * last {
+        return Ok(Peak { value: last, error: last_step.max(0.0) });
     }
-    let ratio = after / before;
-    if !(ratio > 0.0 && ratio < FALLS) {
-        return Err(Error::InfiniteNorm {
+    let rest = |step: f64, ratio: f64| {
+        (ratio > 0.0 && ratio < FALLS).then(|| step * ratio / (1.0 - ratio))
+    };
+    let ratio = last_step / (third - second);
+    let doubled = (last - second) / (second - first);
+    // Of a power of ln δ the ratio of equal steps grows.
+    let is_power = ratio <= SLOWER * (third - second) / (second - first);
+    match (rest(last_step, ratio), rest(last - second, doubled)) {
+        (Some(of_power), None) if is_power => Ok(Peak { value: last + of_power, error: of_power }),
+        (Some(of_power), Some(of_logarithm)) => {
+            Ok(Peak { value: last + of_power, error: of_power.max(of_logarithm) })
+        }
+        _ => Err(Error::InfiniteNorm {
             order: 0.0,
             why: "the function grows without bound near a breakpoint",
-        });
+        }),
     }
-    let rest = after * ratio / (1.0 - ratio);
-    Ok(Peak { value: last + rest, error: rest })
 }
 
 #[cfg(test)]

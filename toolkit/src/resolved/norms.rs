@@ -56,8 +56,12 @@ const GROW: f64 = 1.02;
 /// Share of the earlier rate of growth that is left where growth is exponential.
 const STEADY: f64 = 0.8;
 const FALLS: f64 = 0.995;
-/// Share of the maximum from which a value at a breakpoint is the maximum.
-const LARGEST: f64 = 1.0 - 1e-9;
+/// Ratio of the variations on neighbouring cells, towards a breakpoint, above which a function is not smooth there, and how far
+/// the nearest ratio may be below the next ones.
+const SMOOTH: f64 = 0.51;
+const STEADIER: f64 = 0.9;
+/// Factor of the error of polynomials at a point: a singularity that is not declared lies between the points of comparison.
+const BETWEEN: f64 = 4.0;
 /// Share of the tolerance for the cells that are joined at a breakpoint.
 const SHARE: f64 = 0.03;
 /// The same for a dual norm, relative to the L² norm.
@@ -105,17 +109,13 @@ impl Resolved {
         let u = self.polynomials()?;
         if q == f64::INFINITY {
             let found = Estimate::or_best(u.lq_norm(q, tolerance))?;
-            let at_open = self.at_open().any(|cell| cell.piece.size() >= LARGEST * found.value);
-            if at_open && found.value > 0.0 {
-                return Err(Error::out_of_reach(
-                    "L^inf norm",
-                    tolerance.relative(),
-                    f64::INFINITY,
-                    GROWS,
-                ));
-            }
-            let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
-            let found = Estimate::new(found.value, found.error + off, found.work)?;
+            let off = |cell: &Cell| {
+                let off = BETWEEN * cell.off;
+                off.min((cell.piece.size() + off - found.value).max(0.0))
+            };
+            let off = self.cells.iter().map(off).fold(0.0, f64::max);
+            let error = found.error + off + self.above(found.value, tolerance)?;
+            let found = Estimate::new(found.value, error, found.work)?;
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
         let rest =
@@ -375,16 +375,6 @@ impl Resolved {
         .map(|_| ())
     }
 
-    /// The cells next to the breakpoints at which the variation has not ended.
-    fn at_open(&self) -> impl Iterator<Item = &Cell> {
-        let ends =
-            (0..self.cells.len()).map(|k| (&self.cells[k], self.place(k), self.place(k + 1)));
-        ends.filter(|(_, start, end)| {
-            [start, end].iter().any(|place| place.offset == 0.0 && self.open.contains(&place.base))
-        })
-        .map(|(cell, ..)| cell)
-    }
-
     /// What lies beyond the smallest distances of contributions that fall like a geometric series.
     ///
     /// # Errors
@@ -436,6 +426,54 @@ impl Resolved {
             }
         }
         Ok(rest)
+    }
+
+    /// By how much |u| may exceed a value nearer to a breakpoint than the cell next to it, if u is like a power of the distance
+    /// there: the noise of x hides that it varies. The variations on the next cells are a geometric series then,
+    ///
+    /// ```text
+    /// |u| ≤ |u(δ)| + V₁ r/(1 − r),    V_k ≈ V₁ r^{1−k} on cells of length 2^{k−1} δ,
+    /// ```
+    ///
+    /// and r > 1/2, the ratio of a smooth function.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] where |u| grows towards a breakpoint next to which its variation has not ended and is no such
+    /// series.
+    fn above(&self, value: f64, asked: Tolerance) -> Result<f64> {
+        let mut above = 0.0_f64;
+        for node in (0..=self.cells.len()).filter(|&node| self.place(node).offset == 0.0) {
+            for is_right in [true, false] {
+                let ends = |cell: &Cell| match is_right {
+                    true => [cell.piece.left.abs(), cell.piece.right.abs()],
+                    false => [cell.piece.right.abs(), cell.piece.left.abs()],
+                };
+                let Some([near, far]) = self.beside(node, is_right).next().map(ends) else {
+                    continue;
+                };
+                let next: Vec<&Cell> = self.beside(node, is_right).skip(1).take(LEAST).collect();
+                let doubles = |pair: &[&Cell]| pair[1].length > 1.5 * pair[0].length;
+                let shrinks = next.len() == LEAST && next.windows(2).all(doubles);
+                let step = |cell: &Cell| (cell.piece.right - cell.piece.left).abs();
+                let next: Vec<f64> = next.into_iter().map(step).collect();
+                let is_series = shrinks && next.windows(2).all(|pair| pair[0] < pair[1]);
+                let over =
+                    |from: usize, to: usize| (next[from] / next[to]).powf(1.0 / (to - from) as f64);
+                if is_series && over(0, 1) > STEADIER * over(LEAST / 2, LEAST - 1) {
+                    let ratio = over(0, LEAST - 1);
+                    if ratio > SMOOTH && ratio < FALLS {
+                        above = above.max(far + next[0] * ratio / (1.0 - ratio) - value);
+                        continue;
+                    }
+                }
+                let is_open = self.open.contains(&self.place(node).base);
+                if is_open && (near > far || near >= 0.5 * value) {
+                    let asked = asked.relative();
+                    return Err(Error::out_of_reach("L^inf norm", asked, f64::INFINITY, GROWS));
+                }
+            }
+        }
+        Ok(above)
     }
 
     /// The cells on one side of a node that are known from it, from the nearest one on.
