@@ -6,9 +6,9 @@
 //! sample, wherever it lies.
 //!
 //! The ends of the cells that [`super::waves`] finds in this way are kept in a [`Look`]. There the cells of integrals of
-//! functions with structure on many scales ([`super::by_scales`]) and
-//! of the polynomials of dual norms are cut, and the elements of u − u_h next to a breakpoint are bisected until a narrow
-//! cell lies outside of them. The rules for |u|_ν and the cells of `crate::resolved` do not use them.
+//! functions with structure on many scales ([`super::by_scales`]) and of the polynomials of dual norms are cut, and the
+//! elements of u − u_h next to a breakpoint are bisected until a narrow cell lies outside of them. The rules for |u|_ν and
+//! the cells of `crate::resolved` do not use them.
 
 use super::arm::Arm;
 use super::function::SingularFunction;

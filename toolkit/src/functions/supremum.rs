@@ -40,6 +40,8 @@ const FALLS: f64 = 1.0 - 1e-9;
 const SLOWER: f64 = 1.02;
 /// Relative rounding error of a value of u.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Shares of a side at which the terms of a sum are taken.
+const AT_TERMS: [f64; 4] = [1e-6, 0.31, 0.69, 1.0];
 /// Rounding of the limit at a breakpoint, and of a coordinate next to it.
 const OF_LIMIT: f64 = 16.0 * f64::EPSILON;
 const OF_PLACE: f64 = 4.0 * f64::EPSILON;
@@ -88,6 +90,11 @@ fn nearer(scales: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     (first..scales.len()).map(move |k| (place(k), scales[k]))
 }
 
+/// Polynomials are asked instead.
+fn inside(asked: Tolerance) -> Error {
+    Error::out_of_reach("L^inf norm", asked.relative(), f64::INFINITY, INSIDE)
+}
+
 /// The absolute values of the differences of order N − 1 over N neighbouring points at unit distances. Around the middle, where
 /// two points are farther apart, they are divided differences times (N − 1)!.
 fn differences<const N: usize>(values: &[f64], weights: [f64; N]) -> Vec<f64> {
@@ -120,16 +127,22 @@ impl SingularFunction<'_> {
             }
             None => {
                 let before = self.work_left();
-                let peak = self.peak()?;
+                let peak = self.peak(tolerance)?;
                 *self.seen().peak.get_or_init(|| (peak, before - self.work_left()))
             }
         };
-        let error = peak.error + ROUNDING * peak.value;
+        // Where values are sums their rounding is relative to the terms.
+        let size = |arm: &Arm| AT_TERMS.map(|share| self.size_of_terms(arm, share * arm.length));
+        let terms =
+            if self.is_sum() { self.arms().iter().flat_map(size).collect() } else { vec![] };
+        let terms = terms.into_iter().collect::<Result<Vec<f64>>>()?;
+        let terms = terms.into_iter().fold(peak.value, f64::max);
+        let error = peak.error + ROUNDING * terms;
         let work = Work { points, ..Work::default() };
         accept("L^inf norm", Estimate::new(peak.value, error, work)?, tolerance, LIMIT)
     }
 
-    fn peak(&self) -> Result<Peak> {
+    fn peak(&self, tolerance: Tolerance) -> Result<Peak> {
         let scales = self.scales();
         let (arms, mut intervals) = (self.arms(), Vec::new());
         for (sides, scales) in arms.chunks_exact(2).zip(scales.chunks_exact(2)) {
@@ -141,16 +154,26 @@ impl SingularFunction<'_> {
         for (interval, scales) in intervals.iter().zip(scales.chunks_exact(2)) {
             for (arm, scales) in interval.sides.iter().zip(scales) {
                 let first = self.samples_of(arm.index())[0];
-                peak = peak.or(self.towards(arm, first, scales, most)?);
+                peak = peak.or(self.towards(arm, first, scales, most, tolerance)?);
             }
-            peak = interval.highest(most)?.map_or(peak, |found| peak.or(found));
+            peak = interval.highest(most, tolerance)?.map_or(peak, |found| peak.or(found));
         }
         Ok(peak)
     }
 
     /// The supremum nearer to a breakpoint than the first value, from those at t = 1/2, 3/2, ...; nothing if it is no
     /// larger than `most`.
-    fn towards(&self, arm: &Arm, first: f64, scales: &[f64], most: f64) -> Result<Peak> {
+    ///
+    /// # Errors
+    /// As [`SingularFunction::largest`].
+    fn towards(
+        &self,
+        arm: &Arm,
+        first: f64,
+        scales: &[f64],
+        most: f64,
+        asked: Tolerance,
+    ) -> Result<Peak> {
         let all: Vec<f64> = std::iter::once(first).chain(nearer(scales).map(|(_, v)| v)).collect();
         let (low, high) =
             all.iter().fold((first, first), |(low, high), &v| (low.min(v), high.max(v)));
@@ -163,7 +186,7 @@ impl SingularFunction<'_> {
             return Ok(Peak::default());
         }
         if pairs.any(|growth| growth < -slack) {
-            return Err(Error::out_of_reach("L^inf norm", ROUGH, f64::INFINITY, INSIDE));
+            return Err(inside(asked));
         }
         self.limit_at(arm, most)
     }
@@ -208,7 +231,7 @@ impl<'a> Between<'a> {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] without a value where u is not smooth there.
-    fn highest(&self, most: f64) -> Result<Option<Peak>> {
+    fn highest(&self, most: f64, asked: Tolerance) -> Result<Option<Peak>> {
         let last = self.values.len() - 1;
         let size = |k: usize| self.values[k].abs();
         let bends = differences(&self.values, [1.0, -2.0, 1.0]);
@@ -232,7 +255,7 @@ impl<'a> Between<'a> {
                 continue;
             }
             if is_rough {
-                return Err(Error::out_of_reach("L^inf norm", ROUGH, f64::INFINITY, INSIDE));
+                return Err(inside(asked));
             }
             is_candidate[k] = true;
             is_candidate[k + 1] = true;
