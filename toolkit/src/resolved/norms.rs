@@ -428,52 +428,56 @@ impl Resolved {
         Ok(rest)
     }
 
-    /// By how much |u| may exceed a value nearer to a breakpoint than the cell next to it, if u is like a power of the distance
-    /// there: the noise of x hides that it varies. The variations on the next cells are a geometric series then,
-    ///
-    /// ```text
-    /// |u| ≤ |u(δ)| + V₁ r/(1 − r),    V_k ≈ V₁ r^{1−k} on cells of length 2^{k−1} δ,
-    /// ```
-    ///
-    /// and r > 1/2, the ratio of a smooth function.
+    /// By how much |u| may exceed a value nearer to a breakpoint than the cell next to it.
     ///
     /// # Errors
-    /// [`Error::ToleranceNotMet`] where |u| grows towards a breakpoint next to which its variation has not ended and is no such
-    /// series.
+    /// [`Error::ToleranceNotMet`] where |u| grows towards a breakpoint next to which its variation has not ended and is no
+    /// series as in [`Resolved::hidden`].
     fn above(&self, value: f64, asked: Tolerance) -> Result<f64> {
         let mut above = 0.0_f64;
         for node in (0..=self.cells.len()).filter(|&node| self.place(node).offset == 0.0) {
             for is_right in [true, false] {
-                let ends = |cell: &Cell| match is_right {
-                    true => [cell.piece.left.abs(), cell.piece.right.abs()],
-                    false => [cell.piece.right.abs(), cell.piece.left.abs()],
-                };
-                let Some([near, far]) = self.beside(node, is_right).next().map(ends) else {
+                let Some(Piece { left, right, .. }) =
+                    self.beside(node, is_right).next().map(|cell| &cell.piece)
+                else {
                     continue;
                 };
-                let next: Vec<&Cell> = self.beside(node, is_right).skip(1).take(LEAST).collect();
-                let doubles = |pair: &[&Cell]| pair[1].length > 1.5 * pair[0].length;
-                let shrinks = next.len() == LEAST && next.windows(2).all(doubles);
-                let step = |cell: &Cell| (cell.piece.right - cell.piece.left).abs();
-                let next: Vec<f64> = next.into_iter().map(step).collect();
-                let is_series = shrinks && next.windows(2).all(|pair| pair[0] < pair[1]);
-                let over =
-                    |from: usize, to: usize| (next[from] / next[to]).powf(1.0 / (to - from) as f64);
-                if is_series && over(0, 1) > STEADIER * over(LEAST / 2, LEAST - 1) {
-                    let ratio = over(0, LEAST - 1);
-                    if ratio > SMOOTH && ratio < FALLS {
-                        above = above.max(far + next[0] * ratio / (1.0 - ratio) - value);
-                        continue;
-                    }
-                }
+                let [near, far] = if is_right { [left, right] } else { [right, left] };
                 let is_open = self.open.contains(&self.place(node).base);
-                if is_open && (near > far || near >= 0.5 * value) {
+                if let Some(hidden) = self.hidden(node, is_right) {
+                    above = above.max(far.abs() + hidden - value);
+                } else if is_open && (near.abs() > far.abs() || near.abs() >= 0.5 * value) {
                     let asked = asked.relative();
                     return Err(Error::out_of_reach("L^inf norm", asked, f64::INFINITY, GROWS));
                 }
             }
         }
         Ok(above)
+    }
+
+    /// The variation of u on the cell next to a breakpoint if u is like a power of the distance there, which the rounding of x
+    /// may hide from the polynomial: the variations on the next cells are a geometric series then,
+    ///
+    /// ```text
+    /// |u(δ) − u(0)| = V₁ r/(1 − r),    V_k = V₁ r^{1−k} on cells of length 2^{k−1} δ,
+    /// ```
+    ///
+    /// and r > 1/2, the ratio of a smooth function. `None` if they are not.
+    pub(super) fn hidden(&self, node: usize, is_right: bool) -> Option<f64> {
+        let next: Vec<&Cell> = self.beside(node, is_right).skip(1).take(LEAST).collect();
+        let doubles = |pair: &[&Cell]| pair[1].length > 1.5 * pair[0].length;
+        if next.len() < LEAST || !next.windows(2).all(doubles) {
+            return None;
+        }
+        let step = |cell: &Cell| (cell.piece.right - cell.piece.left).abs();
+        let steps: Vec<f64> = next.into_iter().map(step).collect();
+        let over =
+            |from: usize, to: usize| (steps[from] / steps[to]).powf(1.0 / (to - from) as f64);
+        let is_series = steps.windows(2).all(|pair| pair[0] < pair[1])
+            && over(0, 1) > STEADIER * over(LEAST / 2, LEAST - 1);
+        let ratio = over(0, LEAST - 1);
+        let is_power = is_series && ratio > SMOOTH && ratio < FALLS;
+        is_power.then(|| steps[0] * ratio / (1.0 - ratio))
     }
 
     /// The cells on one side of a node that are known from it, from the nearest one on.
