@@ -288,7 +288,7 @@ impl Resolved {
     fn seminorm_of_normalized(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let kernel = PowerKernel::new(order);
         let asked = tolerance.relative();
-        let is_rough = self.cells.iter().any(|cell| cell.is_rough);
+        let is_rough = self.is_rough();
         if !order.is_below_half() {
             if is_rough {
                 return Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, UNDECLARED));
