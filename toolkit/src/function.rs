@@ -425,13 +425,13 @@ impl<'a> Function<'a> {
             SobolevOrder::Fractional(order) => match &self.kind {
                 Kind::Formula(u) => self.of_formula(
                     tolerance,
-                    || u.norm(order, tolerance),
+                    |tolerance| u.norm(order, tolerance),
                     |u| u.norm(order, tolerance),
                 ),
                 Kind::NearlyOne(u, _) => u.norm(order, tolerance),
                 Kind::Piecewise(u) => u.norm(order, tolerance),
                 Kind::Difference(u, v) => {
-                    let rules = || u.minus(v).norm(order, tolerance);
+                    let rules = |tolerance| u.minus(v).norm(order, tolerance);
                     self.of_formula(tolerance, rules, |u| u.norm(order, tolerance))
                 }
                 Kind::Resolved(u) => u.norm(order, tolerance),
@@ -488,13 +488,13 @@ impl<'a> Function<'a> {
         match &self.kind {
             Kind::Formula(u) => self.of_formula(
                 tolerance,
-                || u.seminorm(order, tolerance),
+                |tolerance| u.seminorm(order, tolerance),
                 |u| u.seminorm(order, tolerance),
             ),
             Kind::NearlyOne(u, _) => u.seminorm(order, tolerance),
             Kind::Piecewise(u) => u.seminorm(order, tolerance),
             Kind::Difference(u, v) => {
-                let rules = || u.minus(v).seminorm(order, tolerance);
+                let rules = |tolerance| u.minus(v).seminorm(order, tolerance);
                 self.of_formula(tolerance, rules, |u| u.seminorm(order, tolerance))
             }
             Kind::Resolved(u) => u.seminorm(order, tolerance),
@@ -519,16 +519,21 @@ impl<'a> Function<'a> {
         let tolerance = tolerance.given()?;
         let square = q == 2.0;
         match &self.kind {
+            // A maximum takes fewer values than polynomials.
+            Kind::Formula(u) | Kind::NearlyOne(_, u) if q == f64::INFINITY => {
+                self.or_resolved(u.lq_norm(q, tolerance), |u| u.lq_norm(q, tolerance))
+            }
             Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
                 tolerance,
-                || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) },
+                |tolerance| if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) },
                 |u| u.lq_norm(q, tolerance),
             ),
             Kind::Piecewise(u) if square => u.l2_norm(),
             Kind::Piecewise(u) => u.lq_norm(q, tolerance),
             Kind::Difference(u, v) => {
                 let u = u.minus(v);
-                let rules = || if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
+                let rules =
+                    |tolerance| if square { u.l2_norm(tolerance) } else { u.lq_norm(q, tolerance) };
                 self.of_formula(tolerance, rules, |u| u.lq_norm(q, tolerance))
             }
             Kind::Resolved(u) => u.lq_norm(q, tolerance),
@@ -551,7 +556,7 @@ impl<'a> Function<'a> {
         let tolerance = tolerance.given()?;
         match &self.kind {
             Kind::Formula(u) | Kind::NearlyOne(_, u) => {
-                self.of_formula(tolerance, || u.mean(tolerance), |u| u.mean(tolerance))
+                self.of_formula(tolerance, |tolerance| u.mean(tolerance), |u| u.mean(tolerance))
             }
             Kind::Piecewise(u) => u.mean(),
             Kind::Difference(..) => self.resolved()?.mean(tolerance),
@@ -592,12 +597,12 @@ impl<'a> Function<'a> {
         match &self.kind {
             Kind::Formula(u) | Kind::NearlyOne(_, u) => self.of_formula(
                 tolerance,
-                || u.dual_norm(of, order, tolerance),
+                |tolerance| u.dual_norm(of, order, tolerance),
                 |u| u.dual_norm(of, order, tolerance),
             ),
             Kind::Piecewise(u) => u.dual_norm(of, order, tolerance),
             Kind::Difference(u, v) => {
-                let rules = || u.minus(v).dual_norm(of, order, tolerance);
+                let rules = |tolerance| u.minus(v).dual_norm(of, order, tolerance);
                 self.of_formula(tolerance, rules, |u| u.dual_norm(of, order, tolerance))
             }
             Kind::Resolved(u) => u.dual_norm(of, order, tolerance),

@@ -12,8 +12,12 @@ use std::ops::Range;
 
 /// Rounding error of a value of a formula or of a polynomial, relative to the values of which it is made.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
-/// Number of halvings towards a breakpoint up to which polynomials are used first, and the least work limit for it.
+/// Number of halvings towards a breakpoint up to which polynomials are used first, for differences up to that from which a
+/// smooth function varies by less than the rounding of its values, and the least work limit for it.
 const HALVINGS: usize = 24;
+const TO_ROUNDING: usize = 52;
+/// Share of the work limit that rules are given where no polynomials resolve a function between its breakpoints.
+const HOPELESS: u64 = 16;
 const WORK: u64 = 1 << 20;
 /// Tolerance below which the last digits are asked for, which polynomials do not have.
 const LAST_DIGITS: f64 = 1e-14;
@@ -383,7 +387,7 @@ impl<'a> Function<'a> {
                 let found = match &self.kind {
                     Kind::Formula(u) | Kind::NearlyOne(_, u) => Resolved::within(u, HALVINGS).ok(),
                     Kind::Difference(u, v) if v.mesh().len() <= ELEMENTS => {
-                        let formula = Resolved::within(u, HALVINGS).ok();
+                        let formula = Resolved::within(u, TO_ROUNDING).ok();
                         let formula = formula.filter(|u| u.has_structure() || u.is_noisy());
                         formula.and_then(|formula| {
                             formula.combined(1.0, &Resolved::of_polynomials(v), -1.0).ok()
@@ -406,12 +410,17 @@ impl<'a> Function<'a> {
     pub(super) fn of_formula(
         &self,
         tolerance: Tolerance,
-        rules: impl FnOnce() -> Result<Estimate>,
+        rules: impl FnOnce(Tolerance) -> Result<Estimate>,
         of: impl Fn(&Resolved) -> Result<Estimate>,
     ) -> Result<Estimate> {
+        let mut of_rules = tolerance;
         if let Some(polynomials) = self.at_hand(tolerance) {
             match of(polynomials) {
-                Err(Error::ToleranceNotMet { best: None, .. }) => {}
+                Err(Error::ToleranceNotMet { best: None, .. }) => {
+                    if polynomials.is_rough() {
+                        of_rules = tolerance.with_work(tolerance.work() / HOPELESS);
+                    }
+                }
                 Err(refused @ Error::ToleranceNotMet { .. }) if polynomials.is_noisy() => {
                     return Err(refused);
                 }
@@ -419,7 +428,7 @@ impl<'a> Function<'a> {
                 found => return found,
             }
         }
-        self.or_resolved(rules(), of)
+        self.or_resolved(rules(of_rules), of)
     }
 
     /// An answer, or where it does not meet the tolerance that of the polynomials, or the better one of both.

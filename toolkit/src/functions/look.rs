@@ -6,9 +6,9 @@
 //! sample, wherever it lies.
 //!
 //! The ends of the cells that [`super::waves`] finds in this way are kept in a [`Look`]. There the cells of integrals of
-//! functions with structure on many scales ([`super::by_scales`]), of the search for the maximum ([`super::supremum`]) and
-//! of the polynomials of dual norms are cut, and the elements of u − u_h next to a breakpoint are bisected until a narrow
-//! cell lies outside of them. The rules for |u|_ν and the cells of `crate::resolved` do not use them.
+//! functions with structure on many scales ([`super::by_scales`]) and of the polynomials of dual norms are cut, and the
+//! elements of u − u_h next to a breakpoint are bisected until a narrow cell lies outside of them. The rules for |u|_ν and
+//! the cells of `crate::resolved` do not use them.
 
 use super::arm::Arm;
 use super::function::SingularFunction;
@@ -25,9 +25,14 @@ const NARROW: f64 = 3.0;
 const SHORTER: f64 = 1.5;
 const SEVERAL: usize = 2;
 
+/// The distance of sample j of a side from its breakpoint, in units of the length of the side.
+pub(super) fn share(j: usize) -> f64 {
+    (j as f64 + WITHIN) / LOOKS as f64
+}
+
 /// The distance of sample j of a side from its breakpoint.
 pub(super) fn distance(arm: &Arm, j: usize) -> f64 {
-    arm.length * ((j as f64 + WITHIN) / LOOKS as f64)
+    arm.length * share(j)
 }
 
 /// The cells on which a function is a polynomial to the requested accuracy.
@@ -53,11 +58,6 @@ impl Look {
         self.is_inside |= nearest.is_finite();
         let shorter = |pair: &&[f64]| (pair[1] - pair[0]) * SHORTER < pair[0];
         self.is_structured |= ends.windows(2).filter(shorter).count() >= SEVERAL;
-    }
-
-    /// True if no number of cells up to the limit resolves the function.
-    pub(super) fn is_unresolved(&self) -> bool {
-        self.cuts.is_empty()
     }
 
     /// The distances in (near, far) at which cells of a side meet.

@@ -28,7 +28,7 @@
 //! interpolant    polynomials in ln t, of which deep_tail makes differences that keep their digits
 //! resolution     oscillations between the points of a rule: their share of the error
 //! by_scales      ∫ f(u) of functions with structure on many scales, instead of the rules
-//! supremum       max |u|
+//! supremum       max |u|, next to the largest of the values that all norms see
 //! ```
 
 mod arm;

@@ -75,8 +75,8 @@ pub(super) struct Seen {
     /// the values on all scales of every side, at t = 1/2, 3/2, ..., and at δ = 3/4 R/2^k, k = 0, 1, ...
     pub(super) scales: OnceLock<Vec<Vec<f64>>>,
     pub(super) middles: OnceLock<Vec<Vec<f64>>>,
-    /// the largest values by the two coarsest sets of samples: the accuracy of the cells, the value, and the work it took
-    pub(super) peaks: [OnceLock<(f64, Peak, u64)>; 2],
+    /// the largest value, and the number of values that it took
+    pub(super) peak: OnceLock<(Peak, u64)>,
     /// the octaves of δ and those of t, of every side
     sides: OnceLock<Vec<[Octaves; 2]>>,
 }

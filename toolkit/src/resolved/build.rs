@@ -360,6 +360,12 @@ impl Builder<'_> {
                 1.0 => last,
                 _ => first + arm.sign * (far - near) * t,
             };
+            if near == 0.0 && delta < low && 2.0 * low <= high {
+                // To second order: a limit that is a value at the smallest distance is off by a slope times this distance.
+                let [nearest, next] = [low, 2.0 * low].map(|delta| self.u.evaluated(&arm, delta));
+                let (nearest, next) = (nearest?, next?);
+                return Ok(nearest + (1.0 - delta / low) * (nearest - next));
+            }
             self.u.evaluated(&arm, delta.clamp(low, high))
         }
     }

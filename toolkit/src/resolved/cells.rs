@@ -104,6 +104,11 @@ impl Resolved {
         self.is_noisy
     }
 
+    /// True if the function is not smooth at a point that is not declared and has not been found.
+    pub(crate) fn is_rough(&self) -> bool {
+        self.cells.iter().any(|cell| cell.is_rough)
+    }
+
     pub(super) fn first(&self) -> Place {
         self.cells[0].start
     }

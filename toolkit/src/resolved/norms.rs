@@ -56,8 +56,12 @@ const GROW: f64 = 1.02;
 /// Share of the earlier rate of growth that is left where growth is exponential.
 const STEADY: f64 = 0.8;
 const FALLS: f64 = 0.995;
-/// Share of the maximum from which a value at a breakpoint is the maximum.
-const LARGEST: f64 = 1.0 - 1e-9;
+/// Ratio of the variations on neighbouring cells, towards a breakpoint, above which a function is not smooth there, and how far
+/// the nearest ratio may be below the next ones.
+const SMOOTH: f64 = 0.51;
+const STEADIER: f64 = 0.9;
+/// Factor of the error of polynomials at a point: a singularity that is not declared lies between the points of comparison.
+const BETWEEN: f64 = 4.0;
 /// Share of the tolerance for the cells that are joined at a breakpoint.
 const SHARE: f64 = 0.03;
 /// The same for a dual norm, relative to the L² norm.
@@ -105,17 +109,13 @@ impl Resolved {
         let u = self.polynomials()?;
         if q == f64::INFINITY {
             let found = Estimate::or_best(u.lq_norm(q, tolerance))?;
-            let at_open = self.at_open().any(|cell| cell.piece.size() >= LARGEST * found.value);
-            if at_open && found.value > 0.0 {
-                return Err(Error::out_of_reach(
-                    "L^inf norm",
-                    tolerance.relative(),
-                    f64::INFINITY,
-                    GROWS,
-                ));
-            }
-            let off = self.cells.iter().map(|cell| cell.off).fold(0.0, f64::max);
-            let found = Estimate::new(found.value, found.error + off, found.work)?;
+            let off = |cell: &Cell| {
+                let off = BETWEEN * cell.off;
+                off.min((cell.piece.size() + off - found.value).max(0.0))
+            };
+            let off = self.cells.iter().map(off).fold(0.0, f64::max);
+            let error = found.error + off + self.above(found.value, tolerance)?;
+            let found = Estimate::new(found.value, error, found.work)?;
             return accept("L^inf norm", found, tolerance, LIMIT);
         }
         let rest =
@@ -288,7 +288,7 @@ impl Resolved {
     fn seminorm_of_normalized(&self, order: Order, tolerance: Tolerance) -> Result<Estimate> {
         let kernel = PowerKernel::new(order);
         let asked = tolerance.relative();
-        let is_rough = self.cells.iter().any(|cell| cell.is_rough);
+        let is_rough = self.is_rough();
         if !order.is_below_half() {
             if is_rough {
                 return Err(Error::out_of_reach("seminorm", asked, f64::INFINITY, UNDECLARED));
@@ -375,16 +375,6 @@ impl Resolved {
         .map(|_| ())
     }
 
-    /// The cells next to the breakpoints at which the variation has not ended.
-    fn at_open(&self) -> impl Iterator<Item = &Cell> {
-        let ends =
-            (0..self.cells.len()).map(|k| (&self.cells[k], self.place(k), self.place(k + 1)));
-        ends.filter(|(_, start, end)| {
-            [start, end].iter().any(|place| place.offset == 0.0 && self.open.contains(&place.base))
-        })
-        .map(|(cell, ..)| cell)
-    }
-
     /// What lies beyond the smallest distances of contributions that fall like a geometric series.
     ///
     /// # Errors
@@ -436,6 +426,58 @@ impl Resolved {
             }
         }
         Ok(rest)
+    }
+
+    /// By how much |u| may exceed a value nearer to a breakpoint than the cell next to it.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] where |u| grows towards a breakpoint next to which its variation has not ended and is no
+    /// series as in [`Resolved::hidden`].
+    fn above(&self, value: f64, asked: Tolerance) -> Result<f64> {
+        let mut above = 0.0_f64;
+        for node in (0..=self.cells.len()).filter(|&node| self.place(node).offset == 0.0) {
+            for is_right in [true, false] {
+                let Some(Piece { left, right, .. }) =
+                    self.beside(node, is_right).next().map(|cell| &cell.piece)
+                else {
+                    continue;
+                };
+                let [near, far] = if is_right { [left, right] } else { [right, left] };
+                let is_open = self.open.contains(&self.place(node).base);
+                if let Some(hidden) = self.hidden(node, is_right) {
+                    above = above.max(far.abs() + hidden - value);
+                } else if is_open && (near.abs() > far.abs() || near.abs() >= 0.5 * value) {
+                    let asked = asked.relative();
+                    return Err(Error::out_of_reach("L^inf norm", asked, f64::INFINITY, GROWS));
+                }
+            }
+        }
+        Ok(above)
+    }
+
+    /// The variation of u on the cell next to a breakpoint if u is like a power of the distance there, which the rounding of x
+    /// may hide from the polynomial: the variations on the next cells are a geometric series then,
+    ///
+    /// ```text
+    /// |u(δ) − u(0)| = V₁ r/(1 − r),    V_k = V₁ r^{1−k} on cells of length 2^{k−1} δ,
+    /// ```
+    ///
+    /// and r > 1/2, the ratio of a smooth function. `None` if they are not.
+    pub(super) fn hidden(&self, node: usize, is_right: bool) -> Option<f64> {
+        let next: Vec<&Cell> = self.beside(node, is_right).skip(1).take(LEAST).collect();
+        let doubles = |pair: &[&Cell]| pair[1].length > 1.5 * pair[0].length;
+        if next.len() < LEAST || !next.windows(2).all(doubles) {
+            return None;
+        }
+        let step = |cell: &Cell| (cell.piece.right - cell.piece.left).abs();
+        let steps: Vec<f64> = next.into_iter().map(step).collect();
+        let over =
+            |from: usize, to: usize| (steps[from] / steps[to]).powf(1.0 / (to - from) as f64);
+        let is_series = steps.windows(2).all(|pair| pair[0] < pair[1])
+            && over(0, 1) > STEADIER * over(LEAST / 2, LEAST - 1);
+        let ratio = over(0, LEAST - 1);
+        let is_power = is_series && ratio > SMOOTH && ratio < FALLS;
+        is_power.then(|| steps[0] * ratio / (1.0 - ratio))
     }
 
     /// The cells on one side of a node that are known from it, from the nearest one on.

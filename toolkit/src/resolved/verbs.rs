@@ -45,10 +45,16 @@ impl Resolved {
             let apart = place.from(cell.start);
             apart > 0.0 || apart == 0.0 && !place.offset.is_sign_negative()
         };
-        let cell = &self.cells[self.cells.partition_point(is_left).max(1) - 1];
+        let k = self.cells.partition_point(is_left).max(1) - 1;
+        let cell = &self.cells[k];
         let t = (place.from(cell.start) / cell.length).clamp(0.0, 1.0);
         let value = cell.piece.value(t);
-        Estimate::new(value, cell.off + ROUNDING * cell.piece.size(), Work::default())
+        let hidden = [(k, true), (k + 1, false)]
+            .into_iter()
+            .filter(|&(node, _)| self.place(node).offset == 0.0)
+            .filter_map(|(node, is_right)| self.hidden(node, is_right))
+            .fold(0.0, f64::max);
+        Estimate::new(value, cell.off + hidden + ROUNDING * cell.piece.size(), Work::default())
     }
 
     /// u′ between the nodes. The error of the derivative of a polynomial of degree d on a cell of length h is estimated as

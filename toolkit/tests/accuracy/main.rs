@@ -12,6 +12,7 @@ mod hard;
 mod constants;
 mod features;
 mod half_order_moments;
+mod maxima;
 mod numbers;
 mod rules;
 mod scales;

@@ -14,6 +14,8 @@ mod constants;
 mod errors_of_fields;
 #[path = "../accuracy/features.rs"]
 mod features;
+#[path = "../accuracy/maxima.rs"]
+mod maxima;
 #[path = "../accuracy/numbers.rs"]
 mod numbers;
 #[path = "../norms/rough_loads.rs"]

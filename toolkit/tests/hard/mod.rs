@@ -4,6 +4,10 @@ pub mod references;
 
 use crate::common::SplitMix;
 use fractional_sobolev::{Error, Estimate, Result, Tolerance, Work};
+use std::time::Instant;
+
+/// Seconds from which a case is slow.
+const SLOW: f64 = 0.5;
 
 /// The share of the target; `SIGNORINI_ATTACK=10` takes ten times as many cases.
 pub fn cases(default: usize) -> usize {
@@ -107,7 +111,7 @@ impl Case {
 pub type Family = (&'static str, usize, f64, fn(&mut SplitMix) -> Case);
 
 /// Draws and judges the cases of all families; `SIGNORINI_FAMILY=log` only of those with such a name, and
-/// `SIGNORINI_REFUSED=1` prints what is refused. How many times the true error, or rounding, every stated error is.
+/// `SIGNORINI_REFUSED=1` prints what is refused or slow. How many times the true error, or rounding, every stated error is.
 pub fn judge(first: u64, families: &[Family]) -> Vec<f64> {
     let only = std::env::var("SIGNORINI_FAMILY").unwrap_or_default();
     let shows = std::env::var("SIGNORINI_REFUSED").is_ok();
@@ -119,7 +123,11 @@ pub fn judge(first: u64, families: &[Family]) -> Vec<f64> {
         let (mut random, mut refused, count) = (seeded(seed), 0, cases(*count));
         let mut careful = Vec::new();
         for _ in 0..count {
+            let start = Instant::now();
             let case = draw(&mut random);
+            if shows && start.elapsed().as_secs_f64() > SLOW {
+                println!("{family}: {} took {:.1?}", case.what, start.elapsed());
+            }
             match &case.found {
                 Ok(found) => {
                     let off = (found.value - case.exact.value).abs();

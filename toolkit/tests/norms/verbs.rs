@@ -413,3 +413,20 @@ fn differences_of_formulas_know_the_rounding_of_their_terms() -> Result<()> {
     }
     Ok(())
 }
+
+/// Next to c the rounding of x hides a power of the distance from the polynomials, of which a product is made.
+#[test]
+fn values_next_to_a_singular_point_of_x() -> Result<()> {
+    for (a, b, p, c, left) in [
+        (1.565_012_379_675_169_6, 1.687_699_295_744_545_4, 0.076, -0.0729, -0.3733),
+        (1.0, 0.3, 0.25, 0.7, 0.2),
+        (1.0, -0.5, 0.4, 1.3, 0.0),
+    ] {
+        let u =
+            Function::from_fn(&[left, c], move |x| a - b * ((x - c).abs() / (c - left)).powf(p))?;
+        let one = Function::linears(&Mesh::from_nodes(&[left, c])?, &[1.0; 2])?;
+        let found = u.times(&one)?.value(c)?;
+        assert!((found.value - a).abs() <= found.error, "{p}: {found}, {a}");
+    }
+    Ok(())
+}
