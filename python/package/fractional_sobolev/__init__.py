@@ -8,7 +8,7 @@ Examples
 --------
 >>> import fractional_sobolev as fs
 >>> fs.norm(lambda x: abs(x - 0.3), 0.45, on=(0, 0.3, 1))
-0.84803827442 ± 1e-11
+0.84803827442139 ± 3e-14
 """
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def seminorm(
     Examples
     --------
     >>> seminorm(lambda x: x, 0.5)
-    1.00000000000 ± 2e-11
+    1.00000000000000 ± 4e-14
     """
     return _interval_norm(u, s, on, tol, distances, derivative, True)
 

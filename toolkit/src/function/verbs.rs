@@ -382,26 +382,30 @@ impl<'a> Function<'a> {
         if tolerance.work() < WORK || tolerance.relative() < LAST_DIGITS {
             return None;
         }
-        if self.resolved.get().is_none() {
-            self.is_short.get_or_init(|| {
-                let found = match &self.kind {
-                    Kind::Formula(u) | Kind::NearlyOne(_, u) => Resolved::within(u, HALVINGS).ok(),
-                    Kind::Difference(u, v) if v.mesh().len() <= ELEMENTS => {
-                        let formula = Resolved::within(u, TO_ROUNDING).ok();
-                        let formula = formula.filter(|u| u.has_structure() || u.is_noisy());
-                        formula.and_then(|formula| {
-                            formula.combined(1.0, &Resolved::of_polynomials(v), -1.0).ok()
-                        })
-                    }
+        let keep = |found: Option<Resolved>| {
+            found.is_some_and(|found| {
+                self.resolved.get_or_init(|| Ok(found));
+                true
+            })
+        };
+        let is_short = || match &self.kind {
+            Kind::Formula(u) | Kind::NearlyOne(_, u) => {
+                self.is_short.get_or_init(|| keep(Resolved::within(u, HALVINGS).ok()))
+            }
+            Kind::Difference(u, v) => self.is_short.get_or_init(|| {
+                let formula = match v.mesh().len() {
+                    ..=ELEMENTS => Resolved::within(u, TO_ROUNDING).ok(),
                     _ => None,
                 };
-                found.is_some_and(|found| self.resolved.set(Ok(found)).is_ok())
-            });
-        }
-        match &self.kind {
-            Kind::Difference(..) if self.is_short.get() != Some(&true) => None,
-            _ => self.resolved.get()?.as_ref().ok(),
-        }
+                let formula = formula.filter(|u| u.has_structure() || u.is_noisy());
+                let v = Resolved::of_polynomials(v);
+                keep(formula.and_then(|formula| formula.combined(1.0, &v, -1.0).ok()))
+            }),
+            _ => &false,
+        };
+        let is_difference = matches!(self.kind, Kind::Difference(..));
+        let is_first = !is_difference && self.resolved.get().is_some() || *is_short();
+        self.resolved.get().filter(|_| is_first)?.as_ref().ok()
     }
 
     /// A norm of a formula: of its polynomials if they are at hand and meet the tolerance; otherwise by `rules` along the
@@ -413,22 +417,26 @@ impl<'a> Function<'a> {
         rules: impl FnOnce(Tolerance) -> Result<Estimate>,
         of: impl Fn(&Resolved) -> Result<Estimate>,
     ) -> Result<Estimate> {
-        let mut of_rules = tolerance;
-        if let Some(polynomials) = self.at_hand(tolerance) {
-            match of(polynomials) {
-                Err(Error::ToleranceNotMet { best: None, .. }) => {
-                    if polynomials.is_rough() {
-                        of_rules = tolerance.with_work(tolerance.work() / HOPELESS);
-                    }
-                }
-                Err(refused @ Error::ToleranceNotMet { .. }) if polynomials.is_noisy() => {
-                    return Err(refused);
-                }
-                Err(_) => {}
-                found => return found,
+        let Some(polynomials) = self.at_hand(tolerance) else {
+            return self.or_resolved(rules(tolerance), of);
+        };
+        let refused = match of(polynomials) {
+            Err(refused @ Error::ToleranceNotMet { best: Some(_), .. })
+                if polynomials.is_noisy() =>
+            {
+                return Err(refused);
             }
+            Err(refused) => refused,
+            found => return found,
+        };
+        let is_hopeless =
+            matches!(refused, Error::ToleranceNotMet { best: None, .. }) && polynomials.is_rough();
+        let share = if is_hopeless { HOPELESS } else { 1 };
+        let found = rules(tolerance.with_work(tolerance.work() / share));
+        if is_hopeless && let Err(Error::ToleranceNotMet { best: None, .. }) = found {
+            return Err(refused);
         }
-        self.or_resolved(rules(of_rules), of)
+        self.or_resolved(found, |_| Err(refused))
     }
 
     /// An answer, or where it does not meet the tolerance that of the polynomials, or the better one of both.

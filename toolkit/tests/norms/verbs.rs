@@ -430,3 +430,23 @@ fn values_next_to_a_singular_point_of_x() -> Result<()> {
     }
     Ok(())
 }
+
+/// Whether a difference is resolved first does not depend on the verb that was asked before.
+#[test]
+fn verbs_of_a_difference_do_not_depend_on_their_order() -> Result<()> {
+    let mesh = Mesh::uniform(7, 1.0)?;
+    let field = Function::linears(&mesh, &[0.3; 8])?;
+    for (name, f) in [
+        ("bell", (|x: f64| (-0.5 * ((x - 0.4) / 0.003).powi(2)).exp()) as fn(f64) -> f64),
+        ("kink", |x: f64| (x - 0.3217).abs()),
+        ("root", |x: f64| x.sqrt()),
+        ("smooth", |x: f64| (3.0 * x).sin()),
+    ] {
+        let difference = || Function::from_fn(&[0.0, 1.0], f)?.minus(&field);
+        let alone = difference()?.seminorm(0.4, 1e-7)?;
+        let u = difference()?;
+        u.mean(1e-6)?;
+        assert_eq!(u.seminorm(0.4, 1e-7)?, alone, "{name}");
+    }
+    Ok(())
+}
