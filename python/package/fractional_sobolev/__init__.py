@@ -249,7 +249,7 @@ def gram(nodes: ArrayLike, s: float, tol: float = 1e-10, *, zero_outside: bool =
         The operator A with (A x, x) = |u|_s² for the piecewise linear u with nodal values x, with
 
         * `A.mass`, the mass matrix,
-        * `A.preconditioner`, an approximate inverse; the condition number does not depend on the mesh,
+        * `A.preconditioner`, an approximate inverse, as good for many elements as for few,
         * `A.solve(b)`, the solution of A x = b and its energy xᵀA x,
         * `A.extreme_eigenvalues()`, the smallest positive and the largest of A x = λ M x,
         * `A.to_dense()`, the matrix.

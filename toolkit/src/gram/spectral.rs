@@ -5,7 +5,9 @@
 //! by the trapezoidal rule in ln t: each point is one tridiagonal solve, O(N). The form of (M⁻¹K)^ν is that of the
 //! interpolation space between L² and H¹ (H¹_0 if the functions vanish outside), whose norm is equivalent to that
 //! of the double integral; multiplied by 2/C(1, ν) it agrees with it on short waves. The ratio of the two forms
-//! lies between constants that depend only on ν, not on the number of elements or their lengths.
+//! lies between constants that depend on ν and on the ratios of neighbouring lengths, not on the number of elements: a
+//! step across an element of length h between longer ones has the energy h^{1−2ν} or less, in the discrete interpolation
+//! space h^{−ν}.
 
 use super::tridiagonal::{Basis, Network, Tridiagonal};
 use crate::kernel::power::symbol_constant;
