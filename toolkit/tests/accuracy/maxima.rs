@@ -2,7 +2,7 @@
 
 use crate::common::SplitMix;
 use crate::hard::{Case, Family, decades, judge};
-use fractional_sobolev::{Function, Result, Tolerance};
+use fractional_sobolev::{Function, Mesh, Result, Tolerance};
 
 /// Relative rounding of the values of the functions below.
 const ROUNDING: f64 = 1e-14;
@@ -125,9 +125,22 @@ fn of_two_hills(random: &mut SplitMix) -> Case {
     })
 }
 
+/// x^p, 0 < p < 1, minus its interpolant on n equal elements: the maximum lies in the first one at x = h p^{1/(1−p)}.
+fn of_interpolation_error(random: &mut SplitMix) -> Case {
+    let (p, count) = (random.between(0.05, 0.95), 1 + random.below(200));
+    let h = 1.0 / count as f64;
+    let at = p.powf(1.0 / (1.0 - p));
+    let exact = h.powf(p) * (at.powf(p) - at);
+    largest(format!("x^{p} minus its interpolant on {count} elements"), random, exact, move || {
+        let mesh = Mesh::uniform(count, 1.0)?;
+        let u = Function::from_fn(&[0.0, 1.0], move |x| x.powf(p))?;
+        u.minus(&Function::interpolate(&mesh, 1, |x| x.powf(p))?)
+    })
+}
+
 #[test]
 fn maxima_that_are_known() {
-    let families: [Family; 7] = [
+    let families: [Family; 8] = [
         ("maxima of powers", 2000, 0.1, of_power),
         ("maxima of layers", 2000, 0.05, of_layer),
         ("maxima of layers at a breakpoint", 2000, 0.05, of_layer_at_a_breakpoint),
@@ -135,6 +148,7 @@ fn maxima_that_are_known() {
         ("maxima of cosines", 300, 0.05, of_cosine),
         ("maxima of bells beside a singular end", 500, 0.05, of_bell_beside_a_singular_end),
         ("maxima of two hills", 2000, 0.0, of_two_hills),
+        ("maxima of interpolation errors", 300, 0.05, of_interpolation_error),
     ];
     judge(700, &families);
 }
