@@ -60,6 +60,8 @@ const FALLS: f64 = 0.995;
 /// the nearest ratio may be below the next ones.
 const SMOOTH: f64 = 0.51;
 const STEADIER: f64 = 0.9;
+/// Margin of the sum of this series for the noise of x in its first terms.
+const WIDER: f64 = 1.1;
 /// Factor of the error of polynomials at a point: a singularity that is not declared lies between the points of comparison.
 const BETWEEN: f64 = 4.0;
 /// Share of the tolerance for the cells that are joined at a breakpoint.
@@ -477,7 +479,7 @@ impl Resolved {
             && over(0, 1) > STEADIER * over(LEAST / 2, LEAST - 1);
         let ratio = over(0, LEAST - 1);
         let is_power = is_series && ratio > SMOOTH && ratio < FALLS;
-        is_power.then(|| steps[0] * ratio / (1.0 - ratio))
+        is_power.then(|| WIDER * steps[0] * ratio / (1.0 - ratio))
     }
 
     /// The cells on one side of a node that are known from it, from the nearest one on.
