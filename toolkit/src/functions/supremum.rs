@@ -132,16 +132,20 @@ impl SingularFunction<'_> {
             }
         };
         // Where values are sums their rounding is relative to the terms.
-        let size = |arm: &Arm| AT_TERMS.map(|share| self.size_of_terms(arm, share * arm.length));
-        let terms =
-            if self.is_sum() { self.arms().iter().flat_map(size).collect() } else { vec![] };
-        let terms = terms.into_iter().collect::<Result<Vec<f64>>>()?;
-        let terms = terms.into_iter().fold(peak.value, f64::max);
-        let error = peak.error + ROUNDING * terms;
+        let mut size = peak.value;
+        if self.is_sum() {
+            for arm in self.arms() {
+                for share in AT_TERMS {
+                    size = size.max(self.size_of_terms(&arm, share * arm.length)?);
+                }
+            }
+        }
+        let error = peak.error + ROUNDING * size;
         let work = Work { points, ..Work::default() };
         accept("L^inf norm", Estimate::new(peak.value, error, work)?, tolerance, LIMIT)
     }
 
+    /// The largest value on all sides; what is refused does not depend on the tolerance, which only the message names.
     fn peak(&self, tolerance: Tolerance) -> Result<Peak> {
         let scales = self.scales();
         let (arms, mut intervals) = (self.arms(), Vec::new());
